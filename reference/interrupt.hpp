@@ -5,9 +5,9 @@
 
 namespace minkref {
 
-/// While it lives, the long loops of this thread call `look`, some hundred times a second or more.
-/// What `look` throws ends the work: what was being made is lost, and its arguments are as they
-/// were. One inside of another takes its place.
+/// While an Interruptible lives, the long loops of this thread call `look`, some hundred times a
+/// second or more. An exception from `look` ends the work: its unfinished result is lost, its
+/// arguments are as they were. An inner Interruptible takes the place of the outer one.
 class Interruptible {
  public:
   explicit Interruptible(std::function<void()> look);

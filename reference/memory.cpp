@@ -31,7 +31,7 @@ std::uint64_t available_on_machine() {
   return unlimited;
 }
 
-/// What a control group and those above it leave.
+/// The memory that a control group and the groups above it leave.
 std::uint64_t available_below(const std::string& root, std::string group, const char* limit,
                               const char* usage) {
   std::uint64_t least = unlimited;

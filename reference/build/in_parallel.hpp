@@ -15,9 +15,10 @@ namespace minkref {
 
 /// Calls worker(k) once for each k from 0 to count - 1, in no order; thread t of 0, 1, ... has a
 /// worker of its own, from make_worker(t), which is called by that thread. Thread 0 is the calling
-/// one. Of control: `threads()`, how many; `before(t, first)`, which each calls before it takes
-/// `chunk` numbers from `first` on; `stop()`, where an exception ends all, which is thrown here.
-/// Where the system starts no more threads, those that there are do all the work.
+/// thread. `control` has `threads()`, how many threads; `before(t, first)`, called by each thread
+/// before it takes `chunk` numbers from `first` on; `stop()`, called when an exception ends the
+/// loop, which throws that exception. If the system starts no more threads, the running ones do all
+/// the work.
 template <class Control, class MakeWorker>
 void in_parallel(std::size_t count, std::size_t chunk, Control& control, MakeWorker&& make_worker) {
   std::atomic<std::size_t> next{0};

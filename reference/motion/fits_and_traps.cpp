@@ -84,8 +84,8 @@ class FreePlaces {
   Passages passages() const {
     return rule_ == ContactRule::allowed ? Passages::find : Passages::leave;
   }
-  /// What the list of events, or a place that is not free, tells: with places that were asked for
-  /// all have to be free; without any, a hole of the sum is enough.
+  /// The answer, if the list of events or a place that is not free tells it: all places that were
+  /// asked for have to be free; if there are none, a hole of the sum is enough.
   std::optional<bool> without_boundary(const Rational& scale) const {
     for (const std::vector<ScaleRange>& free : free_) {
       if (std::none_of(free.begin(), free.end(),
@@ -101,8 +101,8 @@ class FreePlaces {
   FreeSpace free_space(const Sum& sum) const { return {sum, rule_, places_}; }
   void add(FreeBound cause) { causes_.try_emplace(cause.scale, cause); }
 
-  /// Where contacts meet in a place that is free: the corners of the free places in space and
-  /// scale. What is free at one scale only, or along tight passages, shows in these alone.
+  /// Adds the corners of the free places in space and scale: free places where contacts meet.
+  /// Places that are free at one scale only, or along tight passages, show in these corners alone.
   void add_free_vertices() {
     for (const PolygonSet* set : {&part_, &obstacles_}) {
       if (wedge_walks(*set)) {
@@ -183,7 +183,7 @@ class FreePlaces {
 
 using Question = FreePlaces::Question;
 
-/// What is asked, with single scales as static sums answer it.
+/// The problem as it was asked, with answers of static sums at single scales.
 struct FreeProblem {
   const PolygonSet &part, &obstacles;
   std::vector<Point> places;

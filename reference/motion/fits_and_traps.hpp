@@ -8,9 +8,9 @@
 
 namespace minkref::inline paths {
 
-/// What ends a range of scales: "contact" (the part touches at a place that was asked for, as
-/// `contact` says), or what happens to a hole of the sum of the obstacles and the turned part at
-/// the place `at`: "birth", "death", "merge", "split", "touch".
+/// The cause that ends a range of scales: "contact" (the part touches at a place that was asked
+/// for, as `contact` says), or a change at the place `at` of a hole of the sum of the obstacles and
+/// the turned part: "birth", "death", "merge", "split", "touch".
 struct FreeBound {
   Rational scale;
   bool ends = true;  ///< scales of the answer lie just below; otherwise just above, or it is alone

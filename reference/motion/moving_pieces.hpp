@@ -17,7 +17,7 @@ struct SidedPiece {
   Rational reach(const Point& direction) const;
 };
 
-/// Of MovingPiecesOf.
+/// The Geometry of MovingPiecesOf in the plane.
 struct PathsInThePlane {
   using Point = plane::Point;
   using Piece = SidedPiece;

@@ -45,7 +45,7 @@ Interval reach_of(const std::vector<NearVector<Dimension>>& corners,
 /// Scales from and to, the latter infinity where there is none.
 using ScaleGap = std::array<double, 2>;
 
-/// Of a piece of the part, one of the obstacles, and a segment.
+/// Numbers of a segment, a piece of the part and a piece of the obstacles.
 struct PieceTriple {
   std::uint32_t segment = 0, robot = 0, obstacle = 0;
 };

@@ -27,9 +27,9 @@ struct PathDiagram {
 
 /// All bad polygons of a path, cut off at the ends of the window. For 0 < t < 1 and s inside of the
 /// window, the place t of a segment collides at the scale s iff (t, s) is inside of one of its
-/// polygons (with contact forbidden: inside or on a side). Of a segment that is a point this holds
-/// for s alone. What collides at an end of a segment does so nearby, too: a scale inside of the
-/// window is valid iff the line of this s meets no polygon so. The window has a greatest scale, and
+/// polygons (with contact forbidden: inside or on a side). If the segment is a point, this holds
+/// for s alone. A collision at an end of a segment goes on nearby: a scale s inside of the window
+/// is valid iff the line of s meets no polygon in this way. The window has a greatest scale, and
 /// more than one scale. Exact. Throws what valid_scales throws, and LimitExceeded for more than
 /// `most` polygons. O(k a b) in doubles for k segments and a, b pieces, and an exact polygon for
 /// each triple of them that doubles do not leave out.

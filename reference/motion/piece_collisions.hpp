@@ -1,4 +1,4 @@
-// What convex pieces that move along a path say of the scales: in the plane and in space.
+// Scales at which convex pieces that move along a path collide: in the plane and in space.
 #pragma once
 
 #include <limits>

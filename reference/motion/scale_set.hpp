@@ -43,7 +43,7 @@ class ScaleSet {
   const std::vector<ScaleRange>& ranges() const { return ranges_; }
   bool holds(const Rational& scale) const;
 
-  /// What is left of a closed window, open towards 0 and infinity where it has no bound. Exact.
+  /// The rest of a closed window, open towards 0 and infinity where the window has no bound. Exact.
   std::vector<ScaleRange> left_of(const ScaleWindow& window) const;
 
  private:

@@ -11,7 +11,7 @@ Rational side_of(const Point& a, const Point& b, const Point& x) {
   return (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x);
 }
 
-/// What of a convex polygon is on the left of a line, with the line.
+/// The part of a convex polygon on the left of a line, with the line.
 Ring left_part(const Ring& polygon, const Point& a, const Point& b) {
   Ring rest;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

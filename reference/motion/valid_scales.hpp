@@ -10,7 +10,7 @@
 
 namespace minkref::inline paths {
 
-/// What a part and an obstacle may do: touch, or not even that.
+/// Whether a part and an obstacle may touch.
 enum class ContactRule : std::uint8_t { allowed, forbidden };
 
 /// Three ways to the valid scales that share as little as they can.
@@ -20,8 +20,8 @@ enum class PathRoute : std::uint8_t {
   index      ///< where the path meets the sums of an index of all scales
 };
 
-/// A place on a polyline: on the segment from vertex `segment` to the next, at (1 - t) of the one
-/// and t of the other. Of a path of one vertex, segment 0 and t = 0.
+/// A place on a polyline: on the segment from vertex `segment` to the next, at (1 - t) of the first
+/// vertex and t of the second. On a path of one vertex, segment 0 and t = 0.
 template <class PointType>
 struct PathPlaceOf {
   std::uint32_t segment = 0;

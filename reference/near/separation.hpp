@@ -8,7 +8,7 @@
 
 namespace minkref {
 
-/// A point somewhere in a cube about doubles. What `separation` is given is at most 2^100, the
+/// A point somewhere in a cube about doubles. Numbers given to `separation` are at most 2^100, the
 /// width apart, which may be infinite.
 struct NearPoint {
   NearVector low{};

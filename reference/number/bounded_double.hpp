@@ -33,7 +33,7 @@ struct BoundedDouble {
     if (!exact) error = enlarged(std::abs(value) * 0x1p-52);
   }
 
-  /// What certain_sign returns where the sign is not certain.
+  /// Returned by certain_sign where the sign is not certain.
   static constexpr int undecided = 2;
   int certain_sign() const {
     if (value > error) return 1;

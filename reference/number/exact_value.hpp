@@ -5,7 +5,7 @@
 
 namespace minkref {
 
-/// What a rounded number stands for.
+/// The exact value of a rounded number.
 inline Rational exact_value(double value) { return from_double(value); }
 inline Rational exact_value(const Mpfr& value) { return exact(value); }
 

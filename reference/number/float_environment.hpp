@@ -73,7 +73,8 @@ class FloatEnvironment {
   inline static const char* fault_ = nullptr;
   bool changed_ = false;
 #if defined(__x86_64__)
-  // Of the word MXCSR: flushing, rounding, masks of exceptions. Doubles are computed nowhere else.
+  // Bits of the word MXCSR: flushing, rounding, masks of exceptions. Doubles are computed nowhere
+  // else.
   static constexpr unsigned controls = 0xffc0, masked_to_nearest = 0x1f80;
   unsigned before_;
 #else

@@ -89,8 +89,8 @@ class Interval {
     return whole();
   }
 
-  /// Of the part that is not below 0; the number is not. Within one double of the tightest bounds,
-  /// and a point where it is a double.
+  /// The root of a number that is not below 0, from the part of `a` that is not. Within one double
+  /// of the tightest bounds, and a point where the root is a double.
   friend Interval sqrt(const Interval& a) {
     return {root_below(a.lower_), a.upper_ > 0 ? root_above(a.upper_) : 0, Trusted{}};
   }

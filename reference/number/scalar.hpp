@@ -1,8 +1,8 @@
-// What the geometry asks of a number, and its four models: Rational, Interval, Mpfr, double.
+// The geometry's demands on a number, and the four models: Rational, Interval, Mpfr, double.
 //
-// `sign` answers with -1, 0 or 1. Of a Rational it is exact; an Interval certifies it or throws
-// UndecidedSign; of an Mpfr and a double it is the sign of the rounded value, and NaN, of which
-// nothing is known, throws UndecidedSign. `approximate` gives a double for drawing, never for
+// `sign` answers with -1, 0 or 1. The sign of a Rational is exact; an Interval certifies its sign
+// or throws UndecidedSign; an Mpfr and a double give the sign of the rounded value, and NaN, of
+// which nothing is known, throws UndecidedSign. `approximate` gives a double for drawing, never for
 // deciding.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What is refused as an operand, with the place at fault.
+// Refusals of operands, with the place at fault.
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -185,7 +185,7 @@ class Validator {
     if (least) throw *refusal(edges[least->first], edges[least->second]);
   }
 
-  /// What is wrong with the way two edges meet, if anything.
+  /// The fault in the way two edges meet, if any.
   std::optional<BadInput> refusal(Edge a, Edge b) const {
     const bool same = a.ring == b.ring;
     const auto self = [&](const char* problem) {

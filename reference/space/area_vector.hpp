@@ -12,7 +12,7 @@ template <class Point>
 using AreaVector = std::conditional_t<std::is_same_v<Point, WordVector>, WideVector, IntegerVector>;
 
 /// Twice the vector area of a closed ring: for a planar one normal to its plane, on the side from
-/// which it runs counter-clockwise. Of words within their limits (word_vectors.hpp).
+/// which the ring runs counter-clockwise. Words must be within their limits (word_vectors.hpp).
 template <class Point>
 AreaVector<Point> area_vector(const std::vector<Point>& points, const Face& face) {
   AreaVector<Point> sum{0, 0, 0};

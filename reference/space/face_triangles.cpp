@@ -45,8 +45,8 @@ class EarCutter {
     return flat_.turn(left_[before(k)], left_[k], left_[after(k)]) > 0;
   }
 
-  /// An ear holds no other vertex. Of those it might hold, the one farthest from its diagonal is
-  /// not convex: only such have to be looked at.
+  /// An ear holds no other vertex. If a triangle holds others, the one farthest from its diagonal
+  /// is not convex: only vertices that are not convex have to be looked at.
   bool is_ear(std::size_t k) const {
     if (!convex_[k]) return false;
     const TriangleCorners triangle = corner(k);

@@ -45,20 +45,20 @@ using Scaling = std::array<Rational, 3>;
 /// O(n^2) at worst; beside cutting the faces into triangles (face_triangles.hpp).
 void validate(const Polyhedron& polyhedron);
 
-/// Of `validate` all but how faces lie to each other: refuses what is no closed 2-manifold of
-/// planar simple faces. Codes: "index-out-of-range", "too-few-vertices", "too-few-faces",
-/// "repeated-vertex" (a face visits a vertex twice), "unused-vertex", "zero-length-edge",
-/// "zero-area", "non-planar-face", "face-not-simple", "wrong-orientation" (two faces run along an
-/// edge the same way), "open-mesh" (an edge with one face), "non-manifold-edge" (more than two),
-/// "non-manifold-vertex" (its faces are no single fan). Exact. O(n log n).
+/// Checks all that `validate` checks except how faces lie to each other: refuses what is no closed
+/// 2-manifold of planar simple faces. Codes: "index-out-of-range", "too-few-vertices",
+/// "too-few-faces", "repeated-vertex" (a face visits a vertex twice), "unused-vertex",
+/// "zero-length-edge", "zero-area", "non-planar-face", "face-not-simple", "wrong-orientation" (two
+/// faces run along an edge the same way), "open-mesh" (an edge with one face), "non-manifold-edge"
+/// (more than two), "non-manifold-vertex" (its faces are no single fan). Exact. O(n log n).
 void validate_mesh(const Polyhedron& polyhedron);
 
 /// As `validate`, but takes a plane polygon as well: a single face, planar and simple, that has all
 /// vertices. Exact. O(n log n) for a polygon.
 void validate_summand(const Polyhedron& polyhedron);
 
-/// Of `validate` what all other functions take for granted: refuses a face that names no vertex of
-/// the polyhedron, or has fewer than three. Linear.
+/// Checks the part of `validate` that all other functions take for granted: refuses a face that
+/// names no vertex of the polyhedron, or has fewer than three. Linear.
 void validate_faces(const Polyhedron& polyhedron);
 
 /// Six times the volume, signed. Exact.

@@ -1,5 +1,5 @@
-// What the faces of a polyhedron have to keep to beyond each by itself: none crosses or covers
-// another, and shells lie in and beside each other as the boundary of one set.
+// Conditions on the faces of a polyhedron together: none crosses or covers another, and shells lie
+// in and beside each other as the boundary of one set.
 #pragma once
 
 #include <vector>
@@ -26,8 +26,8 @@ struct SearchedSurface {
 /// many overlap (reference/near/), O(n^2) at worst; can be interrupted.
 void refuse_crossing_faces(const SearchedSurface& surface);
 
-/// Of a surface that passes the above: refuses one that does not lie with the unbounded outside, or
-/// a hollow, just off each of its shells. Codes "shell-nesting" (a shell inside the material) and
+/// Refuses a surface that passes the above but does not have the unbounded outside, or a hollow,
+/// just off each of its shells. Codes "shell-nesting" (a shell inside the material) and
 /// "wrong-orientation" (a shell inside out that hollows out nothing). Exact. A ray for each shell.
 void refuse_wrong_nesting(const SearchedSurface& surface);
 

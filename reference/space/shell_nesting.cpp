@@ -98,8 +98,9 @@ class OutwardRay {
   int way_ = 0;
 };
 
-/// What is just off a triangle, on its outer side. A line meets the curve of the points that are
-/// tried at most twice, and few lines have to be missed: two for each edge above the triangle.
+/// The shells around a point just off a triangle, on its outer side. A line meets the curve of the
+/// points that are tried at most twice, and few lines have to be missed: two for each edge above
+/// the triangle.
 std::map<std::uint32_t, Around> shells_off(const SearchedSurface& surface, std::uint32_t from) {
   for (int t = 1;; ++t) {
     look_for_interrupt();

@@ -97,12 +97,12 @@ class TrianglePair {
     return true;
   }
 
-  /// Both meet the line of their planes in a segment, of which the ends are on the two edges at the
-  /// corner that is alone. With D the cross product of the normals, q the other end of such an edge
-  /// from the corner p of the first triangle on the side s of the second, and q', p', s' likewise,
-  /// det(q - p, p' - p, q' - p) has s s' times the sign of the way along D from the one point to
-  /// the other. Of the ends of one segment the later is on the edge after the corner if it lies
-  /// above, in the first triangle; in the second, before it.
+  /// Both triangles meet the line of their planes in a segment; its ends are on the two edges at
+  /// the corner that is alone. With D the cross product of the normals, q the other end of such an
+  /// edge from the corner p of the first triangle on the side s of the second, and q', p', s'
+  /// likewise, det(q - p, p' - p, q' - p) has s s' times the sign of the way along D from the one
+  /// point to the other. The later end of a segment is on the edge after the corner if the corner
+  /// lies above, in the first triangle; in the second, on the edge before.
   bool insides_meet(const PlaneSides& t, const PlaneSides& u) const {
     const std::size_t p = t.alone(), q = u.alone();
     const int above = t.of[p], other = u.of[q];
@@ -155,7 +155,7 @@ class TrianglePair {
     return between(corner(1, j + 2)) * between(apex_beyond(1, j)) < 0;
   }
 
-  /// Of two edges on one line.
+  /// Whether two edges on one line share a segment.
   bool share_a_segment(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     const std::vector<IntegerVector>& points = signs_.points();
     std::size_t axis = 0;

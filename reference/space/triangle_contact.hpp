@@ -15,11 +15,11 @@ enum class TriangleContact {
   overlap,   ///< they share an area
 };
 
-/// Of two triangles of different faces. The surface crosses itself along a line of contact where
-/// the half-planes at which one sheet meets the line lie on different sides of the other sheet: a
-/// sheet is the inside of a triangle, or two triangles at their common edge. Where one of them
-/// coincides with one of the other sheet, that pair overlaps, and this one may be called none.
-/// Exact. O(1).
+/// The contact of two triangles of different faces. The surface crosses itself along a line of
+/// contact where the half-planes at which one sheet meets the line lie on different sides of the
+/// other sheet: a sheet is the inside of a triangle, or two triangles at their common edge. Where
+/// half-planes of both sheets coincide, their triangles overlap, and the given pair may be called
+/// none. Exact. O(1).
 TriangleContact contact_of(const std::vector<SurfaceTriangle>& triangles, const VertexSigns& signs,
                            std::uint32_t first, std::uint32_t second);
 

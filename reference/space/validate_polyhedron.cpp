@@ -1,4 +1,4 @@
-// What is refused as a polyhedron, with the face and the vertices at fault.
+// Refuses what is no polyhedron, with the face and the vertices at fault.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -127,7 +127,7 @@ class PolyhedronValidator {
     if (face.size() > 3) check_simple(f, normal);
   }
 
-  /// Of the first three vertices that are on no line; zero where there are none.
+  /// The normal of the first three consecutive vertices on no line; zero where there are none.
   IntegerVector normal_of_corners(const Face& face) const {
     for (std::size_t a = 0; a + 2 < face.size(); ++a) {
       const IntegerVector normal =

@@ -17,7 +17,7 @@ using WordVector = std::array<std::int64_t, 3>;
 /// The cross product of two differences of points, or a sum of such.
 using WideVector = std::array<Int128, 3>;
 
-/// What `area_vector` gives of faces of such points.
+/// The type that `area_vector` gives for faces of such points.
 template <class Point>
 using AreaVector = std::conditional_t<std::is_same_v<Point, WordVector>, WideVector, IntegerVector>;
 

@@ -60,7 +60,7 @@ class LeavingOrder {
     }
   }
 
-  /// The direction in which it leaves, times some number.
+  /// The direction in which a half-edge leaves its source, times some number.
   template <class N>
   Vector<N> way(std::uint32_t half_edge) const {
     const ArcCarrier& own = carrier(half_edge);
@@ -85,7 +85,7 @@ class LeavingOrder {
     ++counts_.exact_orders;
     return sign(cross(way<RootNumber>(a.half_edge), way<RootNumber>(b.half_edge)));
   }
-  /// Of parallel directions.
+  /// Whether parallel directions are equal, not opposite.
   bool is_same_way(const LeavingArc& a, const LeavingArc& b) const {
     if (const std::optional<int> certain = certified_sign(dot(a.way, b.way))) return *certain > 0;
     return sign(dot(way<RootNumber>(a.half_edge), way<RootNumber>(b.half_edge))) > 0;

@@ -13,7 +13,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// What of an arrangement is the boundary of the sum, in terms of the offset curves of P.
+/// Finds the boundary of the sum in an arrangement, in terms of the offset curves of P.
 class ConvolutionBoundary {
  public:
   ConvolutionBoundary(const ArcArrangement& arrangement, const ArcFaces& faces,

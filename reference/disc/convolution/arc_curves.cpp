@@ -34,7 +34,7 @@ int quadrant_of(const Direction& d) {
   return d.y <= 0 && d.x < 0 ? 2 : 3;
 }
 
-/// Of the offset curves of P: where along a carrier, and which way.
+/// A patch of the offset curves of P: where on its carrier it lies, and which way it runs.
 struct PatchRange {
   std::uint32_t patch;
   int way;

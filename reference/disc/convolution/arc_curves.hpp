@@ -13,17 +13,17 @@ namespace minkref::inline disc {
 struct ArcCarrier {
   bool is_circle = false;
   Point centre;  ///< of a circle
-  /// Of a line: in coprime integers, to the right, or straight up.
+  /// The direction of a line in coprime integers: to the right, or straight up.
   Direction way;
   std::uint32_t way_number = 0;  ///< lines that are parallel have one
-  /// Its points are N · p = level + side ρ |N| with N = (way.y, -way.x). The side is that of N on
-  /// which the line is of its edge; 0 where ρ |N| is rational, and then it is in the level.
+  /// A line is N · p = level + side ρ |N| with N = (way.y, -way.x). The side is 1 if the line lies
+  /// from its edge along N, -1 if against N; 0 where ρ |N| is rational and counted in the level.
   Rational level;
   int side = 0;
   Rational squared_reach;  ///< ρ² |N|²
   Rational squared_length;
 
-  // Of a circle the centre, of a line N, level and ρ |N|.
+  // Enclosures. near_point: the centre of a circle, or N of a line; near_reach: ρ |N|.
   Vector<Interval> near_point, near_way;
   Interval near_level, near_reach, near_squared_length;
 
@@ -37,14 +37,15 @@ struct ArcJoint {
   Direction normal;  ///< in coprime integers
 };
 
-/// A part of a carrier over which the convolution has one multiplicity, not 0: how often it runs
-/// along it, forwards (a line along its way, a circle counter-clockwise) less backwards.
+/// A part of a carrier over which the convolution has one multiplicity, not 0: how often the
+/// convolution runs along the carrier, forwards (a line along its way, a circle counter-clockwise)
+/// less backwards.
 struct ArcSpan {
   std::uint32_t carrier;
   std::uint32_t from, to;  ///< joints
   int multiplicity;
-  /// The patch of P's offset curves that has it, and runs as it does; none where no boundary of the
-  /// sum can be: along slits and about reflex vertices.
+  /// The patch of P's offset curves that contains the span and runs the same way; none where no
+  /// boundary of the sum can be: along slits and about reflex vertices.
   std::uint32_t patch;
   Rational low, high;     ///< of a line: way · p at its ends
   Direction first, last;  ///< of a circle: its ends, in one quadrant

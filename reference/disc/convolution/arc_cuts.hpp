@@ -17,7 +17,7 @@ struct ArcPiece {
   bool has_first, has_last;  ///< whether these are the ends of the span
 };
 
-/// Of the nodes one for each point is used.
+/// Pieces use one node only for each point.
 struct CutArcs {
   ArcNodes nodes;
   std::vector<ArcPiece> pieces;

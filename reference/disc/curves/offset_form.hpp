@@ -33,7 +33,7 @@ using OffsetForm = std::vector<FormComponent>;
 /// Puts rings, holes and components into the order of the form. O(n log n).
 void make_canonical(OffsetForm& form, const OffsetCurves& curves);
 
-/// Of a canonical form.
+/// Writes a canonical form as JSON.
 std::string canonical_json(const OffsetForm& form, const OffsetCurves& curves,
                            const Rational& squared_radius, const Point& origin = {0, 0});
 

@@ -26,8 +26,8 @@ inline Direction from_to(const Point& from, const Point& to) {
 /// Whether x comes before y, counter-clockwise from a direction, which itself comes last.
 bool comes_before(const Direction& from, const Direction& x, const Direction& y);
 
-/// Of some that leave a vertex the one that comes next outside of P, counter-clockwise from the way
-/// back along an edge that ends there. `along`: their directions.
+/// The first of `leaving` outside of P, counter-clockwise from the way back along an edge that ends
+/// at their vertex (`in`: its direction). `along`: the directions of `leaving`.
 template <class Along>
 std::uint32_t next_outside(const Direction& in, const std::vector<std::uint32_t>& leaving,
                            Along&& along) {
@@ -81,8 +81,8 @@ struct OffsetCurves {
   std::vector<StraightVertex> straight;
 };
 
-/// Of a valid polygon set, a point or a segment, which has curves on both sides. Edges go on
-/// through straight vertices. O(n log n).
+/// The offset curves of a valid polygon set, a point or a segment; a segment has curves on both
+/// sides. Edges go on through straight vertices. O(n log n).
 OffsetCurves offset_curves(const PolygonSet& P);
 
 }  // namespace minkref::inline disc

@@ -41,7 +41,7 @@ inline plane::Box box_of(const Vector<Interval>& p) {
   return {p.x.lower(), p.y.lower(), p.x.upper(), p.y.upper()};
 }
 
-/// The sign of a - b. Of intervals: throws UndecidedSign where they do not tell.
+/// The sign of a - b. For intervals, throws UndecidedSign where they leave the sign open.
 inline int order(const Interval& a, const Interval& b) { return sign(a - b); }
 inline int order(const RootNumber& a, const RootNumber& b) { return compare(a, b); }
 
@@ -60,7 +60,7 @@ Vector<N> numbers(const Direction& d) {
   return {N(d.x), N(d.y)};
 }
 
-/// Of a closed edge of P.
+/// The numbers of a closed edge of P.
 template <class N>
 struct EdgeNumbers {
   Vector<N> start, end, along, normal;
@@ -109,7 +109,7 @@ inline Direction middle_of(const OffsetPatch& arc) {
   return {arc.first.x + arc.last.x, arc.first.y + arc.last.y};
 }
 
-/// Of an arc. Its points are in order along the direction that is turned from its middle.
+/// The numbers of an arc. The points of the arc are in order along `turned(middle)`.
 template <class N>
 struct ArcNumbers {
   Vector<N> centre, middle;

@@ -11,7 +11,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// What roundings leave, as parts of 1. Nothing is decided by it: what is proposed is proven, and
+/// Errors that roundings leave, as parts of 1. They decide nothing: proposals are proven, and
 /// counted (DiagramCount); a proposal too few costs another round with more bits.
 template <class Real>
 struct Roundings {
@@ -198,7 +198,7 @@ void ContactEnvelopes<Real>::add_line(const Frame& frame, std::uint32_t number,
     const Real e = dot(edge.normal, frame.normal), f = dot(edge.normal, frame.along);
     const Quadratic inverse{(1 + e) / height, -2 * f / height, (1 - e) / height};
     own.assign(1, {frame.first, frame.last, {-inverse.a, -inverse.b, -inverse.c}, feature});
-    // Of the foot, times the inverse radius and 1 + t².
+    // How far the foot lies beyond the start and the end, times the inverse radius and 1 + t².
     const Real c = dot(edge.along, frame.normal), s = dot(edge.along, frame.along);
     const auto times = [&](const Real& far) -> Quadratic {
       return {far * inverse.a - c, far * inverse.b + 2 * s, far * inverse.c + c};
@@ -315,7 +315,7 @@ typename ContactEnvelopes<Real>::Reach ContactEnvelopes<Real>::within(const Fram
   near.clear();
   if (seen.size() < curves_.features.size()) seen.resize(curves_.features.size(), 0);
   ++round;
-  // What meets a point is no farther from it than P; the sagitta of an arc, too.
+  // A feature that meets a point is no farther from the point than P; an arc adds its sagitta.
   const double margin = (frame.is_edge ? 1.0 : 1.3) * static_cast<double>(reach);
   lookup_.tree().query(grown(box, margin), [&](std::uint32_t number) {
     near.push_back(number);

@@ -16,10 +16,11 @@ struct HullGap {
   std::uint32_t from, to;
 };
 
-/// What a complete list of events agrees with. The points outside of P that have two nearest points
-/// or more are a graph; each component of the complement of P has as many loops of it as there are
-/// components of P in it (docs/disc.md). So the sum of (nearest points - 2) over its corners is
-/// known, and no corner can be missing where it is reached.
+/// Numbers with which a complete list of events agrees. The points outside of P that have two
+/// nearest points or more are a graph; in each component of the complement of P this graph has as
+/// many loops as there are components of P inside (docs/disc.md). So the sum of
+/// (nearest points - 2) over the corners of the graph is known, and a list that reaches the sum
+/// misses no corner.
 struct DiagramCount {
   std::int64_t excess = 0;  ///< that sum
   /// Lines and ends of theirs, in front of which a ray ends at the graph, once each.

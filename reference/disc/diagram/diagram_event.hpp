@@ -32,8 +32,8 @@ struct DiagramEvent {
   Interval squared_radius;
   Features of;      ///< two or three of the features, which tell the place
   unsigned branch;  ///< which of the places that they tell
-  /// Of each feature that is a line the number of its edge that the place is in front of: if two of
-  /// them meet right there, of the one that ends. None of a vertex.
+  /// By feature: for a line the number of its edge that the place is in front of (if two of its
+  /// edges meet right there, of the edge that ends); none for a vertex.
   std::vector<std::uint32_t> edges = {};
 
   /// How many points of P are as near.
@@ -55,8 +55,8 @@ inline Equidistant<Interval> tight(const Equidistant<RootNumber>& place) {
   return {{tight(place.at.x), tight(place.at.y)}, tight(place.squared_radius)};
 }
 
-/// The places that two or three features single out: none, one or two. Of intervals: throws
-/// UndecidedSign where they do not tell how many.
+/// The places that two or three features single out: none, one or two. For intervals, throws
+/// UndecidedSign where they leave the number open.
 template <class N>
 std::vector<Equidistant<N>> equidistant_places(const OffsetCurves& curves,
                                                const Features& features) {

@@ -26,22 +26,22 @@ struct DiagramEvents {
   std::vector<DiagramEvent> events;  ///< by radius, then by x, then by y
   std::uint64_t exact_signs = 0;
 
-  /// They hold the place and the radius.
+  /// Enclosures of the place and the radius of an event.
   Vector<Interval> place(const DiagramEvent& event) const;
   Interval radius(const DiagramEvent& event) const;
   /// The place and the squared radius of an event, in roots.
   Equidistant<RootNumber> exact(const DiagramEvent& event) const;
-  /// Of the feature of a vertex.
+  /// The vertex with that feature.
   Point vertex(std::uint32_t feature) const;
-  /// What diagram_events takes to prove the list again, quicker than it was found.
+  /// The places that diagram_events takes to prove the list again, quicker than it was found.
   std::vector<FoundPlace> places() const;
 };
 
-/// Of a valid polygon set, a point or a segment. Candidates come from rounded envelopes; each is
-/// proven to be as far from its features and from nothing less. That none is missing is known from
-/// a count (DiagramCount, docs/disc.md); where it is not reached, envelopes of more bits are looked
-/// at. Throws LimitExceeded ("too-near") where 1,024 bits do not suffice. O(n log n + k) for k
-/// candidates that are compared.
+/// Finds the events of a valid polygon set, a point or a segment. Candidates come from rounded
+/// envelopes; each is proven to be equally far from its features, with nothing nearer. A count
+/// (DiagramCount, docs/disc.md) tells that none is missing; where the count is not reached,
+/// envelopes of more bits are looked at. Throws LimitExceeded ("too-near") where 1,024 bits do not
+/// suffice. O(n log n + k) for k candidates that are compared.
 DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options = {});
 
 /// The same, with places that were found before as candidates, and no others. They are trusted no

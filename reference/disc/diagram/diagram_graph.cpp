@@ -184,7 +184,7 @@ class Builder {
     return {arc, slot, slot == 2 ? Interval(0) : key<Interval>(arc, event.event().at), 0, 0};
   }
 
-  /// Of several on one line.
+  /// The side that an event is in front of, among several on one line.
   std::uint32_t side_below(const PlacedEvent& event,
                            const std::vector<std::uint32_t>& sides) const {
     for (const std::uint32_t side : sides) {

@@ -39,10 +39,10 @@ struct DiagramGraph {
   bool is_reflex(std::uint32_t node) const { return node >= events + gaps; }
 };
 
-/// Of complete events (diagram_events). About each event its nearest points are sorted by their
-/// directions; along the boundary of P those events are sorted to which a part of it is nearest.
-/// Each part of the diagram is found from both of its sides, or std::logic_error is thrown, which
-/// would be a fault. O(n log n).
+/// Builds the graph from complete events (diagram_events). The nearest points of an event are
+/// sorted by direction; the events to which a part of the boundary of P is nearest are sorted along
+/// that part. Each part of the diagram is found from both of its sides, or std::logic_error is
+/// thrown, which would be a fault. O(n log n).
 DiagramGraph diagram_graph(const DiagramEvents& diagram);
 
 }  // namespace minkref::inline disc

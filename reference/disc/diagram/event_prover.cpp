@@ -121,7 +121,8 @@ int EventProver::sign_of(DiagramEvent& event, InIntervals&& in_intervals, Exact&
   return sign(by_roots());
 }
 
-/// How an edge lies: whether nothing of it is nearer. What of it is as near is added.
+/// Whether no point of an edge is nearer than the event's features. Adds the edge's features that
+/// are as near.
 bool EventProver::add(std::uint32_t number, DiagramEvent& event, std::set<std::uint32_t>& found) {
   const OffsetEdge& edge = curves_.edges[number];
   const auto is_of = [&](std::uint32_t feature) {

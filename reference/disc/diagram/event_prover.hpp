@@ -49,7 +49,7 @@ class EventProver {
 
   const EdgeLookup& lookup_;
   const OffsetCurves& curves_;
-  // Of the candidate that is looked at.
+  // State of the candidate under test.
   std::set<std::uint32_t> straight_here_;
   std::vector<std::uint32_t> met_inside_;  ///< edges
   std::map<std::uint32_t, std::uint32_t> edge_of_line_;

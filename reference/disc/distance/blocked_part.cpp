@@ -96,7 +96,7 @@ std::pair<N, N> PatchesAt::ends(std::uint32_t number) const {
   }
 }
 
-/// Of the start (-1), the end (1) or the middle (0) of a patch.
+/// The point at the start (-1), the end (1) or the middle (0) of a patch.
 template <class N>
 Vector<N> PatchesAt::joint(std::uint32_t number, int end) const {
   const OffsetPatch& patch = curves_.patches[number];

@@ -61,15 +61,15 @@ class PatchesAt {
   std::vector<BlockedPart> blocked(std::uint32_t patch, std::uint32_t by,
                                    OffsetCounts& counts) const;
 
-  /// Of the patch of an edge: the part between it and another edge that faces it, as far on the
-  /// other side; `blocked` takes it for blocked. Nothing is nearer to either edge there. Exact.
+  /// The part of an edge's patch midway between the edge and another one that faces it; `blocked`
+  /// takes this part for blocked. Nothing is nearer to either edge there. Exact.
   std::optional<BlockedPart> ridge(std::uint32_t patch, std::uint32_t by) const;
 
   /// The sign of the way from place b of a patch to place a. Exact.
   int compare(std::uint32_t patch, const PatchPlace& a, const PatchPlace& b,
               OffsetCounts& counts) const;
 
-  /// Of a place of a patch that is on it: in coordinates.
+  /// The coordinates of a place that is on its patch.
   RootPoint point(std::uint32_t patch, const PatchPlace& place) const;
   Vector<Interval> position(std::uint32_t patch, const PatchPlace& place) const;
   /// The key of a point of an arc in a direction.

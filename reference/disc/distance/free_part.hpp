@@ -1,4 +1,4 @@
-// What of an offset curve no edge blocks.
+// The parts of an offset curve that no edge blocks.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@ namespace minkref::inline disc {
 namespace {
 
 constexpr int most_halvings = 4;
-// Of a squared distance, as a part of the square of the largest coordinate: some hundred roundings.
+// Error of a squared distance over the square of the largest coordinate: some hundred roundings.
 constexpr double slack = 0x1p-44;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Where an offset curve crosses the boundary of what is nearer to an edge than the radius.
+// Where an offset curve crosses the boundary of the points nearer to an edge than the radius.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct Crossing {
   Vector<N> point;
   NearCurve curve;
   std::int8_t way;  ///< which of two
-  /// Of an arc, which runs counter-clockwise, whether it comes to what is nearer.
+  /// For an arc, which runs counter-clockwise: whether it enters the nearer points.
   bool enters;
   /// The curves only touch, from outside: the edge is right across.
   bool touches = false;
@@ -31,7 +31,8 @@ class PatchCrossings {
   PatchCrossings(const N& squared_radius, const EdgeNumbers<N>& by)
       : squared_radius_(squared_radius), by_(by) {}
 
-  /// Of the line of an edge. `own_ends`: whether it is an end of the other edge too.
+  /// Adds the crossings of the line of an edge. `has_start`, `has_end`: whether the edge ends at
+  /// the start, the end of the other edge.
   void add_of_line(const EdgeNumbers<N>& own, bool has_start, bool has_end);
   void add_of_arc(const ArcNumbers<N>& arc);
 

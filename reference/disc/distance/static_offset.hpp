@@ -25,10 +25,10 @@ struct StaticOffset {
   OffsetCounts counts;
 };
 
-/// Of a valid polygon set, a point or a segment, squared_radius > 0. Exact. For each curve that is
-/// not certainly inside, all edges that may be nearer to it than the radius: O(n log n + k) for k
-/// such pairs, on `options.threads`. Throws std::logic_error where pieces do not close up, which
-/// would be a fault.
+/// The boundary of P ⊕ ρD, for a valid polygon set, a point or a segment, and squared_radius > 0.
+/// Exact. Compares each curve that is not certainly inside with all edges that may be nearer to it
+/// than the radius: O(n log n + k) for k such pairs, on `options.threads`. Throws std::logic_error
+/// where pieces do not close up, which would be a fault.
 StaticOffset static_offset(const PolygonSet& P, const Rational& squared_radius,
                            const BuildOptions& options = {});
 

@@ -188,7 +188,7 @@ class Corner {
     return motion;
   }
 
-  /// Of lines that are not parallel.
+  /// The corner between lines that are not parallel.
   static RootPoint at_lines(const Site& a, const Site& b, const Rational& squared_radius) {
     const RootNumber reach_a = sqrt(RootNumber(Rational(squared_radius * a.squared_length()))),
                      reach_b = sqrt(joined(

@@ -25,8 +25,8 @@ struct JointMotion {
   double error = 0;
 };
 
-/// Of the corner on a half of the diagram, in the frame of its curves; nothing where the radius is
-/// the same all along.
+/// The motion of the corner on a half of the diagram, in the frame of its curves; nothing where the
+/// radius is the same all along.
 CornerMotion corner_motion(const DiagramEvents& diagram, const DiagramGraph& graph,
                            std::uint32_t half);
 

@@ -121,8 +121,8 @@ IndexMeasures::Seen IndexMeasures::seen_at_node(std::uint32_t half, bool at_end)
   return seen(half, numbers<Interval>(vertex), Interval(0));
 }
 
-/// Of the region between the feature and the part of the diagram from one point to another: a
-/// trapezoid or one with a parabola on top; a triangle or one with a parabola across.
+/// The area between the feature and the part of the diagram from one point to another: a trapezoid,
+/// or one with a parabola on top; a triangle, or one with a parabola across.
 Interval IndexMeasures::area_between(std::uint32_t half, const Seen& a, const Seen& b) const {
   const OffsetCurves& curves = index_.diagram().curves;
   const DiagramGraph& graph = index_.graph();

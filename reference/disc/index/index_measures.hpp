@@ -10,9 +10,9 @@
 
 namespace minkref::inline disc {
 
-/// In front of each half of the diagram is a region between the boundary of P and the diagram. Of
-/// those that are reached as a whole, and of those that are not reached at all, sums are kept by
-/// radius; a query looks at the others only, those with a corner.
+/// In front of each half of the diagram is a region between the boundary of P and the diagram. Sums
+/// over the regions that are reached as a whole, and over the regions not reached at all, are kept
+/// by radius; a query looks only at the other halves, which have a corner.
 class IndexMeasures {
  public:
   /// `index` must outlive it. O(n log n).

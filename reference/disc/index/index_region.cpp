@@ -14,7 +14,7 @@ std::uint32_t IndexRegions::polygon_of(std::uint32_t side) const {
   return curves_.edges[index_.diagram().walks.sides[side].edge].polygon;
 }
 
-/// That which the leftmost point of a component is on.
+/// The ring that has the leftmost point of a component.
 std::uint32_t IndexRegions::outer_ring(std::uint32_t polygon, const IndexBoundary& boundary) const {
   const DiagramGraph::Leftmost& leftmost = index_.graph().leftmost[polygon];
   // The last corner before it on its walk with which a part of the boundary starts.

@@ -35,7 +35,7 @@ class Parts {
     std::vector<std::vector<std::uint32_t>> by_radius(index_.radii() + 2);
     for (std::uint32_t node = 0; node < nodes(); ++node) by_radius[radius(node)].push_back(node);
     for (std::uint32_t k = index_.radii() + 2; k-- > 0;) add(by_radius[k], k);
-    // What is left are components of the complement of P.
+    // The parts that are left are components of the complement of P.
     for (std::uint32_t node = 0; node < nodes(); ++node) {
       const std::uint32_t root = sets_.root(node);
       if (last_[root] == outside_ || !is_looked_at_.insert(root).second) continue;
@@ -75,7 +75,7 @@ class Parts {
     }
   }
 
-  /// Of parts that fall away from each other at one radius, the one that keeps its name.
+  /// Picks the part that keeps its name where parts fall away from each other at one radius.
   std::uint32_t split(const RadiusLevel& level, const RadiusLevel::Group& group,
                       const std::vector<std::uint32_t>& nodes, std::uint32_t at) {
     const auto ends_later = [&](std::uint32_t a, std::uint32_t b) {

@@ -8,8 +8,8 @@
 
 namespace minkref::inline disc {
 
-/// A hole that is there for radii from that of its birth on and below that of its end. Radii are
-/// numbered from 1 on, as in OffsetIndex; that of birth is 0 of a hole of P.
+/// A hole that exists for birth <= radius < end. Radii are numbered from 1 on, as in OffsetIndex; a
+/// hole of P has birth 0.
 struct OffsetHole {
   std::uint32_t birth, end;
   std::uint32_t born_at, ends_at;  ///< events; no first one of a hole of P

@@ -23,7 +23,7 @@ BoundedPoint corner_of(const CornerMotion& m, const TwoDoubles& rho, double off)
   const double way_off = off + 0x1p-50 * std::abs(way) + 0x1p-98 * (rho.high + m.r);
   const double square = way * (m.k0 + m.k1 * way);
   const double root = std::sqrt(std::max(square, 0.0));
-  // Of the square; the root is off by that over the root, or by its root.
+  // The error of the square; the root is off by this error over the root, or by its square root.
   const double square_off =
       (m.k0 + 2.1 * m.k1 * std::abs(way)) * way_off + rounding * std::abs(square) + 0x1p-1000;
   const double root_off = square > square_off ? 2 * square_off / root : 2 * std::sqrt(square_off);

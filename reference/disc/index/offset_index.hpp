@@ -51,10 +51,10 @@ struct FrameRadius {
 /// exact.
 class OffsetIndex {
  public:
-  /// Of a valid polygon set, a point or a segment. Errors and cost are those of diagram_events.
+  /// The index of a valid polygon set, a point or a segment. Errors and cost as for diagram_events.
   explicit OffsetIndex(const PolygonSet& P, const BuildOptions& options = {})
       : OffsetIndex(diagram_events(P, options)) {}
-  /// Of all events.
+  /// The index of a complete list of events.
   explicit OffsetIndex(DiagramEvents diagram);
 
   const DiagramEvents& diagram() const { return diagram_; }
@@ -64,8 +64,8 @@ class OffsetIndex {
   /// One of the events at the k-th radius, from 0 on.
   std::uint32_t event_at(std::uint32_t radius) const { return radii_[radius].event; }
 
-  /// The number of the radius of a node, from 1 on: that of a reflex vertex is 0, and infinity
-  /// comes last. Of a half those of its lower and upper end.
+  /// The number of the radius of a node, from 1 on: 0 for a reflex vertex, and infinity comes last.
+  /// `low(half)`, `high(half)`: radius numbers of its lower and upper end.
   std::uint32_t radius_number(std::uint32_t node) const {
     if (graph_.is_event(node)) return numbers_[node];
     return graph_.is_infinite(node) ? radii() + 1 : 0;
@@ -91,7 +91,7 @@ class OffsetIndex {
   void vertices(const IndexBoundary& boundary, double radius, std::vector<BoundedPoint>& found,
                 std::vector<std::uint32_t>& starts) const;
 
-  /// Of a radius by its square, in coordinates of P.
+  /// A radius in the frame, from its square in coordinates of P.
   FrameRadius in_frame(const Rational& squared_radius) const;
   /// The corner on a half that has one, in the frame; the error as above.
   BoundedPoint corner(std::uint32_t half, const FrameRadius& radius) const;
@@ -126,7 +126,7 @@ class OffsetIndex {
   std::vector<char> is_rising_;
   std::uint32_t gaps_of_span_ = 1;
   std::vector<Span> spans_;
-  /// What links corners to rings, of halves.
+  /// Links of corners to rings, by half.
   struct Way {
     std::uint32_t twin, to_side;
     std::uint32_t start, end;  ///< sides of the walk that are passed

@@ -13,7 +13,7 @@ namespace minkref::inline disc {
 /// they lead to. Nodes on one flat ridge are one *door*. Exact: it is told what is equal.
 class RadiusLevel {
  public:
-  /// Of so many nodes.
+  /// A level with so many nodes.
   explicit RadiusLevel(std::size_t nodes) : doors_(nodes) {}
 
   /// Two nodes are on one flat ridge.

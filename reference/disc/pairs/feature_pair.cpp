@@ -59,7 +59,7 @@ RootNumber FeaturePair::squared_radius(const PairContact& contact) const {
   return solved<RootNumber>(contact.slot, contact.staying).squared_radius();
 }
 
-/// Of a number that is found in intervals, and, where these do not tell, in roots.
+/// The sign of a number, found in intervals, or in roots where intervals leave it open.
 template <class Value>
 int FeaturePair::sign_of(Value&& value) {
   if (const auto certain = certified_sign(value(AskedIn<Interval>{}))) return *certain;
@@ -114,7 +114,7 @@ int FeaturePair::side_of_end(const PairContact& contact, std::size_t edge) {
   });
 }
 
-/// Of a place on the line or circle of a feature.
+/// Whether a place on the line or circle of a feature is on the feature.
 bool FeaturePair::is_on(const PairContact& contact, std::size_t which) {
   if (!is_arc(which)) return side_of_start(contact, which) >= 0 && side_of_end(contact, which) <= 0;
   const auto turn_from = [&](std::size_t end) {
@@ -221,7 +221,7 @@ bool FeaturePair::is_there(std::size_t branch, std::size_t after_events) const {
   return next != turns.end() && next->before;
 }
 
-/// Of contacts of parallel edges.
+/// The number of places of contacts of parallel edges: 1, or FeatureEvent::segment.
 std::uint8_t FeaturePair::distinct_places(const FeatureEvent& event) const {
   const auto along = [&](const PairContact& each) {
     const std::size_t of = owner_of(each.slot);

@@ -36,7 +36,7 @@ struct PairContact {
   Interval squared_radius;  ///< it holds it
 };
 
-/// What becomes of the points that two features share, as the radius grows.
+/// The change of the points that two features share, as the radius grows.
 enum class PairChange : std::uint8_t {
   birth,    ///< there are more from now on
   death,    ///< there are fewer
@@ -108,7 +108,7 @@ class FeaturePair {
   }
   template <class N>
   Contact<N> solved(ContactSlot slot, bool staying) const;
-  /// Of the contact that is asked for; what is in intervals is kept until the next one is.
+  /// The solution for a contact. The last solution in intervals is kept for the next call.
   template <class N>
   decltype(auto) solved(const PairContact& contact) const {
     if constexpr (std::is_same_v<N, Interval>) {

@@ -19,7 +19,7 @@ FeaturePair pair_of(const std::vector<OffsetFeature>& features, const DiscPairEv
   return {a, b, near[0], near[1]};
 }
 
-/// Of a squared radius: whether it is before (-1), at or after (1) a rational number.
+/// Whether a squared radius is before (-1), at (0) or after (1) a rational number.
 template <class Exact>
 int side_of(const Interval& square, const Rational& bound, Exact&& exact) {
   if (const auto certain = certified_sign(square - Interval(bound))) return *certain;
@@ -52,7 +52,7 @@ class DiscPairSearch {
   }
 
  private:
-  /// Of all points that a feature has up to the last radius.
+  /// Makes boxes around all points that a feature has up to the last radius.
   void make_boxes() {
     const double reach = plane::above(std::sqrt(Interval(*options_.to).upper()));
     for (const FeatureNumbers<Interval>& feature : near_) {

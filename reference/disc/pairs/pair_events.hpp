@@ -38,21 +38,21 @@ struct DiscPairEvents {
   std::vector<OffsetFeature> features;  ///< edges first
   std::vector<DiscPairEvent> events;    ///< by radius, then a, then b
   std::uint64_t count = 0;              ///< of all events, kept or not
-  /// Of all: how many there are of each change, and by the name of the first contact.
+  /// Counts of all events: by change, and by the name of the first contact.
   std::map<std::string, std::uint64_t, std::less<>> changes, kinds;
   std::uint64_t true_count = 0;   ///< events in truth: as many if all readings are corrected
   std::uint64_t right_count = 0;  ///< of the events: something changes there
   std::uint64_t pairs = 0, filtered_pairs = 0;  ///< looked at; told apart by boxes
   std::uint64_t exact_signs = 0;
 
-  /// Of an event; exact.
+  /// The squared radius of an event; exact.
   RootNumber squared_radius(const DiscPairEvent& event) const;
   std::string_view kind(const DiscPairEvent& event) const;
 };
 
-/// Of a valid polygon set, a point or a segment. Complete and exact: all pairs of features are
-/// looked at, but those that boxes tell apart up to the radius `to`; by intervals first, then in
-/// roots. O(n² + k log k) for n features and k events.
+/// Finds the events of a valid polygon set, a point or a segment. Complete and exact: looks at all
+/// pairs of features except those that boxes tell apart up to the radius `to`; by intervals first,
+/// then in roots. O(n² + k log k) for n features and k events.
 DiscPairEvents disc_pair_events(const PolygonSet& P, const DiscPairOptions& options = {});
 
 }  // namespace minkref::inline disc

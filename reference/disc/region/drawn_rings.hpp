@@ -7,8 +7,8 @@
 
 namespace minkref::inline disc {
 
-/// From the start to the end of a piece. Of an arc the centre, and the bulge: the tangent of a
-/// quarter of its angle.
+/// A piece from its start to its end; for an arc also the centre, and the bulge: the tangent of a
+/// quarter of the arc's angle.
 struct DrawnPiece {
   bool is_arc;
   double x0, y0, x1, y1, cx, cy, bulge;

@@ -51,7 +51,7 @@ class MeasureSums {
     }
   }
 
-  /// What an arc spans with the origin, but for its sector.
+  /// Adds the area that an arc spans with the origin, without the arc's sector.
   void add_chord(const OffsetPiece& piece, const OffsetPatch& arc) {
     const Direction centre{arc.centre.x, arc.centre.y};
     for (const int end : {-1, 1}) {

@@ -17,7 +17,7 @@ struct TermAngle {
 /// area the sum of `area` and ρ² Θ / 2.
 struct MeasureTerms {
   RootTerms length, area;
-  /// Of the arcs of the boundary, one for each curve between two corners or joints.
+  /// Angles of the arcs of the boundary: one for each curve between two corners or joints.
   std::vector<TermAngle> angles;
 };
 

@@ -26,7 +26,7 @@ struct RidgePart {
   PatchPlace from, to;
 };
 
-/// What the points of patches with the distance ρ say of passages.
+/// Findings on passages, from the points of patches with the distance ρ.
 struct Findings {
   std::vector<PlaceOfPatch> lone;    ///< all about them on the patch is nearer
   std::vector<PlaceOfPatch> marked;  ///< on parts that nothing blocks: their ends, and what touches

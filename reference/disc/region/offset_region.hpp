@@ -41,9 +41,9 @@ enum class OffsetRoute : std::uint8_t { definition, paper };
 /// The route of that name. Throws BadInput ("unknown-route").
 OffsetRoute offset_route_named(std::string_view name);
 
-/// Of a valid polygon set, perhaps a point or a segment, or the empty one; squared_radius > 0.
-/// Throws BadInput ("bad-radius") for another. Exact, and equal by both routes; costs are theirs,
-/// and O(n log n). The route `paper` uses one thread.
+/// The region for a valid polygon set, perhaps a point or a segment, or the empty one. Throws
+/// BadInput ("bad-radius") unless squared_radius > 0. Exact, and equal by both routes; the cost is
+/// that of the route, and O(n log n). The route `paper` uses one thread.
 OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
                            const BuildOptions& options = {},
                            OffsetRoute route = OffsetRoute::definition);

@@ -41,7 +41,7 @@ struct SolidPiece {
   SpacePoint middle() const;
 };
 
-/// Of MovingPiecesOf.
+/// The Geometry of MovingPiecesOf in space.
 struct PathsInSpace {
   using Point = SpacePoint;
   using Piece = SolidPiece;

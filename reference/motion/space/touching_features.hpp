@@ -1,4 +1,4 @@
-// What of two operands touches at a bound of the valid scales.
+// The features of two operands that touch at a bound of the valid scales.
 #pragma once
 
 #include "reference/motion/space/solid_piece.hpp"

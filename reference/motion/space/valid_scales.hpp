@@ -8,8 +8,8 @@ namespace minkref::inline space {
 
 using SpacePathPlace = PathPlaceOf<SpacePoint>;
 
-/// What of a polyhedron touches: a vertex (`first`), the edge between two (`first` below `second`),
-/// or the inside of a face (`first` is its number).
+/// The feature of a polyhedron that touches: a vertex (`first`), the edge between two (`first`
+/// below `second`), or the inside of a face (`first` is its number).
 struct SpaceFeature {
   enum class Kind : std::uint8_t { vertex, edge, face };
   Kind kind = Kind::vertex;
@@ -33,7 +33,7 @@ SpaceValidScales valid_scales(const Polyhedron& robot, const Polyhedron& obstacl
                               ContactRule rule = ContactRule::allowed,
                               const ScaleWindow& window = {}, PathRoute route = PathRoute::pieces);
 
-/// Of two pieces, or of a piece and a vertex of the path; some 300 bytes each.
+/// Most pairs of pieces, or of a piece and a vertex of the path; some 300 bytes each.
 constexpr std::size_t most_pairs_on_a_path = std::size_t{1} << 22;
 
 /// Whether each point of the part sees the origin in it. Exact. Linear.

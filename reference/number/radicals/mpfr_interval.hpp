@@ -23,7 +23,7 @@ class MpfrInterval {
   /// The whole line where the divisor contains zero.
   friend MpfrInterval operator/(const MpfrInterval& a, const MpfrInterval& b);
   friend MpfrInterval operator-(const MpfrInterval& a);
-  /// Of the part that is not below 0; the number is not.
+  /// The root of a number that is not below 0, from the part of `a` that is not.
   friend MpfrInterval sqrt(const MpfrInterval& a);
   /// The angle of (x, y), between -π and π. From -4 to 4 where the interval of x reaches below 0
   /// and that of y contains 0: nothing is known there.

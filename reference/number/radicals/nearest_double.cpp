@@ -22,8 +22,7 @@ Rational finite(double value) {
 
 bool is_even(double value) { return (std::bit_cast<std::uint64_t>(value) & 1U) == 0; }
 
-/// Of two doubles next to each other the one that is nearer, by which side of their middle the
-/// number is on.
+/// The nearer of two neighbouring doubles, by the side of their middle on which the number is.
 double nearer(double low, double high, int side) {
   if (side != 0) return side < 0 ? low : high;
   return is_even(low) ? low : high;

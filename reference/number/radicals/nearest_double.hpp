@@ -20,7 +20,7 @@ struct RealNumber {
   /// The sign of the number less a rational. Exact. Empty for numbers of which no exact order is
   /// known: then what cannot be told by `most_bits` is off by less than one unit in the last place.
   std::function<int(const Rational&)> order;
-  /// What is known already; the whole line if nothing.
+  /// The bounds that are known already; the whole line if none are.
   Interval known = Interval::whole();
 
   static constexpr long first_bits = 128, most_bits = 1L << 14;

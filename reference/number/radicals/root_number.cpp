@@ -14,7 +14,7 @@ namespace minkref {
 namespace {
 
 using Coefficients = std::vector<Rational>;
-/// Of a field: the k-th root is that of a number with 2^k coefficients.
+/// The radicands of a field: the k-th root is the root of a number with 2^k coefficients.
 using Radicands = std::vector<Coefficients>;
 /// 2^level coefficients from here on: a, then b, of a + b √m.
 using Part = const Rational*;
@@ -67,7 +67,7 @@ Interval root_of(const Interval& m) {
 
 MpfrInterval root_of(const MpfrInterval& m) { return sqrt(m); }
 
-/// Of a number with 2^level coefficients, from those of the roots.
+/// The value of a number with 2^level coefficients, from the values of the roots.
 template <class Number, class Make>
 Number value_of(const std::vector<Number>& roots, std::size_t level, Part x, Make&& make) {
   if (level == 0) return make(*x);

@@ -24,7 +24,7 @@ struct CriticalRegion {
   MovingPoint<T> x{Vector2<T>(T(0), T(0)), Vector2<T>(T(0), T(0))};
 };
 
-/// What the formulas ask of an edge again with each other edge, found once.
+/// Values of an edge that the formulas need again with each other edge, found once.
 template <class T>
 struct PlacedEdge {
   explicit PlacedEdge(const MovingEdge<Vector2<T>>& edge)

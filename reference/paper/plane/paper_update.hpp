@@ -13,7 +13,7 @@
 
 namespace minkref::inline plane {
 
-/// What a PaperUpdate has, whatever its arithmetic.
+/// The interface of a PaperUpdate, whatever its arithmetic.
 class PaperUpdate {
  public:
   /// Finds the critical regions of all pairs of edges of the reduced convolution and the
@@ -43,10 +43,10 @@ class PaperUpdate {
   /// have none. O(N + k).
   virtual std::size_t place_intersections() = 0;
 
-  /// What the update saves: the intersections at a scale s > 0 by Observation 1 for all pairs of
-  /// edges, in the same arithmetic, without the list; how many they are. Unlike the list it has the
-  /// common vertices of edges, once for each pair. Throws BadInput for other scales, UndecidedSign.
-  /// O(N^2).
+  /// Does the work that the update saves: finds the intersections at a scale s > 0 by Observation 1
+  /// for all pairs of edges, in the same arithmetic, without the list; returns how many they are.
+  /// Unlike the list, this number counts the common vertices of edges, once for each pair. Throws
+  /// BadInput for other scales, UndecidedSign. O(N^2).
   virtual std::size_t search_intersections(const Rational& scale) const = 0;
 
   /// Loops, nesting and collision detection (Sec. 3) in the list of intersections where it stands:

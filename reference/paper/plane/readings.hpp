@@ -22,8 +22,8 @@ struct Readings {
   /// `least_squares` solves any system; `corrected` solves the one equation along the edge.
   enum class Solve : std::uint8_t { printed, tolerance, least_squares, corrected };
   Solve solve = Solve::printed;
-  /// Of Solve::tolerance, which has none of its own: times the largest coordinate of P plus that of
-  /// Q.
+  /// The tolerance of Solve::tolerance, which has no default: times the largest coordinate of P plus
+  /// that of Q.
   Rational tolerance = 0;
 
   /// Sec. 4.2.3: which end points bound the interval from below, and which from above.
@@ -57,7 +57,7 @@ Readings corrected_readings();
 /// is.
 void set_reading(Readings& readings, std::string_view name, std::string_view value);
 
-/// What set_reading takes.
+/// The names and values that set_reading takes.
 const std::vector<ReadingName>& reading_names();
 
 }  // namespace minkref::inline plane

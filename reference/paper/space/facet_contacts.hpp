@@ -17,9 +17,9 @@ namespace minkref::inline space {
 template <class T>
 struct PaperContact {
   ContactKind kind;
-  /// What the systems of equations in s - 1 have for solution: of a corner one for each of its two
-  /// sides, of two sides one. There is none where the line of a side is along the other plane, or
-  /// never meets it.
+  /// Solutions of the systems of equations in s - 1: for a corner one for each of its two sides,
+  /// for two sides one. There is none where the line of a side is along the other plane, or never
+  /// meets that plane.
   std::vector<ScaleSolution<T>> solutions{};
   std::optional<T> scale{};  ///< of the event, if there is one
 };
@@ -94,7 +94,7 @@ class FacetContacts {
     return Track{*one, *two - *one};
   }
 
-  /// Of the corner, from the sides before and after it.
+  /// The contact of the corner, from the sides before and after the corner.
   PaperContact<T> printed_corner(std::size_t which, std::size_t k) const {
     PaperContact<T> contact{ContactKind::vertex};
     const Vector &p = (*facets_[which])[k].p, start = corner(which, k, T(1));

@@ -46,7 +46,7 @@ struct RepairReport {
   std::uint64_t ee_errors = 0;  ///< pairs of edges that were found to be no more
 };
 
-/// What a PaperRepair has, whatever its arithmetic.
+/// The interface of a PaperRepair, whatever its arithmetic.
 class PaperRepair {
  public:
   /// The pairs at the first scaling are the exact ones. `arithmetic`: "rational", "interval",

@@ -17,7 +17,7 @@ struct RepairReadings {
   /// through v; or max(0, max n . (w - v)), which tells above from below.
   Form degree = Form::printed;
 
-  /// What ends the descent: no edge at the vertex above the plane ("all the edges that are
+  /// The end of the descent: no edge at the vertex above the plane ("all the edges that are
   /// incident to v must be below or on the half-plane"), or a degree that is 0.
   enum class Test : std::uint8_t { sides, degree };
   Test test = Test::sides;
@@ -49,7 +49,7 @@ RepairReadings corrected_repair_readings();
 /// Throws BadInput ("unknown-reading") that lists what there is.
 void set_reading(RepairReadings& readings, std::string_view name, std::string_view value);
 
-/// What set_reading takes.
+/// The names and values that set_reading takes.
 const std::vector<ReadingName>& repair_reading_names();
 
 }  // namespace minkref::inline space

@@ -43,8 +43,8 @@ class Arrangement {
   }
 
   /// The segments are cut where the list says, whatever their coordinates say: the contacts name
-  /// vertices, and their order along a segment is that of their positions. What the list leaves out
-  /// does not meet.
+  /// vertices, and the order of contacts along a segment is that of their positions. Segments whose
+  /// contact the list leaves out do not meet.
   Arrangement(const K& kernel, std::vector<Vector> vertices, std::vector<IndexedSegment> segments,
               const std::vector<ListedContact<K>>& contacts)
       : kernel_(kernel), vertices_(std::move(vertices)), segments_(std::move(segments)) {

@@ -20,7 +20,7 @@ namespace minkref::inline plane {
 /// (docs/definitions.md, "Compatibility"). The other two are other readings of the paper.
 enum class TurnEnds { first_included, last_included, none_included, both_included };
 
-/// What a reading says at the vertices of Q, where S-edges are, and at those of P.
+/// The ends that a reading includes at the vertices of Q, where S-edges are, and at those of P.
 inline TurnEnds ends_for_s_edges(Between between) {
   if (between == Between::open) return TurnEnds::none_included;
   return between == Between::closed ? TurnEnds::both_included : TurnEnds::first_included;

@@ -16,8 +16,8 @@ class EdgeBounds {
  public:
   explicit EdgeBounds(const std::vector<RationalEdge>& edges);
 
-  /// Of coordinate 0 or 1 of all points of an edge, or of its start or end alone. `scale` is off by
-  /// at most 2^-48 of it.
+  /// Bounds of coordinate 0 or 1 of all points of an edge, or of its start or end alone. `scale` is
+  /// off by at most 2^-48 of itself.
   Enclosure of_edge(std::uint32_t edge, int coordinate, double scale) const;
   Enclosure of_end(std::uint32_t edge, bool second, int coordinate, double scale) const;
 
@@ -30,7 +30,7 @@ class EdgeBounds {
   std::vector<std::array<std::array<Number, 2>, 2>> ends_;  ///< edge, end, coordinate
 };
 
-/// What both say.
+/// The numbers in both enclosures.
 Enclosure intersection(const Enclosure& x, const Enclosure& y);
 
 }  // namespace minkref::inline plane

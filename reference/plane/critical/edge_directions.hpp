@@ -8,8 +8,8 @@
 
 namespace minkref::inline plane {
 
-/// Of each edge the number of its direction up to sign, and whether it goes forward: in the
-/// direction of growing x, or of growing y where it is upright.
+/// For each edge the number of its direction up to sign, and whether the edge goes forward: in the
+/// direction of growing x, or of growing y if the edge is upright.
 struct EdgeDirections {
   std::vector<std::uint32_t> line;
   std::vector<char> forward;

@@ -68,12 +68,12 @@ struct EventCondition {
 /// A test of the event at a place of some list.
 using EventTest = std::function<bool(std::size_t)>;
 
-/// That of a condition; `of_field` gives those of conditions on a field. What asks for places comes
-/// last.
+/// The test of a condition; `of_field` gives the tests of conditions on a field. Conditions that
+/// ask for places are tested last.
 EventTest event_test(const EventCondition& condition,
                      const std::function<EventTest(const EventCondition&)>& of_field);
 
-/// Of each edge, whether it matches.
+/// For each edge, whether it matches.
 std::vector<bool> matching_edges(const std::vector<ConvolutionEdge>& edges,
                                  const EdgePattern& pattern);
 

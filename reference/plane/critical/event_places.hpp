@@ -15,7 +15,7 @@ struct EventPlace {
   std::optional<Point> to;  ///< parallel edges that share a segment there: its other end
 };
 
-/// Of the events first to last - 1. Exact. Some 10 us an event.
+/// The places of the events first to last - 1. Exact. Some 10 us an event.
 std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first, std::size_t last,
                                      const PolygonSet& P, const PolygonSet& Q);
 /// The same; `edges`: those of `events`, over rationals.

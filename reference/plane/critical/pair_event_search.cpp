@@ -10,7 +10,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// What a search asks of pair events (event_search.hpp).
+/// Pair events as a search asks for them (event_search.hpp).
 class SearchedPairs {
  public:
   SearchedPairs(const PairEvents& events, const PolygonSet& P, const PolygonSet& Q)

@@ -13,7 +13,7 @@
 
 namespace minkref::inline plane {
 
-/// What happens at a critical scale, as s grows.
+/// The change at a critical scale, as s grows.
 enum class Change : std::uint8_t {
   birth,    ///< the edges start to meet
   death,    ///< they stop

@@ -16,7 +16,7 @@ struct EdgeRow {
   double px, py, qx, qy, dx, dy;
 };
 
-/// What is left of the scales: (lower, upper).
+/// The scales that are left: (lower, upper).
 struct Range {
   Block lower, upper;
 };

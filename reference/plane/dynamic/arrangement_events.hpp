@@ -31,7 +31,7 @@ class ArrangementEvents {
   const PairEvent* pair_event_at(std::uint32_t group) const;
   const TripleEvent* triple_event_at(std::uint32_t group) const;
   std::uint32_t group_of_triple(std::size_t triple) const { return group_of_triple_[triple]; }
-  /// Of an event of pairs(); EdgeNode::always if it is not inside the window.
+  /// The group of an event of pairs(); EdgeNode::always if the event is not inside the window.
   std::uint32_t group_of_pair_event(std::size_t event) const {
     return group_of_rank_[pairs_.events[event].rank];
   }

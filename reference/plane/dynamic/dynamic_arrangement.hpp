@@ -6,7 +6,7 @@
 
 namespace minkref::inline plane {
 
-/// What a step did (Behar & Lien 2012, Sec. 4.2.4).
+/// The work of a step (Behar & Lien 2012, Sec. 4.2.4).
 struct StepReport {
   std::uint64_t insertions = 0;  ///< nodes along edges; an intersection is one on each of two edges
   std::uint64_t deletions = 0;
@@ -39,7 +39,7 @@ class DynamicArrangement {
   std::size_t node_count() const { return lists_.size(); }
   /// Exact.
   Point position(std::uint32_t edge, std::uint32_t node) const;
-  /// Of all nodes, edge by edge, in doubles: x, y, x, y, ... O(nodes).
+  /// The positions of all nodes, edge by edge, in doubles: x, y, x, y, ... O(nodes).
   void positions(std::vector<double>& xy) const;
 
   /// The boundary of the sum at this scale, from its sub-edges. Exact. O(b log b) for b of them,

@@ -1,4 +1,4 @@
-// What happens on each convolution edge, group of events by group of events.
+// Happenings on each convolution edge, group of events by group of events.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class ByEdge {
   std::vector<std::uint32_t> first_;
 };
 
-/// Of all edges. O(events) to build.
+/// The happenings of all edges. O(events) to build.
 class EdgeHappenings {
  public:
   explicit EdgeHappenings(const ArrangementEvents& events);

@@ -1,5 +1,5 @@
-// What happens along the convolution edges as the scale grows: nodes come, go and swap; sub-edges
-// are on the boundary of the sum for a while.
+// The history of the convolution edges as the scale grows: nodes come, go and swap; sub-edges are
+// on the boundary of the sum for a while.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +61,7 @@ struct CoincidentNodes {
   std::vector<std::uint32_t> nodes;
 };
 
-/// Of all edges that have been swept; each list in the order of the edges.
+/// The history of all edges that have been swept; each list in the order of the edges.
 struct EdgeHistory {
   std::vector<std::vector<std::uint32_t>> initial;  ///< nodes along each edge in interval 0
   std::vector<NodeChange> changes;

@@ -24,7 +24,7 @@ struct EdgeSweep::Impl {
   SubEdgeStatus decide;
   EdgeHappenings all_happenings;
 
-  // Of the edge being swept; nodes by their local numbers.
+  // The edge being swept; nodes by their local numbers.
   std::vector<Happening> happenings;
   std::vector<std::uint32_t> list;
   std::vector<Status> status;           ///< of the gap after each element of the list

@@ -7,7 +7,8 @@
 
 namespace minkref::inline plane {
 
-/// What the boundary is to a sub-edge: `tight` if only the sum of the interiors misses it.
+/// The place of a sub-edge in the sum: `tight` if only the sum of the interiors misses the
+/// sub-edge.
 enum class Status : std::uint8_t { interior, boundary, tight };
 
 /// A scale with its nearest double.

@@ -211,7 +211,8 @@ class Search {
     return result;
   }
 
-  /// Of two swaps of one triple. Only edges on one line can have two scales.
+  /// Whether two swaps of one triple have the same scale. Only edges on one line can have two
+  /// scales.
   bool same_scale(const TripleEvent& x, const TripleEvent& y) const {
     const auto crossing = [&](std::uint32_t n) {
       return table_.nodes[n].kind == EdgeNode::Kind::crossing;

@@ -25,7 +25,7 @@ struct BoundaryState {
   std::vector<BoundaryLink> links;  ///< `before` and `after`: sub-edges, or no_sub_edge
 };
 
-/// What is not as the sub-edges that go on have it at the scale of a group.
+/// The boundary at the scale of a group, as far as it differs from the sub-edges that go on.
 struct BoundaryAtGroup {
   /// Tracks that are at one point, each with the least of them, which stands for it; sorted. Those
   /// that stand for themselves are left out.
@@ -78,7 +78,7 @@ class BoundaryHistory {
   const std::vector<std::uint32_t>& begin_with(std::uint32_t interval) const;
   const std::vector<std::uint32_t>& end_with(std::uint32_t interval) const;
 
-  /// Of an interval with these sub-edges. Duplicates included.
+  /// The state in an interval with these sub-edges. Duplicates included.
   BoundaryState between(const std::vector<std::uint32_t>& sub_edges) const;
   /// At the scale of a group, from the sub-edges of the interval before it. Duplicates included.
   BoundaryState at(std::uint32_t group, const BoundaryAtGroup& here,

@@ -21,7 +21,7 @@ struct Feature {
   std::optional<std::uint32_t> born, died;  ///< groups; none: there when the window begins or ends
 };
 
-/// What happens to holes, or to components, in one place at one scale.
+/// A change of holes, or of components, in one place at one scale.
 struct TopologyEvent {
   enum class Change : std::uint8_t { birth, death, merge, split, touch };
   std::uint32_t group = 0;
@@ -52,7 +52,7 @@ struct RingsFrom {
   std::vector<BoundaryRing> rings;
 };
 
-/// What each sub-edge of an interval bounds: features on its right and on its left.
+/// The features that each sub-edge of an interval bounds, on its right and on its left.
 struct FeaturesFrom {
   std::uint32_t interval = 0;
   std::vector<std::uint32_t> sub_edges, holes, components;

@@ -12,8 +12,8 @@ namespace minkref::inline plane {
 /// Coefficients of half the cross product of the ends of a link: its part of the area.
 std::array<Rational, 3> area_below(const Track& from, const Track& to);
 
-/// Of each interval, from sums of fixed-point numbers, whose errors are known: exact coefficients
-/// would be as long as all denominators of a boundary together. O(links + intervals).
+/// The area in each interval, from sums of fixed-point numbers whose errors are known: exact
+/// coefficients would be as long as all denominators of a boundary together. O(links + intervals).
 std::vector<IndexArea> areas_of_intervals(const MovingBoundary& boundary,
                                           const BuildControl& control);
 

@@ -9,7 +9,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// What happens at one event.
+/// The boundary at one event.
 class Event {
  public:
   Event(const MovingBoundary& boundary, const EdgeDirections& directions,

@@ -19,8 +19,8 @@ struct BoundaryAtEvent : BoundaryAtGroup {
   bool is_plain() const { return !pinched && folded.empty(); }
 };
 
-/// Of each event. Exact. O(n log n) for n links, where few of them are on one line at an event.
-/// Throws std::logic_error if what is left of the boundary from below is not what is left from
+/// The boundary at each event. Exact. O(n log n) for n links, where few of them are on one line at
+/// an event. Throws std::logic_error if the boundary left from below is not the boundary left from
 /// above: a check of the swept boundary by itself.
 std::vector<BoundaryAtEvent> boundary_at_events(const MovingBoundary& boundary,
                                                 const EdgeDirections& directions,

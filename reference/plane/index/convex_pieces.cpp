@@ -31,7 +31,7 @@ double twice_area(const Corners& corners) {
   return result;
 }
 
-/// What lies on the left of the line from a to b.
+/// The part on the left of the line from a to b.
 Corners cut(const Corners& corners, const Corner& a, const Corner& b) {
   Corners result;
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -47,7 +47,7 @@ Corners cut(const Corners& corners, const Corner& a, const Corner& b) {
 }
 
 /// Takes corners away, those that hold least first, until the turns are certain and few are left.
-/// What is taken away of a convex polygon leaves one.
+/// Without some of its corners a convex polygon is still convex.
 void cut_down(Corners& corners, std::size_t most, double size) {
   const double doubt = sure * size;
   while (corners.size() >= 3) {
@@ -71,7 +71,7 @@ void cut_down(Corners& corners, std::size_t most, double size) {
   corners.clear();
 }
 
-/// Of a point, with this much doubt; less than none: surely.
+/// Whether a point is within, give or take `doubt`; surely within for a negative `doubt`.
 bool is_within(const Corner& p, const Corners& corners, double doubt) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Corner &u = corners[k], &v = corners[k + 1 == corners.size() ? 0 : k + 1];
@@ -185,7 +185,7 @@ class Growth {
   std::vector<std::pair<double, std::uint32_t>> by_distance_;
 };
 
-/// Of the inscribed circle of a triangle.
+/// The middle of the inscribed circle of a triangle.
 Corner middle_of(const Corners& t) {
   const double a = length(t[1], t[2]), b = length(t[2], t[0]), c = length(t[0], t[1]),
                sum = a + b + c;

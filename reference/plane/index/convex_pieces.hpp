@@ -20,9 +20,9 @@ struct ConvexPiece {
 
 /// Polygons that certainly lie in the interior of the region, and may overlap: from the middle of a
 /// triangle of a triangulation each grows as far as the edges of the region let it. First come
-/// those whose middle is in no earlier one, of large triangles before small ones, then those of
-/// triangles that stick out of all. What is thinner than some 2^-20 of the region is in none. O(n^2
-/// + n log n pieces).
+/// polygons whose middle is in no earlier polygon, large triangles before small ones, then polygons
+/// of triangles that stick out of all. Parts thinner than some 2^-20 of the region are in none.
+/// O(n^2 + n log n pieces).
 std::vector<ConvexPiece> convex_pieces(const PolygonSet& region, std::size_t most_corners,
                                        std::size_t most_pieces);
 

@@ -6,9 +6,9 @@
 
 namespace minkref::inline plane {
 
-/// Of one ring, in ring order: at each interval those that are there are its corners, where the
-/// direction changes; the link of each is the one that leaves it. O(n + changes times the entries
-/// between neighbours).
+/// Appends the corners of one ring, in ring order: the entries there at an interval are the ring's
+/// corners, where the direction changes; the link of an entry leaves its corner. O(n + changes
+/// times the entries between neighbours).
 void append_corners(const RingEntry* begin, const RingEntry* end, const MovingBoundary& boundary,
                     const EdgeDirections& directions, std::vector<RingEntry>& corners);
 

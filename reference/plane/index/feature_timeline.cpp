@@ -8,7 +8,8 @@
 namespace minkref::inline plane {
 namespace {
 
-/// What the rings of a bucket bound from an interval on; component `no_entry` for those not there.
+/// Features that the rings of a bucket bound from an interval on; component `no_entry` for rings
+/// not there.
 struct Known {
   std::uint32_t interval;
   std::size_t bucket;
@@ -47,7 +48,7 @@ class Naming {
   std::vector<RingBucket> take() { return std::move(result_); }
 
  private:
-  /// What a bucket has in some of its intervals.
+  /// The part of a bucket in some of its intervals.
   static RingBucket part(const RingBucket& bucket, std::uint32_t first, std::uint32_t last,
                          const std::vector<RingFeatures>& features) {
     RingBucket result;

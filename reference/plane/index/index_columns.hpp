@@ -1,4 +1,4 @@
-// What stands in the columns of an index.
+// The contents of the columns of an index.
 #pragma once
 
 #include "reference/plane/index/index_image.hpp"

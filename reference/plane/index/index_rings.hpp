@@ -16,8 +16,8 @@ struct RingShape {
   /// The hole and the component that each ring bounds, as in the timeline; at an event where rings
   /// touch, numbered afresh: there they are parts of those of the timeline.
   std::vector<RingFeatures> rings;
-  /// Of the convolution, by the number in ScaleIndex::edges: one that the side behind each
-  /// vertex lies on.
+  /// For each vertex an edge of the convolution on which the side behind the vertex lies, by its
+  /// number in ScaleIndex::edges.
   std::vector<std::uint32_t> edges;
 };
 

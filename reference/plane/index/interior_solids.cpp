@@ -42,7 +42,7 @@ inline bool on_inner_side(double x, double y, double of_P, double of_Q, double m
   return x * q.x[2] + y * q.y[2] < at_high && x * q.x[3] + y * q.y[3] < at_high;
 }
 
-/// Of points at a scale.
+/// The extent of points at a scale.
 struct Extent {
   double xmin, xmax, ymin, ymax, scale;
 

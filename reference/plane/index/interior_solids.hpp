@@ -24,7 +24,7 @@ struct SweptQuad {
 /// convex hull, lies within if its four corners do.
 class InteriorSolids {
  public:
-  /// Of regions; of points and segments nothing is certain.
+  /// For regions; for points and segments nothing is certain.
   InteriorSolids(const PolygonSet& P, const PolygonSet& Q);
 
   /// A pair of pieces.
@@ -65,7 +65,7 @@ class InteriorSolids {
   /// The least distance to sides, of which rounding takes all.
   double room_for(const SweptQuad& quad) const;
   double area(Pair pair, double scale) const;
-  /// Of some that hold the quad.
+  /// The largest of some pairs that hold the quad.
   std::optional<Pair> largest_pair(const SweptQuad& quad) const;
   template <class Look>
   bool each_candidate(const SweptQuad& quad, int most, Look&& look) const;

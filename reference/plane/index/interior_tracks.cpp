@@ -75,9 +75,9 @@ bool InteriorTracks::certainly_inside(const RoundedTrack& track, double from, do
   return true;
 }
 
-/// A disc c + r of P, scaled, is at s c + s r. What matters is x - s c = x0 + s (x1 - c), a
-/// segment: its middle, and half its length. Seen from sP, over s, it is x1 + (x0 - c) / s for one
-/// of Q.
+/// A disc c + r of P, scaled, is at s c + s r. The difference x - s c = x0 + s (x1 - c) is a
+/// segment: only its middle and half its length matter. For a disc of Q, seen from sP, over s, the
+/// segment is x1 + (x0 - c) / s.
 InteriorTracks::Stretch::Stretch(const RoundedTrack& track, double from, double to,
                                  bool is_seen_from_P) {
   const double low = is_seen_from_P ? 1 / to : from, high = is_seen_from_P ? 1 / from : to;

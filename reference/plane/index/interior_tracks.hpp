@@ -20,7 +20,7 @@ struct RoundedTrack {
 /// samples of a signed distance settle a stretch of scales.
 class InteriorTracks {
  public:
-  /// Of regions; of points and segments nothing is certain. O(m + n + samples).
+  /// For regions; for points and segments nothing is certain. O(m + n + samples).
   InteriorTracks(const PolygonSet& P, const PolygonSet& Q);
 
   /// The discs that settled the last tracks are tried first.
@@ -65,8 +65,8 @@ class InteriorTracks {
     std::vector<Node> nodes_;
   };
 
-  /// What the places of discs are compared with: the middle of scales and half their length, by
-  /// how much points may be off, the scale by which radii grow, that of a disc's least radius.
+  /// The track that is compared with the places of discs: the middle of scales and half their
+  /// length, by how much points may be off, the scale of a disc's least radius.
   struct Stretch {
     double middle = 0, half = 0, slack = 0, least = 0;
     double x0 = 0, y0 = 0, x1 = 0, y1 = 0;

@@ -11,9 +11,9 @@
 
 namespace minkref::inline plane {
 
-/// Where many nodes pass a cell it is halved as long as that shows parts of it to be inside, by
+/// If many nodes pass a cell, the cell is halved as long as halving shows parts to be inside, by
 /// discs or by pairs of convex pieces; nodes are kept at the scales at which they pass a cell that
-/// is left. What is cut off lies inside: a face that is larger for it is as uniform as it was.
+/// is left. The parts cut off lie inside: a face that they enlarge is as uniform as it was.
 template <class K>
 class PatchClipping {
  public:

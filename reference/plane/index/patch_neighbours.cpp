@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What all threads look at.
+/// The data that all threads look at.
 struct Subject {
   const InteriorTracks& tracks;
   InteriorSolids& solids;

@@ -1,4 +1,4 @@
-// What cuts the patch of a convolution edge: the tracks of the nodes along it.
+// The cuts of the patch of a convolution edge: the tracks of the nodes along the edge.
 #pragma once
 
 #include <cstdint>

@@ -58,7 +58,7 @@ class PatchSweep {
   }
 
   const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Of a piece: the same for all pieces of a face.
+  /// The number of a piece's face: the same for all pieces of a face.
   std::uint32_t face(const Piece& piece) { return root(piece.face); }
   /// Whether some node says that the face is inside the sum.
   bool is_shut(std::uint32_t face) { return shut_[root(face)]; }
@@ -174,7 +174,7 @@ class PatchSweep {
     return a;
   }
 
-  /// Of a gap between the nodes at its place and the next.
+  /// A gap that opens between the nodes at its place and the next.
   Gap opened(std::uint32_t left, std::uint32_t right, std::uint32_t face) {
     if (!node(left).open_after || !node(right).open_before) shut_[root(face)] = true;
     return {face, now_, steps_, is_one_track(left, right)};
@@ -288,8 +288,8 @@ class PatchSweep {
       }
       run->born.push_back(x);
     }
-    // From the right to the left: what is on the left keeps its place. Of runs that are born in one
-    // gap the order is that of their places.
+    // From the right to the left: runs on the left keep their places. Runs that are born in one gap
+    // are ordered by their places.
     std::sort(runs_.begin(), runs_.end(), [&](const Run& a, const Run& b) {
       if (a.first != b.first) return a.first > b.first;
       if (a.last != b.last) return a.last > b.last;

@@ -35,10 +35,10 @@ class Successors {
  private:
   const MovingLink& at(std::uint32_t link) const { return boundary_.links[link]; }
 
-  /// Of edges: whether u comes before v clockwise from the way back along `arriving`.
+  /// Whether edge u comes before edge v clockwise from the way back along `arriving`.
   bool is_before(std::uint32_t arriving, std::uint32_t u, std::uint32_t v) const {
     const int side_of_u = turns_.turn(arriving, u), side_of_v = turns_.turn(arriving, v);
-    // What is to the left comes first, then what goes straight on, then what is to the right.
+    // Edges to the left come first, then edges straight on, then edges to the right.
     return side_of_u != side_of_v ? side_of_u > side_of_v : turns_.turn(u, v) < 0;
   }
 
@@ -212,7 +212,7 @@ class Builder {
     }
   }
 
-  /// Of the links that begin.
+  /// Takes one of the links that begin; false if the link is none of them.
   bool take(std::uint32_t link) {
     const auto found = std::find(unplaced_.begin(), unplaced_.end(), link);
     if (found == unplaced_.end()) return false;
@@ -227,7 +227,7 @@ class Builder {
     size_ += gap.way.size();
   }
 
-  /// Of links that begin, and nothing else.
+  /// Adds a ring of links that begin, and of nothing else.
   bool new_ring() {
     const std::uint32_t start = unplaced_.front();
     std::vector<std::uint32_t> links;
@@ -313,7 +313,7 @@ class Builder {
   std::vector<RingBucket> buckets_;
   std::vector<std::uint32_t> in_order_;  // links that are there, and some that ended
   std::size_t live_ = 0;
-  // Of the bucket that is being made:
+  // The bucket that is being made:
   std::uint32_t first_ = 0;
   std::size_t size_ = 0;              // of its entries
   std::vector<std::uint32_t> heads_;  // the first entry of each ring

@@ -15,7 +15,7 @@ struct RingEntry {
   std::uint32_t first = 0, last = 0;  ///< intervals
 };
 
-/// What a ring bounds, in the numbers of the topology timeline.
+/// The features that a ring bounds, in the numbers of the topology timeline.
 struct RingFeatures {
   bool is_hole = false;         ///< clockwise
   std::uint32_t hole = 0;       ///< on its right; 0 is the outside
@@ -31,7 +31,7 @@ struct RingBucket {
   std::vector<RingFeatures> features;    ///< of each ring; see feature_timeline.hpp
 };
 
-/// What an event does to the rings.
+/// The effect of an event on the rings.
 struct RingChange {
   bool same_rings = false;     ///< none merges, splits, appears or vanishes; surely
   bool same_vertices = false;  ///< known of the same rings only

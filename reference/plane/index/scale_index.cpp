@@ -63,7 +63,7 @@ BadInput contradicts_itself(const std::string& what) {
           "build it again with `minkref index`"};
 }
 
-/// Of an index that was opened, where an algorithm relies on them.
+/// Validates the operands of an opened index, where an algorithm relies on them.
 void require_valid(std::initializer_list<std::reference_wrapper<const PolygonSet>> operands) {
   for (const PolygonSet& operand : operands) {
     try {

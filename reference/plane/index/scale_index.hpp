@@ -59,7 +59,7 @@ class ScaleIndex {
   void rings(const Rational& scale, HomogeneousRings& rings) const;
   void rings(const Rational& scale, RationalRings& rings) const;
 
-  /// Of an interval rather than a scale. O(b).
+  /// The rings of an interval rather than a scale. O(b).
   void rings_of_interval(std::uint32_t interval, TrackRings& rings) const;
 
   /// In canonical form. Exact. O(b log b). Tight passages, where they are asked for, by the static
@@ -88,7 +88,7 @@ class ScaleIndex {
  private:
   explicit ScaleIndex(IndexImage image);
 
-  /// Of an index that was opened, a contradiction is a fault of the file.
+  /// In an index that was opened, a contradiction is a fault of the file.
   void collect(const Place& at, TrackRings& rings) const;
   void collect_from_bucket(const Place& at, TrackRings& rings) const;
   void collect_touching(std::uint32_t event, TrackRings& rings) const;

@@ -14,11 +14,12 @@ struct Disc {
   double x = 0, y = 0, radius = 0;
 };
 
-/// Of points inside the distance to the boundary, of points outside its negative. It changes by no
-/// more than one moves, so samples on a grid bound it everywhere.
+/// For points inside the distance to the boundary, for points outside its negative. The value
+/// changes by no more than the point moves, so samples on a grid bound it everywhere.
 class SignedDistance {
  public:
-  /// Of a region. O(n g) for n edges and g samples at worst, about n + g as a rule.
+  /// Samples the distances of a region. O(n g) for n edges and g samples at worst, about n + g as a
+  /// rule.
   explicit SignedDistance(const PolygonSet& region);
 
   /// At most the signed distance of any point that is within 2^-45 of its coordinates' magnitude.

@@ -154,7 +154,7 @@ class BoundarySearch {
   SweptBoundary& result_;
 };
 
-/// Of all threads, in the order of the edges.
+/// Gathers the parts of all threads, in the order of the edges.
 void gather(std::vector<SweptBoundary>& parts, SweptBoundary& result) {
   for (SweptBoundary& part : parts) {
     result.pieces_in_all += part.pieces_in_all;

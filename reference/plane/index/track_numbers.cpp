@@ -57,7 +57,7 @@ int trailing_zeros(Word2 value) {
                   : 64 + std::countr_zero(static_cast<std::uint64_t>(value >> 64));
 }
 
-/// Of positive numbers.
+/// The greatest common divisor of positive numbers.
 Word2 common_divisor(Word2 a, Word2 b) {
   const int twos_a = trailing_zeros(a), twos_b = trailing_zeros(b);
   a >>= twos_a;

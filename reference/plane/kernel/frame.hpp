@@ -9,7 +9,7 @@
 
 namespace minkref::inline plane {
 
-/// What a common denominator of a set of points asks for.
+/// The common denominator of a set of points, and the bits that it needs.
 struct GridFit {
   Integer denominator = 1;  ///< frame coordinates are real coordinates times this
   std::size_t bits = 0;     ///< of the largest frame coordinate

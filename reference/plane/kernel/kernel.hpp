@@ -1,4 +1,4 @@
-// What the geometry of the plane asks of a kernel: exact or honest signs, and nothing else.
+// The plane's demands on a kernel: exact or honest signs, and nothing else.
 //
 // A kernel K has, besides its types,
 //   Coordinate, Vector        coordinates of convolution vertices and differences of them

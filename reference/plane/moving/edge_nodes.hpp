@@ -1,4 +1,4 @@
-// What lies on a convolution edge, and how it moves along it as the scale grows.
+// Nodes on a convolution edge, and how they move along the edge as the scale grows.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct PositionAlong {
   W slope = W(0), value = W(0), den = W(1);
 };
 
-/// Of the crossing with b along a; a and b are not parallel. Exact as the kernel is.
+/// The position of the crossing with b along a; a and b are not parallel. Exact as the kernel is.
 template <class K>
 PositionAlong<typename K::Wide> crossing_position(const K& kernel,
                                                   const MovingEdge<typename K::Vector>& a,
@@ -42,7 +42,7 @@ PositionAlong<typename K::Wide> crossing_position(const K& kernel,
   return result;
 }
 
-/// Of a vertex on the line of a.
+/// The position of a vertex on the line of a.
 template <class K>
 PositionAlong<typename K::Wide> vertex_position(const MovingEdge<typename K::Vector>& a,
                                                 const MovingVertex<typename K::Vector>& vertex) {
@@ -50,7 +50,7 @@ PositionAlong<typename K::Wide> vertex_position(const MovingEdge<typename K::Vec
   return {K::dot(p, a.d), K::dot(q, a.d), K::dot(a.d, a.d)};
 }
 
-/// Of a node along its edge.
+/// The position of a node along its edge.
 template <class K>
 PositionAlong<typename K::Wide> node_position(
     const K& kernel, const std::vector<MovingEdge<typename K::Vector>>& edges, std::uint32_t edge,

@@ -46,8 +46,8 @@ struct ConvexPieces {
   }
 };
 
-/// What doubles tell of the edges of `a`, coordinates being off by `error`: one of them has all of
-/// `b` on its right, each has some of `b` on its left, or neither is certain.
+/// The answer of doubles about the edges of `a`, coordinates being off by `error`: one edge has all
+/// of `b` on its right, each edge has some of `b` on its left, or neither is certain.
 enum class Told : std::uint8_t { separates, none_separates, nothing };
 
 Told by_edges(const TriangleInDoubles& a, const TriangleInDoubles& b, double error) {

@@ -14,7 +14,7 @@ struct Track {
   }
 };
 
-/// Of a position along an edge. Exact.
+/// The track of a position along an edge. Exact.
 Track track_along(const RationalEdge& edge, const PositionAlong<Rational>& position);
 
 }  // namespace minkref::inline plane

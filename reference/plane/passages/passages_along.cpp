@@ -69,8 +69,8 @@ class Chains {
     for (std::uint32_t p = 0; p < graph_.points.size(); ++p) {
       if (!passed(p)) follow_all(p);
     }
-    // What is left is closed and has no end: it begins at its smallest vertex, never a straight
-    // one.
+    // The passages that are left are closed and have no end: each begins at its smallest vertex,
+    // never a straight one.
     std::vector<std::uint32_t> order;
     for (std::uint32_t p = 0; p < graph_.points.size(); ++p) order.push_back(p);
     std::sort(order.begin(), order.end(), [&](std::uint32_t p, std::uint32_t q) {

@@ -13,7 +13,8 @@ namespace minkref::inline plane {
 /// boundary of the sum of the interiors, which that of the rings need not.
 struct WedgeWalks {
   PolygonSet walks;  ///< each closed walk as a ring of its own; it may pass a point again
-  /// What the edge from a vertex of a walk is in the operand (or a part of), and the vertex.
+  /// For each vertex of a walk, the edge of the operand that the walk's edge from there is (or is a
+  /// part of), and the vertex of the operand.
   std::vector<std::vector<VertexId>> edge_names, vertex_names;
 };
 

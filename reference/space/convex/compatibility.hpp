@@ -43,7 +43,7 @@ struct Contacts {
   const ConvexPolyhedron& Q() const { return across_P.edges(); }
 };
 
-/// What a search for the vertex compatible with a facet found.
+/// The result of a search for the vertex compatible with a facet.
 struct Climb {
   std::uint32_t vertex;
   std::uint32_t steps;  ///< edges walked

@@ -48,7 +48,8 @@ std::vector<DoubleVector> rounded(const std::vector<IntegerVector>& vectors, lon
   return result;
 }
 
-/// A convex surface does not cross itself. Of one that is not, what is worse is said first.
+/// A convex surface does not cross itself. If the convexity test fails, faults that `validate`
+/// finds are reported before non-convexity.
 std::vector<Face> convex_facets(const Polyhedron& surface,
                                 const std::vector<IntegerVector>& points) {
   try {

@@ -48,9 +48,9 @@ class ConvexPolyhedron {
   std::uint32_t right(std::uint32_t half_edge) const { return facet_[twin_[half_edge]]; }
   /// The next half-edge around the facet on its left.
   std::uint32_t next(std::uint32_t half_edge) const { return next_[half_edge]; }
-  /// A half-edge of the facet: that which leaves its least vertex.
+  /// The half-edge of the facet that leaves its least vertex.
   std::uint32_t start(std::uint32_t facet) const { return start_[facet]; }
-  /// Of the facet that has the most.
+  /// The number of corners of the facet that has the most.
   std::size_t most_corners() const { return most_corners_; }
   /// Edges are numbered in the order of their half-edges that leave the lesser vertex.
   std::uint32_t edges() const { return static_cast<std::uint32_t>(edge_half_.size()); }
@@ -75,7 +75,7 @@ class ConvexPolyhedron {
   /// A coordinate of these is at least 2^-201 in magnitude, or 0 where the exact one is.
   bool moderate() const { return moderate_; }
 
-  /// Of the points over the same power of two as the vectors; for estimates.
+  /// Nearest doubles of the points over the same power of two as the vectors; for estimates.
   const DoubleVector& rounded_point(std::uint32_t vertex) const { return rounded_points_[vertex]; }
 
   /// All facets, each but the first with a neighbour that comes before it.

@@ -12,7 +12,7 @@
 
 namespace minkref::inline space {
 
-/// What one update found and did (Behar & Lien 2012, Sec. 6).
+/// Counts of one update: what it found and did (Behar & Lien 2012, Sec. 6).
 struct UpdateCounts {
   std::uint64_t fv_errors = 0;  ///< facets of P whose vertex of Q changed
   std::uint64_t vf_errors = 0;  ///< facets of Q whose vertex of P changed
@@ -25,8 +25,8 @@ struct UpdateCounts {
   /// Chains found wrong by the proof and not by an error: those beside no facet of P, and along no
   /// way of a facet of Q, that changed its vertex.
   std::uint64_t chains_mended_by_proof = 0;
-  /// Of these, those that neither lost nor gained an edge of a facet of Q that changed its vertex.
-  /// Theorem 1, with the facets of both operands, says that there are none.
+  /// Chains mended by proof that neither lost nor gained an edge of a facet of Q that changed its
+  /// vertex. Theorem 1, with the facets of both operands, says that there are no such chains.
   std::uint64_t chains_without_error = 0;
   std::uint64_t facets_examined = 0;  ///< those whose slack was used up
   std::uint64_t chains_examined = 0;
@@ -65,7 +65,7 @@ class DynamicConvexSum {
 
  private:
   void add_drift(double step);
-  /// The deadline of what has this slack now, rounded down.
+  /// The deadline of a facet or chain that has this slack now, rounded down.
   double until(double slack) const { return std::nextafter(drift_ + slack, 0); }
   void mend_facets_of_P(UpdateCounts& counts);
   void mend_facets_of_Q(UpdateCounts& counts);
@@ -86,7 +86,7 @@ class DynamicConvexSum {
   double drift_ = 0;
   std::vector<double> deadline_P_, deadline_Q_, deadline_chain_;
   std::vector<std::vector<double>> deadline_links_;  // of a chain, whose own is the least of these
-  // Of the update under way.
+  // State of the update under way.
   IndexSet suspects_;                     // edges of P beside an error
   IndexSet moved_;                        // facets of Q with one
   IndexSet changed_at_P_, changed_at_Q_;  // vertices

@@ -72,7 +72,7 @@ class FacetContact {
     void include(const Product& product) {
       // Every term is zero where the sum of their magnitudes is, for all weights.
       const bool stays = product.magnitude == 0 && zeros_stay_;
-      // Of magnitudes from here on products below do not underflow, but for ratios below 2^-200.
+      // From this magnitude on, the products below do not underflow, but for ratios below 2^-200.
       const bool tiny = product.magnitude < 0x1p-400;
       const double value = tiny ? 0 : std::fabs(product.value);
       const double magnitude = tiny ? 1 : product.magnitude;

@@ -22,7 +22,7 @@ EventScale exact_scale(const LineForm<Integer>& row, const LineForm<Integer>& pl
   return {over(row, plane), turn_of(row, plane)};
 }
 
-// Of coordinates of b bits: a height is below 2^(3b + 6), and so is a normal times a side; the
+// With coordinates of b bits a height is below 2^(3b + 6), and so is a normal times a side; the
 // determinant of three normals is below 2^(6b + 14).
 constexpr unsigned most_bits_of_side = 18, most_bits_of_four = 11;
 
@@ -95,7 +95,7 @@ class Along {
                             plane_);
   }
 
-  /// Of a row that does not change. `is_zero` may know that it is 0.
+  /// The sign of a row that does not change. `is_zero` may know that the sign is 0.
   template <class Known>
   int constant(ContactRow& row, Known&& is_zero) {
     if (slope_ != 0) {
@@ -313,7 +313,7 @@ std::optional<FacetTracks::Track> FacetTracks::track_of(const Facet& third,
   return track;
 }
 
-/// Of the end of a track on a side.
+/// The scale at the end of a track on a side.
 EventScale FacetTracks::scale_at(Track& track, const Side& side, ContactRow& row) const {
   const std::array<const MovingFacet*, 3> facets{first_.facet, second_.facet, track.third.facet};
   const MovingFacet &own = *facets[side.of], &f = *facets[(side.of + 1U) % 3],

@@ -20,7 +20,7 @@ struct ConcurrentEvent {
   EventScale s;
   std::array<std::uint32_t, 4> facets;  ///< ascending; of three, the last is none
   ContactChange change;                 ///< pass: where two are in one plane always
-  /// Of three: which sides single the point out, with the planes of those that give none.
+  /// For three facets: the sides that single the point out, with the planes of facets without one.
   std::array<std::uint8_t, 3> sides{no_side, no_side, no_side};
 
   bool is_of_four() const { return facets[3] != none; }
@@ -53,7 +53,7 @@ class FacetTracks {
   /// The track of a third facet in the window, if there is one; its events.
   void add(const Facet& third, std::vector<ConcurrentEvent>& events);
 
-  /// Of all pairs of tracks whose third facets `may_meet`.
+  /// Adds the crossings of all pairs of tracks whose third facets `may_meet`.
   void add_crossings(const std::function<bool(std::uint32_t, std::uint32_t)>& may_meet,
                      std::vector<ConcurrentEvent>& events);
 

@@ -29,7 +29,7 @@ T over(const FlatForm<T>& f, const FlatForm<T>& g, const FlatForm<T>& h) {
   return -(f.constant * turn_of(g, h) + g.constant * turn_of(h, f) + h.constant * turn_of(f, g));
 }
 
-/// Of a fourth form where three are zero, times `under` of these.
+/// The value of a fourth form where three are zero, times `under` of the three.
 template <class T>
 T value_of(const FlatForm<T>& form, const FlatForm<T>& f, const FlatForm<T>& g,
            const FlatForm<T>& h) {
@@ -53,7 +53,7 @@ class MovingPlane {
         j_((axis_ + 2) % 3),
         is_seen_from_above_(is_up(facet)) {}
 
-  /// Of a side of a facet in the plane.
+  /// The form of a side of a facet in the plane.
   template <class T>
   FlatForm<T> side(const MovingFacet& facet, std::size_t k) const {
     const std::array<T, 3>& along = facet.along[k].as<T>();
@@ -66,7 +66,7 @@ class MovingPlane {
                      [&](const std::array<T, 3>& way) -> T { return x * way[i_] + y * way[j_]; });
   }
 
-  /// Of the plane of a facet across, or of the plane that stands on a side of it.
+  /// The form of the plane of a facet across, or of the plane that stands on a side of that facet.
   template <class T>
   FlatForm<T> trace(const MovingFacet& facet, std::uint8_t side) const {
     const std::size_t corner = side == ContactRow::plane ? 0 : side;
@@ -228,8 +228,8 @@ class CoplanarSearch {
            sign_of_flat(signs_, determinant, row, g, h) == 0;
   }
 
-  /// Of the part of the sides' inner halves around: s grows with how far a point is inside of each,
-  /// or falls.
+  /// The change of the common part of the sides' inner halves at the point: birth if s grows with
+  /// the depth inside of each side, death if s falls with it.
   ContactChange change_at(FlatRow& f, FlatRow& g, FlatRow& h, int turn) {
     const auto rate = [&](FlatRow& a, FlatRow& b) {
       return turn *

@@ -29,7 +29,7 @@ struct CriticalEvents {
   SignCounts signs;
 };
 
-/// What is looked for: events of pairs of facets, or of three and of four too.
+/// The events to look for: of pairs of facets, or of three and of four too.
 enum class EventsOf : std::uint8_t { pairs, all };
 
 /// A list that is longer than so many events of pairs, or of three and four, is given up: throws

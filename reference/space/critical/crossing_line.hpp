@@ -94,7 +94,7 @@ int sign_of_rows(SignCounts& signs, Evaluate&& evaluate, Rows&... rows) {
   return sign_unless_zero(signs, [] { return false; }, evaluate, rows...);
 }
 
-/// Of alpha beta' - alpha' beta.
+/// The value alpha beta' - alpha' beta of two forms.
 template <class T>
 T turn_of(const LineForm<T>& f, const LineForm<T>& g) {
   return f.alpha * g.beta - g.alpha * f.beta;

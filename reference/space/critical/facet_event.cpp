@@ -30,7 +30,7 @@ std::array<ContactRow, most_sides>& ContactRegion::rows() {
   return rows_;
 }
 
-/// Of what `evaluate` makes of the constraints.
+/// The sign of the number that `evaluate` makes of the constraints.
 template <class Evaluate>
 int ContactRegion::sign_of(Evaluate&& evaluate) {
   struct Rounded {
@@ -124,7 +124,7 @@ bool ContactRegion::is_level(std::size_t i, std::size_t j) const {
                             : contact<Integer>(i, j).slope.is_zero();
 }
 
-/// Of two sides of one facet that have one in common.
+/// The corner that two sides of one facet have in common.
 std::size_t ContactRegion::corner_between(std::size_t i, std::size_t j) const {
   const std::size_t start = i < first_.size ? 0 : first_.size,
                     size = i < first_.size ? first_.size : second_.size;

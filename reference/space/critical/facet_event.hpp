@@ -13,8 +13,8 @@
 
 namespace minkref::inline space {
 
-/// What touches: a corner of one facet the other, perhaps on its border; sides of both; or parallel
-/// facets come to lie in one plane, and have an area in common.
+/// How facets touch: a corner of one meets the other, perhaps on its border; sides of both meet; or
+/// parallel facets come to lie in one plane, and have an area in common.
 enum class ContactKind : std::uint8_t { vertex, edge, parallel };
 /// As s grows: facets start to meet, stop, meet at this scale only, or meet in a segment one of
 /// whose ends passes from one side to another.

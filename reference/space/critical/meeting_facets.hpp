@@ -32,7 +32,7 @@ void add_concurrent_events(const MovingConvolution& convolution, std::vector<Mee
                            const EventScale& from, const EventScale& to,
                            const BuildControl& control, MostEvents most, CriticalEvents& result);
 
-/// Of a list that has become too long.
+/// Throws LimitExceeded for a list that has become too long.
 [[noreturn]] void refuse_long_list(MostEvents most);
 
 }  // namespace minkref::inline space

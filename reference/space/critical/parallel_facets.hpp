@@ -7,11 +7,10 @@
 
 namespace minkref::inline space {
 
-/// Events of two facets with parallel normals at scales above 0, of a window if one is given,
-/// ascending. Facets that lie in one
-/// plane at one scale meet at that scale only: kind `parallel` where they have an area in common,
-/// else `vertex`. Of facets that always do, where a corner of one comes to lie on a side of the
-/// other, in both. Exact.
+/// Events of two facets with parallel normals at scales above 0, in a window if one is given,
+/// ascending. Facets that lie in one plane at one scale meet at that scale only: kind `parallel`
+/// where they have an area in common, else `vertex`. Facets that always lie in one plane have
+/// events where a corner of one comes to lie on a side of the other, in both. Exact.
 std::vector<FacetEvent> parallel_events(const MovingConvolution& convolution,
                                         const MovingFacet& first, const MovingFacet& second,
                                         SignCounts& signs, const ScaleWindow* window = nullptr);

@@ -7,7 +7,7 @@
 
 namespace minkref::inline space {
 
-/// What is below it: normal · x <= offset.
+/// The points x below a plane: normal · x <= offset.
 struct HalfSpace {
   SpacePoint normal;
   Rational offset;

@@ -37,7 +37,7 @@ Rational sextuple_volume_of_all(const std::vector<Polyhedron>& pieces) {
   return volumes.empty() ? Rational(0) : volumes[0];
 }
 
-/// What is left of the surface inside a convex cell, which is what lies below its cuts.
+/// The rest of the surface inside a convex cell, which is the part of space below its cuts.
 struct SurfaceCell {
   std::vector<Wall> walls;
   std::vector<std::uint32_t> cuts;

@@ -83,7 +83,7 @@ class UnionBoundary {
   }
 
  private:
-  /// What no other body covers of a facet of body `own`.
+  /// The parts of a facet of body `own` that no other body covers.
   std::vector<CornerRing> exposed(std::size_t own, const SumFacet& facet) {
     const CornerBox box(facet.ring);
     if (covered_as_others_were(own, facet, box)) return {};

@@ -1,4 +1,4 @@
-// What of the facets of convex bodies is on the boundary of their union.
+// The parts of the facets of convex bodies on the boundary of the union of the bodies.
 #pragma once
 
 #include <vector>

@@ -12,7 +12,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// What is below all planes; the hull of the corners, some of which may lie inside of faces.
+/// The points below all planes: the hull of the corners, some of which may lie inside of faces.
 struct MergedPiece {
   std::vector<CuttingPlane> planes;
   std::vector<SolidCorner> corners;

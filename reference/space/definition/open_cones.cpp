@@ -34,7 +34,7 @@ std::vector<IntegerVector> planes_of(const std::vector<Cone>& cones) {
 
 }  // namespace
 
-// What no open sector covers is closed, and ends in the planes that bound sectors.
+// The set that no open sector covers is closed, and ends in the planes that bound sectors.
 bool cover_all_about(const IntegerVector& axis, const std::vector<Cone>& cones) {
   const std::vector<IntegerVector> planes = planes_of(cones);
   return !planes.empty() &&
@@ -44,8 +44,8 @@ bool cover_all_about(const IntegerVector& axis, const std::vector<Cone>& cones) 
          });
 }
 
-// What no open cone covers is a closed union of faces of the arrangement of the planes, and holds
-// the least of these faces: rays in which two planes meet, unless all planes are one.
+// The set that no open cone covers is a closed union of faces of the arrangement of the planes, and
+// holds the least of these faces: rays in which two planes meet, unless all planes are one.
 bool cover_all(const std::vector<Cone>& cones) {
   const std::vector<IntegerVector> planes = planes_of(cones);
   if (planes.size() < 2) return false;

@@ -37,7 +37,7 @@ class Order {
   int sign_ = 1;
 };
 
-/// What the interior of a body has of a segment; an end of the segment may be part of it.
+/// The part of a segment in the interior of a body; it may have an end of the segment.
 struct Interval {
   SolidCorner from, to;
   bool has_from, has_to;

@@ -18,7 +18,7 @@ struct CornerSegment {
   bool is_point() const;
 };
 
-/// What a convex polygon has in a plane that it does not lie in: a segment, a point, or nothing.
+/// Where a convex polygon meets a plane that it does not lie in: a segment, a point, or nothing.
 std::optional<CornerSegment> crossing(const CornerRing& ring, const CuttingPlane& plane);
 
 /// Keeps what lies in the closed body; false where that is nothing. Exact.

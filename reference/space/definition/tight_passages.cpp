@@ -193,7 +193,7 @@ class PassageSearch {
     if (!inside && cover_all(cones)) points_.insert(point);
   }
 
-  /// Of the bodies that contain the point; an empty one where it is in the interior.
+  /// The cones of the bodies that contain the point; an empty cone if the interior contains it.
   std::vector<Cone> cones_at(const SolidCorner& corner) const {
     std::vector<Cone> cones;
     for (const std::uint32_t b : near({corner})) {

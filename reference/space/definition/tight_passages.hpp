@@ -12,7 +12,7 @@ namespace minkref::inline space {
 
 /// The closure of int(S P ⊕ Q) less ri S P ⊕ ri Q (docs/definitions.md, "Tight passages").
 struct TightPassagesInSpace {
-  /// Of one plane each; the first coordinate of the normal that is not zero is above zero. Planes
+  /// Regions in one plane each; the first nonzero coordinate of its normal is above zero. Planes
   /// ascend.
   std::vector<PlaneRegion> sheets;
   /// Maximal segments that lie in no sheet, each with the smaller end first, ascending.
@@ -27,10 +27,10 @@ struct TightPassagesInSpace {
 /// sheets as the planes of a polyhedral set.
 std::string canonical_json(const TightPassagesInSpace& passages);
 
-/// Of valid operands that do not cross themselves, one of which may be thin. Complete and exact
-/// (docs/space-sums.md, "Tight passages"). Throws what summed_pieces throws, with
-/// `most_pairs_for_passages`. For k bodies with f facets, n others near each: O(k f² n) segments at
-/// worst, each against n bodies; facets that one other body covers cost only that.
+/// Finds the passages of valid operands that do not cross themselves, one of which may be thin.
+/// Complete and exact (docs/space-sums.md, "Tight passages"). Throws what summed_pieces throws,
+/// with `most_pairs_for_passages`. For k bodies with f facets, n others near each: O(k f² n)
+/// segments at worst, each against n bodies; facets that one other body covers cost only that.
 TightPassagesInSpace tight_passages_in_space(const Polyhedron& P, const Polyhedron& Q,
                                              const Scaling& scaling);
 

@@ -24,7 +24,7 @@ struct EdgeStatistics {
   std::uint64_t covered = 0;  ///< of the tests, answered by cells
 };
 
-/// Of one thread.
+/// The search of one thread.
 class BoundaryEdgeSearch {
  public:
   BoundaryEdgeSearch(const Convolution& convolution,

@@ -70,8 +70,8 @@ bool CarrierCutting::clip(const ConvolutionFacet& facet, Cut& from, Cut& to, int
   return compare(from, to) <= 0;
 }
 
-/// Of a side of a facet along the line, counter-clockwise seen from above: the facet is on its
-/// left.
+/// How a facet lies along the line that a side of it runs along. The side runs counter-clockwise
+/// seen from above: the facet is on the left of the side.
 AlongFacet CarrierCutting::along_border(std::uint32_t facet, std::size_t side) {
   const ConvolutionFacet& f = facets_[facet];
   const int same = filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
@@ -91,7 +91,7 @@ const std::vector<CarrierPiece>& CarrierCutting::cut_side(std::uint32_t number) 
   to_ = {{}, 1, BoundedDouble(1)};
   if (is_covered()) return pieces_;
   for (const auto& [facet, k] : side.uses) covers_.push_back({along_border(facet, k), start, end});
-  // What touches the side touches each of its facets.
+  // A facet that touches the side touches each facet of the side.
   const auto fewest = std::min_element(
       side.uses.begin(), side.uses.end(),
       [&](const auto& a, const auto& b) { return near_[a.facet].size() < near_[b.facet].size(); });

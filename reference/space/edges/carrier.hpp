@@ -46,7 +46,7 @@ class CarrierCutting {
   /// lesser pair. Facets that are parallel, or do not cross, have none.
   const std::vector<CarrierPiece>& cut_crossing(std::uint32_t a, std::uint32_t b);
 
-  /// Of the carrier last cut.
+  /// The line of the carrier last cut.
   const CarrierLine& line() const { return *line_; }
 
   SignCounts signs;

@@ -31,7 +31,7 @@ class CellGrid {
     const auto bit = static_cast<std::size_t>(cell[0] - low_[0]);
     return ((row(cell[1] - low_[1], cell[2] - low_[2])[bit / 64] >> (bit % 64)) & 1U) != 0;
   }
-  /// Of the grid.
+  /// Adds a cell of the grid.
   void add(const Cell& cell) {
     const auto bit = static_cast<std::size_t>(cell[0] - low_[0]);
     row(cell[1] - low_[1], cell[2] - low_[2])[bit / 64] |= std::uint64_t{1} << (bit % 64);

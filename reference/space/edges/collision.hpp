@@ -9,7 +9,7 @@
 
 namespace minkref::inline space {
 
-/// What all tests of one sum share.
+/// Data that all tests of one sum share.
 class CollisionTrees {
  public:
   CollisionTrees(const SpaceOperand& P, const SpaceOperand& Q, InteriorCells cells);
@@ -19,7 +19,7 @@ class CollisionTrees {
   InteriorCells cells;
 };
 
-/// Of one thread: it tries first what was in contact last.
+/// The tests of one thread. They try first the pairs that were in contact last.
 class Collision {
  public:
   explicit Collision(const CollisionTrees& trees) : trees_(trees), P_(trees.P), Q_(trees.Q) {}

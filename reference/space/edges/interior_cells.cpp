@@ -16,7 +16,7 @@ using Cell = CellGrid::Cell;
 
 constexpr double most_index = 1e9;
 
-/// Of a number that is no greater than an index. Quicker than a call.
+/// Rounds down a number that is no greater than an index. Quicker than a call.
 long floor_of(double x) {
   const long towards_zero = static_cast<long>(x);
   return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
@@ -118,7 +118,7 @@ class OperandCells {
     reached.add(cell);
   }
 
-  /// Of a triangle, in halves across its longest side until they are no larger than a cell.
+  /// Marks the cells of a triangle, halved across its longest side down to the size of a cell.
   bool touch(const std::array<BoundedVector, 3>& corners, int halvings) {
     if (++pieces_ > InteriorCells::most_pieces) return false;
     const SpaceBox box = box_of(corners);
@@ -174,8 +174,8 @@ class OperandCells {
     }
   }
 
-  /// Of the middle, by the triangles over it along the third axis; false also where doubles do not
-  /// tell.
+  /// Whether the middle of a cell is inside, by the triangles over it along the third axis; false
+  /// also where doubles do not tell.
   bool is_inside(const Cell& cell) const {
     BoundedVector x;
     for (std::size_t k = 0; k < 3; ++k) x[k] = real((static_cast<double>(cell[k]) + 0.5) * size_);

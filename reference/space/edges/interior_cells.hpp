@@ -14,8 +14,8 @@ namespace minkref::inline space {
 class InteriorCells {
  public:
   InteriorCells() = default;
-  /// Of a grid of about `most` cells at the most. None where the numbers are beyond doubles, or the
-  /// surfaces have too many pieces of the size of a cell.
+  /// Finds cells in a grid of about `most` cells at the most. None where the numbers are beyond
+  /// doubles, or the surfaces have too many pieces of the size of a cell.
   InteriorCells(const SpaceOperand& P, const SpaceOperand& Q, std::size_t most);
 
   /// Whether all of a point, a segment, a triangle or a parallelogram, with corners in cyclic

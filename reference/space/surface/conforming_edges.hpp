@@ -16,11 +16,11 @@ using PointPair = std::pair<std::uint32_t, std::uint32_t>;
 struct ConformingEdges {
   std::vector<SpaceVertex> points;  ///< distinct, ascending
   std::vector<PointPair> segments;  ///< the edges, each once, ascending
-  /// Of each region its border, the region on the left as it is seen along the viewing axis.
+  /// By region: its border, the region on the left as it is seen along the viewing axis.
   std::vector<std::vector<PointPair>> borders;
-  /// Of each region the segments in its inside: there other faces stand on it.
+  /// By region: the segments in its inside, on which other faces stand.
   std::vector<std::vector<PointPair>> slits;
-  /// Of each region the points in its inside that end no slit: there a tip touches it.
+  /// By region: the points in its inside that end no slit, where a tip touches the region.
   std::vector<std::vector<std::uint32_t>> tips;
 };
 

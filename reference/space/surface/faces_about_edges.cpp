@@ -11,10 +11,10 @@
 namespace minkref::inline space {
 namespace {
 
-/// A half-plane about an edge with the direction d. That of a half-edge along d (`forward`), of a
-/// face with the normal n, is on the side of n x d: the outside comes counter-clockwise after it,
-/// for who looks against d, and the interior before. It is the other way round against d. A quarter
-/// of a turn further each half-plane is n or -n.
+/// A half-plane about an edge with the direction d. If the half-edge runs along d (`forward`) and
+/// its face has the normal n, the half-plane is on the side of n x d: seen against d, the outside
+/// comes counter-clockwise after the half-plane, and the interior before. For a half-edge against d
+/// it is the other way round. A quarter of a turn further each half-plane is n or -n.
 struct HalfPlane {
   std::uint32_t half_edge;
   bool forward;

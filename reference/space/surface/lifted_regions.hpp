@@ -17,7 +17,7 @@ struct LiftedPolygon {
   SpaceBox box;
 };
 
-/// Of a set that lives longer.
+/// The regions of a set that lives longer.
 struct LiftedRegions {
   std::vector<SpaceVertex> points;  ///< distinct, ascending
   std::vector<FilteredPlane> planes;
@@ -35,7 +35,7 @@ class PolygonLocation {
   explicit PolygonLocation(const LiftedRegions& regions)
       : regions_(regions), rings_(regions.polygons.size()) {}
 
-  /// Of the middle of a segment in the plane of the polygon. Exact; linear.
+  /// Locates the middle of a segment in the plane of the polygon. Exact; linear.
   Location locate(std::uint32_t polygon, const SpacePoint& from, const SpacePoint& to);
 
  private:

@@ -12,7 +12,7 @@ enum class MeshFaces : std::uint8_t {
   triangles
 };
 
-/// Of each face of the surface the faces of its mesh.
+/// The faces of the mesh of each face of the surface.
 std::vector<std::vector<Face>> mesh_faces(const SurfaceEdges& surface,
                                           MeshFaces faces = MeshFaces::polygons);
 

@@ -10,7 +10,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// Of each triangle of an operand its face, which is cut into two triangles less than it has
+/// The face of each triangle of an operand. A face is cut into two triangles less than it has
 /// vertices; the triangles of the back of a polygon follow those of its front.
 std::vector<std::uint32_t> faces_of_triangles(const Polyhedron& body, const SpaceOperand& operand) {
   std::vector<std::uint32_t> result;

@@ -15,10 +15,11 @@ struct FacePair {
   friend auto operator<=>(const FacePair&, const FacePair&) = default;
 };
 
-/// Of each face of `surface`, that of S P ⊕ Q, the pairs whose sum, a facet of the reduced
-/// convolution or a part of one, has area in common with it: a face and a vertex, a vertex and a
-/// face, or two edges; ascending. Of parallel features those count that the convolution takes.
-/// Operands as for `edge_sum`. Exact. The time of the convolution and of `parents`.
+/// For each face of `surface`, the surface of S P ⊕ Q, the pairs whose sum has area in common with
+/// the face: a face and a vertex, a vertex and a face, or two edges; ascending. The sum of a pair
+/// is a facet of the reduced convolution, or a part of one. Parallel features count if the
+/// convolution takes them. Operands as for `edge_sum`. Exact. The time of the convolution and of
+/// `parents`.
 std::vector<std::vector<FacePair>> parent_faces(const SurfaceEdges& surface, const Polyhedron& P,
                                                 const Polyhedron& Q, const Scaling& scaling);
 

@@ -9,9 +9,9 @@
 
 namespace minkref::inline space {
 
-/// Of each plane region of a sum the facets that lie in its plane, turned the same way, and have
-/// area in common with it: ascending numbers of `facets`, whose corners are over `denominator`.
-/// A plane may have several regions, which follow each other.
+/// For each plane region of a sum, the facets that lie in its plane, turned the same way, and have
+/// area in common with the region: ascending numbers of `facets`, whose corners are over
+/// `denominator`. A plane may have several regions, which follow each other.
 /// Exact. O((f + n) log n + k) for f facets and k pairs of a facet and an edge of a region in one
 /// plane whose boxes meet.
 std::vector<std::vector<std::uint32_t>> parents(const PolyhedralSet& set,

@@ -9,7 +9,7 @@ namespace minkref::inline space {
 
 enum class Precision : std::uint8_t { float64, float32 };
 
-/// What rounding the coordinates of a mesh has done.
+/// The effects of rounding the coordinates of a mesh.
 struct RoundingReport {
   std::uint64_t moved_vertices = 0;    ///< that no longer are where they were
   std::uint64_t merged_vertices = 0;   ///< by how many there are fewer different points
@@ -27,10 +27,10 @@ struct RoundedMesh {
 
 /// Every coordinate is the nearest number of the precision; the faces are the given ones, so that
 /// the mesh stays closed: certainly as a list of faces by the numbers of their vertices, though
-/// those that only read coordinates (STL) take for one what has merged. Faces of more than three
+/// readers of coordinates only (STL) take merged vertices for one. Faces of more than three
 /// vertices, planar and simple, are judged by the triangles into which `face_triangles` cuts them
 /// (BadInput "not-representable" where they cannot be cut, LimitExceeded as integer_points does).
-/// That rounding makes no two faces cross is not looked at. Exact. Throws LimitExceeded
+/// Whether rounding makes two faces cross is not checked. Exact. Throws LimitExceeded
 /// ("not-representable") for a coordinate beyond the range of the precision. O(n log n) for
 /// triangles.
 RoundedMesh rounded_mesh(const Polyhedron& mesh, Precision precision = Precision::float64);

@@ -13,7 +13,7 @@ namespace minkref::inline space {
 struct Shell {
   std::vector<std::uint32_t> faces;  ///< ascending
   std::uint64_t vertices = 0, edges = 0;
-  /// Of Euler: vertices - edges + faces, where a face with h holes counts 1 - h.
+  /// The Euler characteristic: vertices - edges + faces, where a face with h holes counts 1 - h.
   long characteristic = 0;
   bool positive = true;  ///< the volume that it bounds, its faces seen from outside, is
 

@@ -46,7 +46,7 @@ inline int compare(const SpaceVertex& a, const SpaceVertex& b) {
   return 0;
 }
 
-/// The least box of nearest doubles. What lies between the ends has its nearest doubles within.
+/// The least box of nearest doubles. A point between the ends has its nearest doubles in this box.
 inline SpaceBox box_between(const SpaceVertex& a, const SpaceVertex& b) {
   SpaceBox box;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -78,7 +78,7 @@ struct FilteredPlane {
   explicit FilteredPlane(OrientedPlane plane);
   /// 1 on the side of the normal, 0 in the plane, -1 on the other side. Exact.
   int side(const SpaceVertex& vertex) const;
-  /// Of the line through two points that are not as far from the plane.
+  /// Where the line through two points that are not as far from the plane crosses it.
   SpacePoint crossing(const SpacePoint& p, const SpacePoint& q) const;
 
  private:
