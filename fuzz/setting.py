@@ -1,4 +1,4 @@
-"""What a run of `verify` has to know of the plane, of space, and of whatever comes next."""
+"""The facts that a run of `verify` needs of the plane, of space, and of whatever comes next."""
 
 from __future__ import annotations
 
@@ -45,11 +45,11 @@ class Setting(ABC):
 
     @abstractmethod
     def case_of(self, name: CaseName, operands: list[Any], scale: Any, where: str) -> AnyCase:
-        """Of two sets as JSON values. Refuses what is no set."""
+        """The case of two sets as JSON values. Refuses values that are no sets."""
 
     @abstractmethod
     def scales_in(self, value: dict[str, Any], path: Path) -> list[str]:
-        """Those at which a case file asks for sums."""
+        """The scales at which a case file asks for sums."""
 
     @abstractmethod
     def case_in(self, name: CaseName, path: Path, scale: str) -> AnyCase:
@@ -57,24 +57,24 @@ class Setting(ABC):
 
     @abstractmethod
     def refuse_bad_operands(self, path: Path) -> None:
-        """Those of a case file."""
+        """Refuses bad operands of a case file."""
 
     @abstractmethod
     def drawn(self, name: CaseName, family: str, seed: int, index: int) -> AnyCase | None:
-        """What a generator makes; None where it has none of that name."""
+        """The case that the generator `family` makes; None if there is no such generator."""
 
     @abstractmethod
     def derived(
         self, base: AnyCase, name: CaseName, operation: str, number: int | None
     ) -> AnyCase | None:
-        """What an operation makes of a case; None where it knows none of that name. NoCase where
-        there is nothing to be made."""
+        """The case that an operation makes of another; None if there is no such operation. NoCase
+        if there is nothing to be made."""
 
     # Shrinking.
 
     @abstractmethod
     def small_case(self, P: str, Q: str, scale: str) -> SmallCase:
-        """Of operands as JSON texts."""
+        """The small case of operands as JSON texts."""
 
     @property
     @abstractmethod
@@ -83,7 +83,7 @@ class Setting(ABC):
 
     @abstractmethod
     def scales_of_file(self, scale: str) -> list[Any]:
-        """As a case file has them."""
+        """The scales as a case file has them."""
 
     def has_case_file(self, literal: str) -> bool:
         """Whether a case can be written as a case file."""
@@ -91,19 +91,18 @@ class Setting(ABC):
 
 
 class Question(ABC):
-    """About sets of a setting, other than for their sum: the cases that ask it, and how they are
-    made smaller."""
+    """A question about sets of a setting, other than for their sum: the cases that ask it, and how
+    these are made smaller."""
 
     cases: ClassVar[type]
     asking: ClassVar[type[Asking]]
 
     @abstractmethod
     def drawn(self, name: CaseName, family: str, seed: int, index: int) -> AnyCase | None:
-        """What a generator makes; None where it has none of that name."""
+        """The case that the generator `family` makes; None if there is no such generator."""
 
     def named(self, name: CaseName, value: dict[str, Any], where: str) -> AnyCase | None:
-        """Of the JSON value of a case; None where it asks something else. Refuses what is wrong
-        with it."""
+        """The case of a JSON value; None if it asks something else. Refuses a wrong value."""
         return None
 
     def is_asked(self, literal: str) -> bool:

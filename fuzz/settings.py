@@ -23,22 +23,22 @@ def setting_of(dimension: int) -> Setting:
 
 
 def setting_of_document(value: Any) -> Setting:
-    """Of a case file; the plane where it says nothing of another."""
+    """The setting of a case file; the plane if the file says nothing of another."""
     return next((s for s in reversed(SETTINGS) if s.is_document(value)), PLANE)
 
 
 def setting_of_operands(operands: list[Any]) -> Setting:
-    """Of JSON values; the plane where they look like nothing else."""
+    """The setting of JSON values; the plane if they look like nothing else."""
     return next((s for s in reversed(SETTINGS) if s.holds(operands)), PLANE)
 
 
 def question_of(literal: str) -> Question | None:
-    """That of the text that names a case; None where it is that for a sum."""
+    """The question of the text that names a case; None if the text asks for a sum."""
     return next((question for question in QUESTIONS if question.is_asked(literal)), None)
 
 
 def asking_about(case: AnyCase, *how: Any) -> Asking:
-    """What Asking takes, for the question or in the setting of the case."""
+    """The Asking for the question or the setting of the case; `how`: all that Asking takes."""
     own = (question.asking for question in QUESTIONS if isinstance(case, question.cases))
     return next(own, setting_of(case.dimension).asking)(case, *how)
 

@@ -41,7 +41,7 @@ class Adapter:
         self.Q: Set | None = None
 
     def answer(self, request: dict[str, Any]) -> dict[str, Any]:
-        """What becomes of one request, without `seq`."""
+        """The answer to one request, without `seq`."""
         verb = request.get("verb")
         try:
             if verb == "hello":

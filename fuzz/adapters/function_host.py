@@ -50,8 +50,7 @@ def python_function(module: str, name: str) -> tuple[dict[str, Any], Sum]:
 
 
 def answering(function: Callable[[Set, Set], Any]) -> Sum:
-    """What answers by a Python function. At each call the operands are new ones, which it may
-    change."""
+    """A sum by the Python function, which may change its operands: each call gets new ones."""
     kept: list[Any] = [None, "null"]  # the last Q, and its text
 
     def sum_of(sP: Set, Q: Set) -> dict[str, Any]:

@@ -23,7 +23,7 @@ typedef struct minkref_set {
   double* xy;             /* x, y of each vertex: 2 * (sum of sizes) numbers */
 } minkref_set;
 
-/* What the function returns. */
+/* Return values of the function. */
 enum {
   MINKREF_RESULT = 0,   /* *sum is the sum */
   MINKREF_SKIPPED = 1,  /* it does not take this case */
@@ -41,8 +41,8 @@ enum {
 typedef int minkref_sum_function(const minkref_set* sP, const minkref_set* Q, minkref_set* sum);
 
 /* Optional: the declaration, the members of the answer to `hello` as JSON
- * (docs/adapter-protocol.md). The text stays the library's. Numbers are doubles, so "numbers" is
- * "double" whatever it says. Of what is left out:
+ * (docs/adapter-protocol.md). The library owns the text. Numbers are doubles, so "numbers" is
+ * "double" whatever the text says. Defaults:
  *   {"arithmetic": "float64", "tolerance": {"absolute": "0", "relative": "1e-9"}, "sum": "region",
  *    "capabilities": ["plane", "non-convex", "holes", "components"]} */
 const char* minkref_hello(void);

@@ -1,4 +1,4 @@
-"""What a case of any setting has."""
+"""The members of a case of any setting."""
 
 from __future__ import annotations
 

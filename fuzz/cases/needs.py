@@ -1,4 +1,4 @@
-"""What an implementation must be able to take, to be asked about a case."""
+"""The capabilities that an implementation needs to be asked about a case."""
 
 from __future__ import annotations
 

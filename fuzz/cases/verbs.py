@@ -1,5 +1,5 @@
-"""What a case may ask for in place of the verb `at` of the adapter protocol: LAW(NAME) with one of
-the verbs for the law, a path, or operands of which one is invalid."""
+"""Requests of a case in place of the verb `at` of the adapter protocol: LAW(NAME) with one of the
+verbs for the law, a path, or operands of which one is invalid."""
 
 UPDATE, EVENTS = "update", "events"
 PATH, RANGES = "path", "path-ranges"  # the verb `path`: single scales, or all of a window

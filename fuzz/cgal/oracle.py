@@ -45,10 +45,10 @@ __all__ = [
 
 @dataclass(frozen=True)
 class OracleAnswer:
-    """What became of one call. `seconds` is the time of the CGAL call alone where there is a
-    result, else the time until it ended; `total_seconds` is that of the child process. `rings_json`
-    is the result as CGAL gave it, `{"polygons":[...]}`, not canonical. `signal` is a name, as
-    SIGSEGV; a crash without one is a std::bad_alloc that no limit of ours explains."""
+    """The outcome of one call. `seconds` is the time of the CGAL call alone if there is a result,
+    else the time until the call ended; `total_seconds` is the time of the child process.
+    `rings_json` is the result as CGAL gave it, `{"polygons":[...]}`, not canonical. `signal` is a
+    name, as SIGSEGV; a crash without a name is a std::bad_alloc that no limit of ours explains."""
 
     status: str
     reason: str | None = None

@@ -15,7 +15,7 @@ import time
 from pathlib import Path
 from typing import Any, Self
 
-# What a server may take beyond the time limit of a call, to end its child and to answer.
+# Time for a server beyond the limit of a call, to end its child and to answer.
 GRACE_SECONDS = 20.0
 STATUSES = ("result", "skipped", "crashed", "timed-out", "out-of-memory", "errored")
 

@@ -53,9 +53,9 @@ class SweptSolid(OracleServer):
     def vertices(
         self, P: str | dict[str, Any], Q: str | dict[str, Any], low: str, high: str
     ) -> SweptSolidAnswer:
-        """Of the solid between the scales `low` and `high` (`n` or `n/d`, 0 <= low < high). Exact.
-        0.01 to 0.1 s for each pair of triangles. Every failure is an answer; OSError where no
-        server starts."""
+        """The vertices of the solid between the scales `low` and `high` (`n` or `n/d`,
+        0 <= low < high). Exact. 0.01 to 0.1 s for each pair of triangles. Every failure is an
+        answer; OSError if no server starts."""
         value = self.ask(
             SWEPT_SOLID, {"P": P, "Q": Q}, most_pairs=self.most_pairs, **{"from": low, "to": high}
         )

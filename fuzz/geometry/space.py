@@ -61,8 +61,8 @@ def cross(a: Vector[Number], b: Vector[Number]) -> Vector[Number]:
 
 
 def normal(a: Vector[Number], b: Vector[Number], c: Vector[Number]) -> Vector[Number]:
-    """Of the triangle, on the side from which it runs counter-clockwise; its length is twice the
-    area."""
+    """The normal on the side from which the triangle runs counter-clockwise; its length is twice
+    the area of the triangle."""
     return cross(minus(b, a), minus(c, a))
 
 

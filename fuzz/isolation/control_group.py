@@ -143,8 +143,8 @@ def _handed_on(folder: Path) -> tuple[str, ...]:
 
 
 def _folder(held: tuple[str, ...], path: str) -> Path | None:
-    """Of the group `path`, below the place where its file system is mounted: of version 1 that of
-    the controllers `held`."""
+    """The folder of the group `path`, below the mount point of its file system (in version 1: the
+    file system of the controllers `held`)."""
     for line in Path("/proc/self/mountinfo").read_text(encoding="utf-8").splitlines():
         before, _, after = line.partition(" - ")
         kind, _, options = after.split(" ", 2)

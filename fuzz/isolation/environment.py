@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 
-# Of the language, of where programs and libraries lie, and ours (docs/security.md).
+# Variables of the language, of the places of programs and libraries, and ours (docs/security.md).
 NAMES = (
     *("PATH", "LANG", "LANGUAGE", "TZ", "LD_LIBRARY_PATH", "NODE_PATH", "JAVA_HOME", "CLASSPATH"),
     *("VIRTUAL_ENV", "CONDA_PREFIX", "PYENV_ROOT", "PYENV_VERSION", "RUSTUP_HOME", "CARGO_HOME"),
@@ -35,8 +35,8 @@ def listed_variables(passed: Iterable[str]) -> dict[str, str]:
 def environment_of(
     passed: tuple[str, ...], more: dict[str, str], folder: str, home: str, mark: str
 ) -> dict[str, str]:
-    """What a program begins with. `folder` is its own for temporary files, `home` its HOME, unless
-    that is passed."""
+    """The variables that a program begins with. `folder` is for temporary files of the program,
+    `home` is the HOME, unless HOME is passed."""
     own = {"HOME": home, "TMPDIR": folder}
     for name, place in BELOW_HOME.items():
         path = os.path.join(os.path.expanduser("~"), place)

@@ -106,7 +106,7 @@ def choose(
 
 @functools.cache
 def usual() -> Isolation:
-    """Of a run that says nothing else."""
+    """The isolation of a run that chooses no other."""
     return choose()
 
 

@@ -1,4 +1,4 @@
-"""What a program left behind, found by a mark in its environment, and ended."""
+"""Finds processes that a program left behind, by a mark in their environment, and ends them."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ HERE = Path(__file__).parent
 
 
 def state_folder() -> Path:
-    """What minkref keeps of a user from run to run, and no target may see."""
+    """The folder of a user's data that minkref keeps from run to run and no target may see."""
     given = Path(os.environ.get("XDG_STATE_HOME", ""))
     base = given if given.is_absolute() else Path(os.path.expanduser("~"), ".local", "state")
     return base / "minkref"

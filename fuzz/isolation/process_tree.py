@@ -19,8 +19,8 @@ def children_of(parent: int) -> list[int]:
 
 
 def tree_bytes(root: int) -> int:
-    """The memory of all processes below `root`, which is not counted itself. What several share
-    counts once where the kernel tells the shares, else in each."""
+    """The memory of all processes below `root`, without `root` itself. Shared memory counts once
+    if the kernel tells the shares, else in each process."""
     return sum(_bytes_of(process) for process in descendants(root))
 
 

@@ -92,8 +92,8 @@ def _home_of(path: Path) -> Path:
 
 
 def _shown(wanted: Iterable[Path]) -> list[str]:
-    """What of `wanted` lies in a folder that is emptied, and in nothing that is shown whole. Of
-    such a folder itself its files."""
+    """The paths of `wanted` that lie in an emptied folder, and in no other path that is shown. For
+    an emptied folder itself, its files."""
     found: set[str] = set()
     for folder in wanted:
         place = str(folder)

@@ -1,9 +1,9 @@
 """A process between ours and a program that is not ours.
 
-For where there is no sandbox. What the program does to its parent it does to the supervisor, which
-it cannot signal where it runs as a user of its own. The supervisor adopts whatever the program
-leaves behind, also in sessions of its own, and ends all of it with the program, or when we die;
-then it removes the folder of the program's temporary files.
+For machines without a sandbox. Whatever the program does to its parent hits the supervisor. A
+program that runs as a user of its own cannot signal the supervisor. The supervisor adopts all
+processes that the program leaves behind, also in sessions of their own, and ends them with the
+program, or when we die; then the supervisor removes the folder of the program's temporary files.
 """
 
 from __future__ import annotations

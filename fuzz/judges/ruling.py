@@ -1,4 +1,4 @@
-"""What a judge says about one case."""
+"""The ruling of a judge about one case."""
 
 from __future__ import annotations
 

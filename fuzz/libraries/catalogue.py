@@ -71,7 +71,7 @@ def command(name: str, folder: Path | None = None) -> list[str] | None:
 
 
 def absence(name: str, folder: Path | None = None) -> str | None:
-    """What is missing, and the command that gets it; None where the adapter can be started."""
+    """Says what is missing, and the command that gets it; None if the adapter can be started."""
     adapter = adapter_named(name)
     if adapter.kind == "debian":
         return installation.missing_package(OPENSCAD, OPENSCAD)

@@ -94,13 +94,13 @@ def _package_command(package: str) -> list[str]:
 
 
 def _requirements(program: str) -> Path:
-    """What a program asks for, in the folder of its library."""
+    """The requirements file of a program, in the folder of its library."""
     return (HERE / program).with_name("requirements.txt")
 
 
 def _wanted(kind: str, program: str) -> str:
-    """What an installation hangs on: pinned requirements, and the sources of a compiled program. A
-    program in Python is run from where it is."""
+    """The digest of what an installation hangs on: pinned requirements, and the sources of a
+    compiled program. A program in Python is run from its own place."""
     paths = [_requirements(program)]
     words = [kind]
     if kind == "python":

@@ -1,4 +1,4 @@
-"""What a library on trial is: a folder here, whose `__init__.py` holds its LIBRARY."""
+"""A library on trial: a folder here, whose `__init__.py` holds its LIBRARY."""
 
 from __future__ import annotations
 

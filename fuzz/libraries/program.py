@@ -31,7 +31,7 @@ def filled(template: str, finding: Finding, name: str, **fields: str) -> str:
 
 
 def observed(outcome: Outcome) -> str:
-    """What was seen, on one line that is safe in a comment of any language."""
+    """The observed outcome, on one line that is safe in a comment of any language."""
     signal = f", {outcome.signal}" if outcome.signal else ""
     text = f"{outcome.target} {outcome.was or outcome.verdict}: {', '.join(outcome.kinds)}{signal}"
     return re.sub(r"[^\w .,:@+-]", " ", text)

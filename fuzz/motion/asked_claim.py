@@ -15,7 +15,7 @@ from minkref.motion.scale_ranges import ScaleRange
 
 
 def asked_claim(target: AdapterTarget, case: AskedPath) -> tuple[PathClaim, Declaration] | Answer:
-    """What the target says of the scales of a path, and what it declares; else why nothing."""
+    """The target's claim on the scales of a path, and its declaration; else why there is none."""
 
     def fields(declaration: Declaration) -> dict[str, Any]:
         path = [[sent_number(axis, declaration) for axis in point] for point in case.path]

@@ -43,7 +43,7 @@ DRAWS: tuple[Callable[[int, int], PathCase], ...] = (
     path_case,
     case_in_a_hole,
 )
-#: What `position` of a drawn case may be.
+#: The values of `position` of a drawn case.
 POSITIONS = frozenset((*KINDS, "general", "past a corner", "in a hole"))
 BESIDE = Fraction(1, 4096)  # relative: scales asked about just below and above each bound
 MOST_SCALES = 24
@@ -114,8 +114,8 @@ class AskedPath:
 
     @cached_property
     def magnitude(self) -> Fraction:
-        """Of the part at its greatest scale, the obstacles and the path: the largest absolute
-        values of a coordinate, together."""
+        """The sum of the largest absolute coordinates of the part at its greatest scale, of the
+        obstacles and of the path."""
         groups = (_numbers(self.P_json), _numbers(self.Q_json), self.sent[-2 * len(self.path) :])
         part, obstacles, path = (max(map(abs, group), default=Fraction(0)) for group in groups)
         return self.greatest_scale * part + obstacles + path

@@ -1,4 +1,4 @@
-"""What a target says of the scales at which a part passes along a path."""
+"""The claim of a target on the scales at which a part passes along a path."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from minkref.motion.scale_ranges import ScaleRange
 
 @dataclass(frozen=True)
 class PathClaim:
-    """Of each scale that it was asked about, or all valid scales of the window."""
+    """The validity of each scale that was asked about, or all valid scales of the window."""
 
     valid: tuple[bool, ...] = ()
     ranges: tuple[ScaleRange, ...] | None = None

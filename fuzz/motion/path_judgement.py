@@ -141,7 +141,7 @@ def _good(case: AskedPath, claim: PathClaim, declared: Declaration, sides: Sides
 
 
 def without_claim(case: AskedPath, name: str, answer: Answer) -> Outcome:
-    """Of an answer that says why there is no claim; WRONG says that valid input was rejected."""
+    """The outcome if an answer says why there is no claim; WRONG: valid input was rejected."""
     outcome = without_answer(name, answer)
     if outcome.verdict is not Verdict.WRONG:
         return outcome

@@ -27,8 +27,8 @@ BAD = {ALLOWED: ("overlapping",), "forbidden": ("overlapping", "touching")}
 
 
 class Asked(NamedTuple):
-    """What is decided: a case, with obstacles that may be smaller or larger than its own by a
-    tolerance, and the rule that the tolerance leaves."""
+    """The question to decide: a case, with obstacles that may be smaller or larger than its own by
+    a tolerance, and the rule that the tolerance leaves."""
 
     case: AskedPath
     obstacles: _core.PolygonSet

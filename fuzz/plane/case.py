@@ -61,7 +61,7 @@ class Case:
 
     @cached_property
     def needs(self) -> frozenset[str]:
-        """What an implementation must be able to take, which is sent P, sP and Q."""
+        """The capabilities that an implementation needs to be sent P, sP and Q."""
         needs = needs_of_plane(self.scaled_P_json, self.Q_json)
         if self.scale == "1" or all(map(is_double, _numbers(self.P_json))):
             return needs
@@ -80,7 +80,7 @@ class Case:
 
     @cached_property
     def coordinates(self) -> list[Fraction]:
-        """Of sP and of Q."""
+        """The coordinates of sP and of Q."""
         return _numbers(self.scaled_P_json) + _numbers(self.Q_json)
 
     @cached_property

@@ -51,7 +51,7 @@ def decide(case: Case, point: tuple[str, str], boundary: bool = False) -> Witnes
 
 
 def some_point(case: Case) -> Witness:
-    """A point of the sum: that of two vertices. Of the empty sum the origin, which is outside."""
+    """A point of the sum: the sum of two vertices. If the sum is empty, the origin, outside."""
     if case.P.is_empty or case.Q.is_empty:
         return decide(case, ("0", "0"))
     s, (px, py), (qx, qy) = Fraction(case.scale), _first(case.P), _first(case.Q)

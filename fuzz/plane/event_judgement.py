@@ -27,7 +27,7 @@ def window(case: Case) -> tuple[str, str]:
 
 
 def without_scales(case: Case, name: str, answer: Answer) -> Outcome:
-    """Of an answer that says why there is no list; WRONG says that valid operands were rejected."""
+    """The outcome if an answer says why there is no list; WRONG: valid operands were rejected."""
     outcome = without_answer(name, answer)
     if outcome.verdict is not Verdict.WRONG:
         return outcome
@@ -75,7 +75,7 @@ def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Decla
             f"{'; ' if text else ''}{s} is listed, where the topology does not change: {nearest}"
         )
         if witness is None:
-            # That the sum there is as it is just below and above cannot be shown by one point.
+            # No single point shows that the sum there is as just below and above.
             at = replace(case, scale=str(s) if s > 0 else case.scale, law=None)
             witness = replace(some_point(at), scale=at.scale)
     return Outcome(name, Verdict.WRONG, reasons, message=text, witness=witness)

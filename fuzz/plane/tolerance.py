@@ -1,4 +1,4 @@
-"""What a result may be within a tolerance: the exact sandwich around the sum."""
+"""The bounds of a result within a tolerance: the exact sandwich around the sum."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 
 
 def corpus_folder() -> Path:
-    """That of the checkout."""
+    """The corpus of the checkout."""
     return CHECKOUT / "degeneracies" / "corpus"
 
 

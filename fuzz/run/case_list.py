@@ -46,10 +46,11 @@ class Wait(Enum):
 
 @dataclass
 class CaseList:
-    """What a run goes through. Generated cases are bounded by `seconds`, or counted by `pairs`:
-    those that exist and that a target takes. They are drawn from `families` in turn. With `derived`
-    there are, among them, probes of scales at events, cases changed by laws, and mutants of those
-    that `learn` found interesting; all depends on the seed and the results alone, not on time."""
+    """The cases of a run. Generated cases are drawn from `families` in turn and bounded by
+    `seconds`, or by `pairs`: the number of cases that exist and that a target takes. With `derived`
+    the generated cases include probes of scales at events, cases changed by laws, and mutants of
+    cases that `learn` found interesting; all depends on the seed and the results alone, not on
+    time."""
 
     seed: int = 1
     pairs: int | None = None
@@ -120,7 +121,7 @@ class CaseList:
         return self.pairs + len(self._rest) + len(self.files)
 
     def head(self) -> dict[str, object]:
-        """What tells one run from another."""
+        """The settings that tell one run from another."""
         names = ("seed", "pairs", "seconds", "named", "models", "families", "space", "laws")
         head: dict[str, object] = {name: getattr(self, name) for name in names}
         more = ("derived", "files", "invalid", "paths", "doubles")

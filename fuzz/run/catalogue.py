@@ -1,4 +1,4 @@
-"""What can be tested: our own routes and judges, the methods of CGAL, adapters, functions."""
+"""Targets to test: our own routes and judges, the methods of CGAL, adapters, functions."""
 
 from __future__ import annotations
 

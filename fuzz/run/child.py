@@ -1,4 +1,4 @@
-"""What a worker process does first, and how it is ended."""
+"""The first steps of a worker process, and its end."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from minkref.output.signals import end_with_parent, kill_group
 
 
 def begin() -> None:
-    """Makes this process the leader of a session that ends with its parent. What it prints goes to
-    standard error: standard output belongs to the document of the command."""
+    """Makes this process the leader of a session that ends with its parent. Output goes
+    to standard error: standard output belongs to the document of the command."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, (signal.SIGINT,))
     os.setsid()

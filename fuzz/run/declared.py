@@ -1,4 +1,4 @@
-"""What the targets of a run say of themselves before it begins."""
+"""The declarations of the targets of a run, before the run begins."""
 
 from __future__ import annotations
 

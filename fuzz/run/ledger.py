@@ -59,7 +59,7 @@ class Ledger:
         return len(self._known)
 
     def result(self, number: int, name: CaseName) -> CaseResult | None:
-        """What is known of a case."""
+        """The result of a case, if it is known."""
         known = self._known.get(number)
         if known is not None and known.name != name:
             raise self._foreign(f"case {number} is {known.name.text[:80]!r} there")

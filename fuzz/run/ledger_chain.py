@@ -1,12 +1,12 @@
-"""What makes a ledger hard to forge: each line ends with a code of itself and of all lines before
+"""Codes make a ledger hard to forge: each line ends with a code of the line and of all lines before
 it, under a key that is no part of the ledger.
 
 The key of a user stands in a file that only that user may read, `ledger.key` in `state_folder()`.
-Promised: who cannot read it, as a program in the sandbox or of another user, can neither change nor
-add a line that a resumed run believes. Not promised: anything against a program that runs as the
-same user outside of the sandbox and looks for the key. Lines cut off at the end are no lie either
-way: a kill leaves the same, and what they said is asked again. A ledger as a whole is bound to its
-first line only, so that an older copy of the same ledger is believed.
+Promised: a program that cannot read the key, in the sandbox or of another user, can neither change
+nor add a line that a resumed run believes. Not promised: anything against a program that runs as
+the same user outside of the sandbox and looks for the key. Lines cut off at the end are no lie
+either way: a kill leaves the same, and the cases of these lines are asked again. A ledger as a
+whole is bound to its first line only, so that an older copy of the same ledger is believed.
 """
 
 from __future__ import annotations

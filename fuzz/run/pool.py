@@ -167,7 +167,7 @@ def _read(worker: _Worker) -> CaseResult | Outcome | None:
 
 
 def _without_memory(worker: _Worker) -> Outcome:
-    """Of a step that needed more than a worker may have."""
+    """The outcome of a step that needed more memory than a worker may have."""
     if worker.step.startswith(JUDGING):
         return _not_judged(worker, "there is too little memory")
     return Outcome(

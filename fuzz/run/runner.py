@@ -128,11 +128,11 @@ def run(
     first: bool = False,
 ) -> Run:
     """Runs all cases. With `cases.pairs` given the verdicts do not depend on `jobs`: results are
-    taken in the order of the cases. What the ledger holds is not run again; every result is in it
-    before it is shown. `first`: ends with the first case on which something is wrong or broken and
-    not known. Targets that do not answer rest, unless the cases are named. SIGINT, SIGTERM and
-    SIGHUP end it, and so does a fault of ours: what was judged until then is in the result, and
-    `ended` or `failed` says so."""
+    taken in the order of the cases. Cases in the ledger are not run again; every result is in the
+    ledger before it is shown. `first`: ends with the first case on which something is wrong or
+    broken and not known. Targets that do not answer rest, unless the cases are named. SIGINT,
+    SIGTERM, SIGHUP and a fault of ours end the run: the result holds all cases judged until then,
+    and `ended` or `failed` says so."""
     done = Run(list(targets))
     resting = Resting([] if cases.named else targets, done.resting)
     waiting: dict[int, CaseResult] = {}
@@ -188,7 +188,7 @@ def run(
 
 
 def _coverage(result: CaseResult) -> str | None:
-    """What the case showed, and what is amiss."""
+    """The coverage of the case, and all that is amiss."""
     if result.coverage is None:
         return None
     amiss = sorted(

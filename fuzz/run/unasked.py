@@ -1,4 +1,4 @@
-"""What a run did not ask its targets or could not prove of them, in sentences."""
+"""Sentences on what a run did not ask its targets or could not prove of them."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ NAMED = "named"  # the group of cases that the command names
 
 
 def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
-    """What targets declare and no case of the run asked for: a sentence for each target and verbs,
-    and, unless the cases were named, one for what operands and scales may be."""
+    """Tells what targets declare and no case of the run asked for: a sentence for each target and
+    verbs, and, unless the cases were named, a sentence on the kinds of operands and scales."""
     notes = []
     for name, declaration in declared.items():
         able = declaration.capabilities

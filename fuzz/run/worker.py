@@ -44,10 +44,10 @@ class Job:
 
 @dataclass
 class CaseResult:
-    """What a worker hands back on one case. Sets are texts, and only where something is amiss.
-    `absent` says why there is no such case, `untaken` why no target takes it. `coverage`: what the
-    case shows, without what is amiss. `needs`: the capabilities that it asks for, where a target
-    declares some."""
+    """The result of a worker on one case. Sets are texts, and only there if something is amiss.
+    `absent` says why there is no such case, `untaken` why no target takes the case. `coverage`:
+    what the case shows, without what is amiss. `needs`: the capabilities that the case asks for,
+    if a target declares some."""
 
     number: int
     name: CaseName

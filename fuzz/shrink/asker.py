@@ -27,7 +27,7 @@ class Asker:
             yield job
 
     def ask(self, text: str) -> tuple[CaseResult, Outcome | None]:
-        """What became of the case, and what is said of the target."""
+        """The result of the case, and the outcome of the target."""
         self._next = Job(self._number, CaseName(text, "shrinking"))
         self._number += 1
         result = next(self._results)

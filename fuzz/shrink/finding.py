@@ -34,7 +34,7 @@ BRIEF = (0.25, 1.0)  # seconds
 
 def brief(limits: Limits) -> Limits:
     """For a target that does not answer: a tenth of the seconds, though not less or more than BRIEF
-    and never more than before; once each time. What is found so is asked again as usual."""
+    and never more than before; once each time. A case found so is asked again as usual."""
     least, most = BRIEF
     seconds = min(limits.seconds, max(least, min(most, limits.seconds / 10)))
     return replace(limits, seconds=seconds, tries=1)
@@ -44,8 +44,8 @@ def shrink_finding(
     finding: Finding, limits: Limits, most_calls: int = MOST_CALLS
 ) -> SmallFinding | None:
     """The smallest case found with the same fault: verdict, reasons, signal. None where the fault
-    does not show again in a fresh process. Of a time-out smaller cases are asked about with the
-    limits of `brief`, and the smallest with those of the run."""
+    does not show again in a fresh process. After a time-out, smaller cases are asked about with
+    the limits of `brief`, and the smallest with the limits of the run."""
     literal = finding.case.literal
     if literal is None or finding.case.P is None or finding.case.Q is None:
         return None

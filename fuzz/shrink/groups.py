@@ -45,8 +45,8 @@ def shrunk_groups(
     progress: Callable[[str], None] = lambda _: None,
 ) -> list[Group]:
     """Shrinks the smallest findings of each kind. Deterministic: bounded by calls, not by time.
-    What fails in us leaves a finding as it is, and the group says so; a signal leaves all that are
-    left, and the run says so."""
+    A failure of ours leaves a finding as it is, and the group says so; a signal leaves all other
+    findings, and the run says so."""
     groups = groups_of(run)
     if run.ended is not None or run.failed is not None:
         return groups

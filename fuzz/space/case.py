@@ -67,7 +67,7 @@ class SpaceCase:
 
     @staticmethod
     def of(name: CaseName, operands: list[Any], scale: Any, where: str) -> SpaceCase:
-        """Of two sets in space as JSON values. Refuses what is no polyhedron."""
+        """The case of two sets in space as JSON values. Refuses values that are no polyhedra."""
         mend = 'write {"vertices": [[x, y, z], ...], "faces": [[i, j, k, ...], ...]}'
         solids = []
         for value in operands:
@@ -150,7 +150,7 @@ class SpaceCase:
 
     @cached_property
     def coordinates(self) -> list[Fraction]:
-        """Of sP and of Q."""
+        """The coordinates of sP and of Q."""
         solids = (self.asked.P.scaled(self.asked.scale), self.asked.Q)
         return [number for solid in solids for vertex in solid.vertices for number in vertex]
 

@@ -208,7 +208,7 @@ def _prove(search: FaultSearch, exact: bool) -> tuple[bool, str]:
 
 
 def _middle_is_inside(search: FaultSearch, vertices: tuple[Point, ...]) -> bool:
-    """Of some places inside, with unlike weights, one that is off the surface."""
+    """Tests one place inside of the hull: of some with unlike weights the first off the surface."""
     for power in range(MOST_MIDDLES):
         weights = [Fraction(1 + ((k + 1) ** power) % 97) for k in range(len(vertices))]
         total = sum(weights, Fraction(0))

@@ -121,8 +121,8 @@ def _is_beside(shell: Shell, triangle: Triangle, n: Whole) -> bool:
 
 
 def _less(part: Polygon, shell: Shell, n: Whole, covered_below: bool) -> list[Polygon]:
-    """The part of a face with normal `n` without what lies in the shell. What lies in its surface
-    counts where the shell is on the outer side, and another is below."""
+    """The part of a face with normal `n` outside of the shell. A part in the surface of the shell
+    counts as inside if the shell is on the outer side, and another shell is below."""
     whole, gone = part, []
     for m, d in shell.planes:
         sides = heights(part, (m, d))
@@ -138,7 +138,7 @@ def _less(part: Polygon, shell: Shell, n: Whole, covered_below: bool) -> list[Po
 
 
 def _convex_shell(triples: Sequence[Triple], points: Sequence[Whole]) -> Shell | None:
-    """Of a closed surface; None where it is not convex, flat, or runs the other way."""
+    """The shell of a closed surface; None if it is flat, not convex, or runs the other way."""
     planes: set[Plane] = set()
     corners: set[Whole] = set()
     for i, j, k in triples:

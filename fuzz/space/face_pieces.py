@@ -21,7 +21,7 @@ def polygon_of(triangle: Triangle) -> Polygon:
 
 
 def heights(polygon: Polygon, plane: Plane) -> list[int]:
-    """Of the corners above the plane, each times a positive number."""
+    """Heights of the corners above the plane, each times a positive number."""
     (nx, ny, nz), d = plane
     return [nx * x + ny * y + nz * z - d * w for x, y, z, w in polygon]
 

@@ -1,4 +1,4 @@
-"""What is known of a sum, as questions about points and small cubes."""
+"""Known facts of a sum, as questions about points and small cubes."""
 
 from __future__ import annotations
 

@@ -28,8 +28,8 @@ class TransformedPair:
 
 def transformed_pairs(pair: SpacePair) -> list[TransformedPair]:
     """All laws that apply: translations, homogeneity, refinement, the rotation that takes x to y
-    to z, a quarter turn about z; and for the scale 1 the swap of the operands. What is known of
-    the new pairs is single points only."""
+    to z, a quarter turn about z; and for the scale 1 the swap of the operands. Only single
+    points are known of the new pairs."""
     s = factors(pair.scale)
     moved = (s[0] * SHIFT[0], s[1] * SHIFT[1], s[2] * SHIFT[2])
     plain = replace(

@@ -43,7 +43,7 @@ class Meeting:
         self._a = _times(self.in_sP.triangles, self.denominator // self.sP.denominator)
         self._b = _times(self.in_Q.triangles, self.denominator // Q.denominator)
         self._normals_a = [normal(*triangle) for triangle in self._a]
-        # Of the triangles of x - Q, which run the other way.
+        # Normals of the triangles of x - Q, which run the other way.
         self._normals_b = [(-x, -y, -z) for x, y, z in (normal(*t) for t in self._b)]
         self._boxes_a = [box_of(triangle) for triangle in self._a]
         self._boxes_b = [box_of(triangle) for triangle in self._b]

@@ -56,7 +56,7 @@ class Surface:
 
     @property
     def denominator(self) -> int:
-        """Of `triangles` and `boxes`, which are integers."""
+        """The denominator of `triangles` and `boxes`, which are integers."""
         return self._polyhedron.denominator
 
     @cached_property

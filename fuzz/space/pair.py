@@ -81,8 +81,8 @@ class SpacePair:
         return found if isinstance(found, str) else None
 
     def sum(self) -> Polyhedron | None:
-        """The exact sum where more is known than single points. Its surface may touch itself. Of a
-        prism the rings of the region must not touch (ValueError)."""
+        """The exact sum, if more is known than single points. The surface may touch itself. The
+        rings of the region of a prism must not touch (ValueError)."""
         if self.truth is Truth.CELLS:
             return self.cell_sum.polyhedron()
         if self.truth is Truth.HULL:

@@ -155,7 +155,7 @@ def _size(polyhedron: Polyhedron) -> Fraction:
 
 
 def _joint_box(pair: SpacePair, result: Polyhedron) -> tuple[list[Fraction], list[Fraction]]:
-    """Of the sum and the result, a little larger."""
+    """A box of the sum and the result, a little larger."""
     (p0, p1), (q0, q1) = pair.meeting.sP.box, pair.Q.box
     low, high = [p0[k] + q0[k] for k in range(3)], [p1[k] + q1[k] for k in range(3)]
     if result.vertices:

@@ -13,7 +13,7 @@ Edge = tuple[int, int]
 
 def self_crossing(surface: Polyhedron) -> tuple[Edge, Face] | None:
     """An edge, by its vertices, and a face that have more in common than vertices of both, or the
-    edge as one of the face; None where there are none. Of a surface without `fault`. Exact, in
+    edge as an edge of the face; None if there are none. For a surface without `fault`. Exact, in
     integers."""
     points = surface.wholes
     faces = [(face, area_vector([points[k] for k in face])) for face in surface.faces]

@@ -11,9 +11,9 @@ Faces = tuple[Face, ...]
 
 
 def shells_of(surface: Polyhedron) -> list[Faces]:
-    """Faces that hang together by the names of their vertices, where they close; of the others
-    those that hang together by edges along the same points, each edge with the last face before
-    that runs along it the other way. What does not close even so is one piece with the rest."""
+    """Groups of faces that hang together by the names of their vertices, if the groups close; other
+    faces hang together by edges along the same points, each edge with the last face before that
+    runs along the edge the other way. All faces that do not close even so are one piece."""
     groups: dict[int, list[Face]] = {}
     for face, name in zip(surface.faces, surface.shells, strict=True):
         groups.setdefault(name, []).append(face)

@@ -135,7 +135,7 @@ def _closed(cell: Cell, axis: int, gone: int) -> Cell:
 
 
 def _fewer_corners(solid: Polyhedron) -> Iterator[Polyhedron]:
-    """Of a convex one, the hull of all vertices but one or half of them."""
+    """Hulls of the vertices of a convex solid, without one or without half of them."""
     if solid.is_thin or not is_convex(solid) or len(solid.vertices) <= 4:
         return
     vertices = solid.vertices
@@ -150,7 +150,7 @@ def _fewer_corners(solid: Polyhedron) -> Iterator[Polyhedron]:
 
 
 def _cut_down(solid: Polyhedron) -> Iterator[Polyhedron]:
-    """Of one of any shape, the boldest steps first."""
+    """Smaller forms of a solid of any shape, the boldest steps first."""
     yield from fewer_shells(solid)
     yield from convex_parts(solid)
     yield from drawn_together(solid)

@@ -56,7 +56,7 @@ def convex_parts(solid: Polyhedron) -> Iterator[Polyhedron]:
 
 def drawn_together(solid: Polyhedron) -> Iterator[Polyhedron]:
     """One end of each edge moved to the other. A face that is no longer planar is cut into the
-    triangles that it was made of. What comes out may cross itself, or close no more."""
+    triangles that it was made of. The result may cross itself, or close no more."""
     if solid.is_thin:
         return
     edges = {

@@ -39,7 +39,7 @@ class SumFaces:
             self._patches[n, offset].append(patch)
 
     def left(self, triangle: Triangle, parts: list[Polygon]) -> list[Polygon]:
-        """Of parts of a triangle whose corners are in the unit: those off the boundary."""
+        """The pieces of `parts` off the boundary; the corners of the triangle are in the unit."""
         n = primitive(normal(*triangle))
         offset = Fraction(dot(n, triangle[0]), self._unit)
         opposite = (-n[0], -n[1], -n[2])

@@ -198,7 +198,7 @@ def _edges_near(e: Edge, f: Edge, t: int) -> bool:
 
 
 def _cut(polygon: list[Place], axis: int, sign: int, t: int) -> list[Place]:
-    """What the closed half-space `sign * coordinate <= t` leaves of a convex polygon."""
+    """The part of a convex polygon in the closed half-space `sign * coordinate <= t`."""
     kept: list[Place] = []
     for k, b in enumerate(polygon):
         a = polygon[k - 1]
@@ -221,7 +221,7 @@ def _in_face(face: Face, point: Place) -> bool:
 
 
 def _side(face: Face, point: Place) -> int:
-    """Of a point in the plane of the face: 1 inside of it, 0 on its rim, -1 outside."""
+    """The side of a point in the plane of the face: 1 inside the face, 0 on its rim, -1 outside."""
     lengths = [abs(number) for number in face.normal]
     axis = max((length, k) for k, length in enumerate(lengths))[1]
     u, v = (k for k in range(3) if k != axis)

@@ -1,1 +1,1 @@
-"""What can be tested, and how each is asked."""
+"""Targets that can be tested, and how each target is asked."""

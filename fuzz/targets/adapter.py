@@ -44,7 +44,7 @@ class ProgramTarget:
         return self._guarded(case, lambda d: self._at(case, d, "at"))
 
     def declared(self) -> Declaration | Answer:
-        """What it says of itself; an answer that says why it does not."""
+        """The declaration of the target; else an answer that says why there is none."""
         try:
             return self._process.start()
         except Failure as failure:
@@ -178,8 +178,8 @@ class AdapterTarget(ProgramTarget):
         read: Callable[[dict[str, Any], Declaration], T],
         *more: str,
     ) -> tuple[T, Declaration] | Answer:
-        """What `read` makes of the answer to another verb, and what the target declares; else why
-        there is nothing. `fields` of the request; `more` capabilities that it takes."""
+        """The value that `read` makes of the answer to another verb, and the declaration; else why
+        there is none. `fields` of the request; `more` capabilities that the request takes."""
         found: list[T] = []
 
         def ask(declaration: Declaration) -> Answer:

@@ -34,7 +34,7 @@ STOP_SECONDS = 2.0
 
 
 class Failure(Exception):
-    """What became of a request that has no answer."""
+    """The outcome of a request that has no answer."""
 
     def __init__(
         self, verdict: Verdict, message: str, signal_name: str | None = None, log: str = ""
@@ -239,7 +239,7 @@ class AdapterProcess:
         return Failure(verdict, message, signal_name, self.log)
 
     def _explained(self, message: str) -> str:
-        """What is said of a fault, with what may be behind it."""
+        """The message about a fault, with a possible cause."""
         why = f"; it wanted more than {self.limits.processes:,} processes (--call-processes)"
         if self._program is None or not self._program.crowded() or message.endswith(why):
             return cut(message)

@@ -1,4 +1,4 @@
-"""What a target said to one case, and how long it may take to say it."""
+"""The answer of a target to one case, and the time that the target may take."""
 
 from __future__ import annotations
 
@@ -38,15 +38,15 @@ class Limits:
     isolation: Isolation | None = None  # of programs of others; without, the best there is
 
     def document(self) -> dict[str, Any]:
-        """What of it tells one run from another."""
+        """The limits that tell one run from another."""
         walls = self.isolation and {"kind": self.isolation.kind, "passed": self.isolation.passed}
         return {**vars(self), "isolation": walls}
 
 
 @dataclass
 class Answer:
-    """What a target said: a region, in space a polyhedron, or a verdict that says why there is
-    none. WRONG without either: it called the operands invalid."""
+    """The answer of a target: a region, in space a polyhedron, or a verdict that says why there is
+    none. WRONG without a region or polyhedron: the target called the operands invalid."""
 
     region: Region | None = None
     verdict: Verdict | None = None
@@ -83,7 +83,7 @@ def skipped(message: str, declaration: Declaration = REGIONS) -> Answer:
 
 
 def lacking(declaration: Declaration, case: AnyCase, *more: str) -> str | None:
-    """What keeps a case from a target; None if nothing does. `more` capabilities that it takes."""
+    """Says what keeps a case from a target; None if nothing does. `more`: other needs."""
     lacks = declaration.lacks(case.needs | set(more))
     if lacks:
         return f"does not declare {', '.join(lacks)}"

@@ -32,7 +32,7 @@ class Asking(ABC):
         """One for each target, and for each of our own routes that is refuted."""
 
     def coverage(self) -> str | None:
-        """What a case showed that mutants are drawn for; None where it showed nothing."""
+        """The coverage of a case, for which mutants are drawn; None if the case showed nothing."""
         return None
 
     def expected(self, outcomes: list[Outcome]) -> str | None:

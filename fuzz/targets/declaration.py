@@ -1,4 +1,4 @@
-"""What a target says of itself, and the promises that follow from it."""
+"""The declaration of a target, and the promises that follow from it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 from minkref.fuzz.cases.grid import bits_of
 from minkref.fuzz.geometry.number_text import number_of
 
-# What the cases have that need each.
+# The trait of the cases that need each capability.
 CAPABILITIES = {
     "plane": "operands in the plane",
     "space": "operands in space",
@@ -91,7 +91,7 @@ class Declaration:
         return None
 
     def lacks(self, needs: frozenset[str]) -> list[str]:
-        """What a case needs and the target does not take."""
+        """The needs of a case that the target does not take."""
         return sorted(needs - self.capabilities)
 
 

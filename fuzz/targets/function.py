@@ -79,5 +79,5 @@ def _packages(module: str) -> list[str]:
 
 
 def mend_of(name: str) -> str:
-    """What to do where the function of this name cannot be loaded."""
+    """Says how to mend a function of this name that cannot be loaded."""
     return MENDS[name.partition(":")[0]]

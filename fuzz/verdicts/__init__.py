@@ -1,1 +1,1 @@
-"""What is said about one answer, and why."""
+"""The verdict on one answer, and its reasons."""

@@ -1,4 +1,4 @@
-"""What is said about one target on one case: verdict, reasons, witness."""
+"""The outcome of one target on one case: verdict, reasons, witness."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ class Outcome:
 
     @property
     def kinds(self) -> tuple[str, ...]:
-        """What a baseline entry names: the reasons of a wrong result, else the verdict."""
+        """The names in a baseline entry: the reasons of a wrong result, else the verdict."""
         verdict = self.was or self.verdict
         if verdict is Verdict.WRONG:
             return tuple(str(reason) for reason in self.reasons)

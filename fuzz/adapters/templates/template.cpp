@@ -20,8 +20,8 @@ const char* declaration =
     R"("arithmetic":"float64","numbers":"double","tolerance":{"absolute":"0","relative":"1e-9"},)"
     R"("sum":"region","capabilities":["plane"])";
 
-// Of two convex rings: the edges of both in the order of their directions, from the leftmost
-// vertices.
+// The sum of two convex rings: the edges of both in the order of their directions, from the
+// leftmost vertices.
 Ring convex_sum(Ring P, Ring Q) {
   Ring sum;
   for (Ring* ring : {&P, &Q}) {

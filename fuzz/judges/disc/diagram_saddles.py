@@ -45,7 +45,7 @@ def saddles(outline: Outline, sides: Iterable[frozenset[Feature]]) -> list[Saddl
 
 
 def _between(line: Feature, vertex: Feature) -> tuple[Point, Fraction] | None:
-    """Of a line and a vertex, or two vertices: the middle and its squared distance."""
+    """The middle between a line and a vertex, or two vertices, and its squared distance to both."""
     if vertex[0] == "line":
         return None
     x, y = vertex[1:]
@@ -80,8 +80,8 @@ def _nearest(
 
 
 def _feet(piece: Piece, x: Fraction, y: Fraction) -> Iterator[tuple[Feature, Fraction]]:
-    """What of a piece is nearest, and its squared distance. Right in front of an end that is the
-    end and the line, if the place is not behind it."""
+    """The nearest features of a piece, with squared distances. Right in front of an end these are
+    the end and the line, if the place is not behind the line."""
     dx, dy = piece.along
     (ax, ay), (bx, by) = piece.start, piece.end
     after_start = (x - ax) * dx + (y - ay) * dy

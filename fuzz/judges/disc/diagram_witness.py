@@ -35,7 +35,7 @@ def settle(
     outline: Outline, features: frozenset[Feature], spot: tuple[float, float], radius: float
 ) -> tuple[Ruling, str]:
     """Whether a place near `spot` is as far from all features, outside of the set, and from no edge
-    less; and why, in words. That all of more than three are as near is told to sixty digits."""
+    less; and why, in words. Equal distance of more than three features is told to sixty digits."""
     old_digits = mp.dps, iv.dps
     mp.dps = iv.dps = DIGITS
     try:
@@ -170,8 +170,8 @@ def _exact(value: Fraction | int, numbers: Any) -> Any:
 
 
 def _feet(piece: Piece, box: Vector) -> Iterator[tuple[Feature, Any]]:
-    """What of a piece may be nearest, and its squared distance. Where the foot may be an end, that
-    are the end and the line."""
+    """The features of a piece that may be nearest, with squared distances. Where the foot may be an
+    end, these are the end and the line."""
     x, y, _ = box
     ax, ay = (_exact(c, iv) for c in piece.start)
     bx, by = (_exact(c, iv) for c in piece.end)

@@ -32,7 +32,8 @@ LOST = {CGAL: 0.0, BOOST: 64 * 2.0**-53}  # of a coordinate: what a judge's plac
 PARTS = 4e-15  # of the size or the radius: places of CGAL that are parts of one
 DOUBLE = 2.0**-52  # of a coordinate: its rounding
 SETS = ("random", "holes", "collinear", "touching", "cells", "nested", "comb", "star", "rational")
-# What a witness has to prove for minkref to be right. Of features a judge has some, minkref all.
+# The ruling of a witness that proves minkref right, by fault. In the fault `features` the
+# judge has some of the features, minkref all.
 RIGHT = {"dropped": Ruling.NONE, "invented": Ruling.VERTEX, "features": Ruling.VERTEX}
 
 
@@ -69,8 +70,8 @@ class Difference:
 
 @dataclass
 class Table:
-    """What was compared. `differences` stand against minkref or are not settled; `refuted` are
-    those in which an exact witness shows the judge to be wrong."""
+    """The result of a comparison. `differences` stand against minkref or are not settled; `refuted`
+    are differences in which an exact witness shows the judge to be wrong."""
 
     counts: Counter[str] = field(default_factory=Counter)
     unanswered: list[str] = field(default_factory=list)
@@ -105,8 +106,8 @@ def _feature(outline: Outline, kind: str, first: str, second: str) -> Feature:
 def differences(
     outline: Outline, events: Sequence[Event], answer: DiagramAnswer, judge: str
 ) -> list[Difference]:
-    """Of minkref's events as far from three features or more, and the vertices of a judge. CGAL
-    gives a vertex of more than three features in several parts."""
+    """Differences between minkref's events of three features or more and the vertices of a judge.
+    CGAL gives a vertex of more than three features in several parts."""
     wanted, found = _once(outline, [event for event in events if len(event.features) > 2])
     of_feature: dict[Feature, list[int]] = {}
     for k, event in enumerate(wanted):
@@ -172,8 +173,8 @@ def _once(outline: Outline, events: Sequence[Event]) -> tuple[list[Event], list[
 def saddle_differences(
     outline: Outline, events: Sequence[Event], answer: DiagramAnswer
 ) -> list[Difference]:
-    """Of minkref's events of two features, and the places between two that the edges of a judge's
-    diagram have. These are exact, so that no witness is needed."""
+    """Differences between minkref's events of two features and the saddles from the edges of a
+    judge's diagram. The saddles are exact, so that no witness is needed."""
     wanted = {event.features: event for event in events if len(event.features) == 2}
     found = []
     for saddle in saddles(outline, answer.sides):
@@ -258,7 +259,7 @@ def drawn_set(seed: int, number: int) -> tuple[str, _core.PolygonSet]:
 
 
 def first_operand(family: str, seed: int, number: int) -> tuple[str, _core.PolygonSet]:
-    """Of a generated pair."""
+    """The first operand of a generated pair, with its name."""
     name = f"{family} {seed}:{number}"
     return name, _core.PolygonSet.from_json(FAMILIES[family].pair(seed, number).P)
 

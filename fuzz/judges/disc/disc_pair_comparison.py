@@ -37,7 +37,7 @@ SENTENCES = ["rejected", "number", "radical", "line", "parallel"]
 
 @dataclass
 class Table:
-    """What was compared, and what differed."""
+    """Counts and differences of a comparison."""
 
     seed: int
     pairs: Counter[str] = field(default_factory=Counter)

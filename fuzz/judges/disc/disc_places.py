@@ -70,7 +70,7 @@ def _row(
 
 
 def faults_of(shape: Shape, rows: Rows) -> list[str]:
-    """What the judge says of both lists."""
+    """Faults that the judge finds in both lists."""
     boundary = Boundary([
         [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in polygon] for polygon in shape
     ])  # fmt: skip
@@ -111,8 +111,9 @@ def count(name: str, rows: Rows, counts: Counter[str]) -> None:
 
 
 def law_faults(seed: int, number: int, shape: Shape, rows: Rows) -> list[str]:
-    """Of a set that is written otherwise all is the same; of one that was mirrored, turned or grown
-    all events are the images, and as many holes and components change at each radius."""
+    """Faults against two laws. A set that is written otherwise has the same rows. A set that was
+    mirrored, turned or grown has the images of all events, and as many holes and components
+    change at each radius."""
     dice = random.Random(f"minkref places law {seed}:{number}")
     way, other, change = changed(dice, shape)
     there = rows_of(set_of(other))
@@ -157,7 +158,7 @@ def _places(
 
 
 def _line(p: Point, q: Point) -> list[str]:
-    """Of two points on it: slope and height, or x."""
+    """The line through two points, as slope and height, or as x."""
     dx, dy = q[0] - p[0], q[1] - p[1]
     if dx == 0:
         return [str(p[0])]

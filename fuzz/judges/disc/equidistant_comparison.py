@@ -101,7 +101,7 @@ def is_degenerate(choice: Choice, count: int, is_tied: bool) -> bool:
 
 
 def difference(choice: Choice, row: Any, outline: Outline) -> str | None:
-    """What is not as in a row of minkref's list; None where all is. Raises LookupError where the
+    """The difference from a row of minkref's list; None if there is none. Raises LookupError if the
     features single out no place."""
     _, square, coefficients, (low, high), at, _ = row
     place = outline.spot(*at)
@@ -171,7 +171,7 @@ def remainder(polynomial: list[Fraction], divisor: list[Fraction]) -> list[Fract
 
 
 def count_roots(polynomial: Sequence[Any], low: Any, high: Any) -> int:
-    """Of a polynomial without multiple roots, in a closed interval."""
+    """Counts the roots of a polynomial without multiple roots, in a closed interval."""
 
     def exact(value: Any) -> Any:
         return sp.Rational(int(value.numerator), int(value.denominator))
@@ -181,7 +181,7 @@ def count_roots(polynomial: Sequence[Any], low: Any, high: Any) -> int:
 
 
 def features_of(outline: Outline, names: Sequence[tuple[str, str, str]]) -> list[Feature]:
-    """Of a row, with the edges as they stand in the outline."""
+    """The features of a row, with the edges as they stand in the outline."""
     found: list[Feature] = []
     for kind, first, second in names:
         if kind == "vertex":

@@ -40,7 +40,7 @@ def executable() -> Path | None:
 
 
 def absence() -> str | None:
-    """What is missing, and the command that gets it."""
+    """Says what is missing, and the command that gets it."""
     return None if executable() else f"{PROGRAM} is not built: {BUILD_COMMAND}"
 
 
@@ -62,8 +62,8 @@ class OffsetJudge:
             self._process.close()
 
     def offset(self, P: dict[str, Any], radius: Fraction) -> OffsetAnswer:
-        """Of polygons as canonical JSON has them, exact. CGAL's lines have no rational equation:
-        they are named by the edge of P, moved outwards, that they are near."""
+        """The exact offset of polygons in canonical JSON. CGAL's lines have no rational equation:
+        a line is named by the nearby edge of P, moved outwards."""
         if self._process is None:
             return OffsetAnswer(None, why=str(absence()))
         answer = self._process.ask({"P": P, "radius": str(radius)})
@@ -88,7 +88,7 @@ class OffsetJudge:
         return OffsetAnswer(_components(rings, lines), holes, paths, answer["seconds"])
 
     def seconds_near(self, P: dict[str, Any], radius: Fraction, tolerance: float) -> float | None:
-        """Of CGAL's approximated offset; None where it has no answer."""
+        """Seconds for CGAL's approximated offset; None if CGAL has no answer."""
         if self._process is None:
             return None
         ask = {"P": P, "radius": str(radius), "tolerance": tolerance}

@@ -33,7 +33,7 @@ CRITICAL = [Fraction(k, 4) for k in (1, 2, 3, 4, 5, 6, 8, 10)]
 
 @dataclass
 class Table:
-    """What was compared, and what differed."""
+    """Counts and differences of a comparison."""
 
     counts: Counter[str] = field(default_factory=Counter)
     unanswered: list[str] = field(default_factory=list)

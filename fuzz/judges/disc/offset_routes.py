@@ -35,7 +35,7 @@ MOVES: dict[str, tuple[Move, int | Fraction]] = {
 
 @dataclass
 class RouteTable:
-    """What was compared, and what differed."""
+    """Counts and differences of a comparison."""
 
     counts: Counter[str] = field(default_factory=Counter)
     differences: list[str] = field(default_factory=list)

@@ -15,8 +15,8 @@ Bounds = tuple[float, float]
 
 @dataclass
 class Sandwich:
-    """What does not fit, and whether both polygons have one number of holes, which then is that of
-    the disc."""
+    """The faults, and whether the number of holes is the same for both polygons, and then for the
+    disc too."""
 
     corners: int  # of the polygon in the disc
     areas: tuple[Fraction, Fraction]

@@ -53,7 +53,7 @@ def executable(judge: str) -> Path | None:
 
 
 def absence(judge: str) -> str | None:
-    """What is missing, and the command that gets it."""
+    """Says what is missing, and the command that gets it."""
     return None if executable(judge) else f"{_PROGRAMS[judge]} is not built: {_BUILD[judge]}"
 
 

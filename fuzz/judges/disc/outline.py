@@ -59,7 +59,7 @@ class Outline:
 
     @classmethod
     def of(cls, P: Any) -> Self:
-        """Of a set of the extension module."""
+        """The outline of a set of the extension module."""
         return cls([ring for polygon in P.rings() for ring in polygon])
 
     def _pieces(self) -> Iterator[Piece]:

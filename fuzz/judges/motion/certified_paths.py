@@ -18,7 +18,7 @@ Span = tuple[Cut, Cut]
 
 
 class PathConfirmation:
-    """Of one case. Raises BadInput where its sets are none."""
+    """Confirms the claims about one case. Raises BadInput if the case has invalid sets."""
 
     def __init__(self, case: str) -> None:
         value = json.loads(case)

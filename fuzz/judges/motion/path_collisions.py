@@ -45,7 +45,7 @@ class Located:
 
 
 class Collisions:
-    """Of one part, one set of obstacles and one path."""
+    """Collisions of one part with one set of obstacles along one path."""
 
     def __init__(
         self, part: _core.PolygonSet, obstacles: _core.PolygonSet, path: Sequence[Point]

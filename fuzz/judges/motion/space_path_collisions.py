@@ -110,8 +110,8 @@ def places_between(
     lines: Sequence[Ends] = (),
     points: Sequence[Point] = (),
 ) -> Iterator[Point]:
-    """Of a segment: its ends, where faces, lines or points begin or end on it, and a place between
-    any two of these."""
+    """Places on a segment: its ends, the places where faces, lines or points begin or end on the
+    segment, and a place between any two of these."""
     cuts = sorted({Fraction(0), Fraction(1), *_cuts(a, b, faces, lines, points)})
     middles = [(s + t) / 2 for s, t in pairwise(cuts)]
     for t in (*middles, *cuts):
@@ -153,8 +153,8 @@ def _face_of(ring: list[Point]) -> Face:
 
 
 def by_slow_engine(case: SpacePathCase, scale: Fraction, contact: str) -> bool:
-    """From the half-spaces of the sums of all pairs of convex pieces: each leaves an interval of a
-    segment of the path. Of two operands with a volume. Exact."""
+    """Decides from the half-spaces of the sums of all pairs of convex pieces: each half-space
+    leaves an interval of a segment of the path. For two operands with a volume. Exact."""
     sum_ = SolidSum(_slow(case.part.reflected(ORIGIN)), _slow(case.obstacles), uniform(scale))
     path = case.path if len(case.path) > 1 else [*case.path, *case.path]
     return any(

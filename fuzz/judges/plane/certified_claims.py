@@ -17,7 +17,7 @@ Claim = dict[str, Any]
 
 
 class Confirmation:
-    """Of the claims about one case. A claim that was put before is not put again."""
+    """Confirms the claims about one case, each different claim once."""
 
     def __init__(self, case_text: str) -> None:
         value = json.loads(case_text)

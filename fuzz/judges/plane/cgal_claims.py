@@ -1,4 +1,4 @@
-"""What CGAL's methods answer, judged by the slow engine alone."""
+"""Answers of CGAL's methods, judged by the slow engine alone."""
 
 from __future__ import annotations
 

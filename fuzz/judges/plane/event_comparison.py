@@ -46,7 +46,7 @@ class Difference:
 
 @dataclass
 class Table:
-    """What was compared, and what differed; `smallest` has the fewest vertices of each kind."""
+    """Counts of a comparison; `smallest`: the difference with the fewest vertices of each kind."""
 
     seed: int
     operands: int = 0

@@ -76,7 +76,7 @@ def unmatched(mine: Counter[Row], theirs: Counter[Row]) -> tuple[list[Row], list
 def compared(
     edges: list[ConvolutionEdge], found: list[ArrangementEvent], P: Any, Q: Any
 ) -> dict[str, tuple[list[Any], list[Any]]]:
-    """What only the symbolic oracle has, and what only minkref has: edges of the reduced
+    """Rows that only the symbolic oracle has, and rows that only minkref has: edges of the reduced
     convolution; events of `--kind arrangement`; events of the search for pairs, kinds pair and
     parallel."""
     truth = symbolic_rows(edges, found)

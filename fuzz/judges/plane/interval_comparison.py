@@ -17,7 +17,7 @@ TYPES = ("SS", "ST", "TT")
 
 @dataclass
 class IntervalTable:
-    """What was compared, and the first case that differs in each of minkref's words for it."""
+    """Counts of a comparison, and the first difference for each of minkref's words for the case."""
 
     seed: int
     pairs: Counter[str] = field(default_factory=Counter)

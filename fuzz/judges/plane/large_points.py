@@ -16,8 +16,8 @@ WORDS = {"disjoint": "empty", "touching": "touching", "overlapping": "overlappin
 
 
 def decided_otherwise(case: Case, count: int, seed: int) -> list[str]:
-    """Of `count` points: vertices of the sum's boundary, the middles of its edges, and points a
-    little to their left and right. Those that the two decide differently."""
+    """Points that the reference and the slow engine decide differently, among `count` vertices of
+    the sum's boundary, middles of its edges, and points a little left and right of the middles."""
     P, Q = map(Pieces.of, slow_operands(case))
     scale = Fraction(case.scale)
     different = []

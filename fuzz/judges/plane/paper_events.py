@@ -27,7 +27,7 @@ class Event:
 
 @dataclass(frozen=True)
 class Events:
-    """Of all scales; the first of each kind is that of the least scale."""
+    """Events of all scales; the first of each kind is the event of the least scale."""
 
     right: int
     misplaced: int  # the same edges begin or cease to meet, at another scale

@@ -14,7 +14,7 @@ LARGEST = 10**6  # ulps beyond which rings are not the same; half of the digits,
 
 
 def significant_bits(arithmetic: str) -> int | None:
-    """Of the numbers of an arithmetic; None of exact ones."""
+    """Significant bits of the numbers of an arithmetic; None if the numbers are exact."""
     if arithmetic.startswith("mpfr:"):
         return int(arithmetic.removeprefix("mpfr:"))
     return None if arithmetic == "rational" else 53
@@ -62,8 +62,8 @@ def compare(
 def largest_difference(
     exact: _core.PolygonSet, got: _core.PolygonSet, bits: int
 ) -> Fraction | None:
-    """Of a coordinate from its like, in units in the last place; None where the rings do not
-    correspond."""
+    """The largest difference of a coordinate from its like, in units in the last place; None if the
+    rings do not correspond."""
     unit = _unit(exact, bits)
     most = unit * min(LARGEST, 2 ** (bits // 2))
     wanted, offered = _rings(exact), _rings(got)
@@ -92,7 +92,7 @@ def _rings(region: _core.PolygonSet) -> list[tuple[bool, Ring]]:
 
 
 def _unit(region: _core.PolygonSet, bits: int) -> Fraction:
-    """Of the largest coordinate."""
+    """The unit in the last place of the largest coordinate."""
     return last_place(
         max((abs(x) for _, ring in _rings(region) for point in ring for x in point), default=1),
         bits,
@@ -109,7 +109,7 @@ def last_place(largest: Fraction | int, bits: int) -> Fraction:
 
 
 def _distance(ring: Ring, other: Ring, most: Fraction) -> Fraction | None:
-    """Of the vertices that differ most, where the rings run alike; None beyond `most`."""
+    """The distance of the vertices that differ most, if the rings run alike; None beyond `most`."""
     if len(ring) != len(other):
         return None
     first = ring[0]

@@ -45,7 +45,7 @@ class Event(NamedTuple):
 
 
 class Events(NamedTuple):
-    """Of all scales, ascending; what there is below the first, or without one everywhere."""
+    """Events of all scales, ascending; `before`: counts below the first, or everywhere."""
 
     events: list[Event]
     before: Counts
@@ -180,7 +180,7 @@ def compare_index(ruling: Ruling, index: _core.ScaleIndex, truth: Events) -> Non
 
 
 def compare_topology(ruling: Ruling, route: str, found: Any, truth: Sequence[Event]) -> None:
-    """What the topology events make of the components and holes below, at and above each scale."""
+    """Checks the topology events by the components and holes below, at and above each scale."""
     rows = found.topology_events()
     for feature in ("component", "hole"):
         told = {event.s: (0, 0) for event in truth}

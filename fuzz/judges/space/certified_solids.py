@@ -18,7 +18,7 @@ from minkref.oracle.slow.space.solid_whole import whole_sum
 
 @dataclass(frozen=True)
 class SolidFacts:
-    """What a claim says of a sum."""
+    """The facts that a claim states of a sum."""
 
     planes: int
     polygons: int
@@ -27,8 +27,8 @@ class SolidFacts:
 
 
 class SolidConfirmation:
-    """Of the claims about one case. A scaling that was asked for is not asked for again. For a few
-    dozen pairs of convex pieces."""
+    """Confirms the claims about one case; each scaling is asked for once. For a few dozen pairs of
+    convex pieces."""
 
     def __init__(self, case: Any) -> None:
         self.P, self.Q = (solid_from_json(case[name]) for name in "PQ")
@@ -55,7 +55,7 @@ class SolidConfirmation:
 
 
 def canonical_text(found: Exposed) -> str:
-    """Of a sum in canonical form; a convex one is written as a polyhedron."""
+    """The text of a sum in canonical form; a convex sum is written as a polyhedron."""
     corners = {
         lifted(point, plane)
         for plane, polygons in found.planes.items()

@@ -78,7 +78,7 @@ def largest_distance(
     repair: _core.PaperRepair,
     bits: int,
 ) -> Fraction:
-    """Of a coordinate of a claimed corner from the right one, in units in the last place."""
+    """The largest error of a coordinate of a claimed corner, in units in the last place."""
     first, second = _points(P.surface(), scaling), _points(Q.surface())
     pairs = sorted({pair for _, ring in repair.facets() for pair in ring})
     right = [_add(first[p], second[q]) for p, q in pairs]

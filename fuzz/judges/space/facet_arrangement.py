@@ -32,7 +32,7 @@ from minkref.oracle.symbolic.space.space_standing import (
 
 END = -1  # beside numbers of facets
 Arrangement = dict[tuple[int, ...], Any]
-"""Of two or three facets, ascending, that meet, and only of these: what is told of them."""
+"""Facts by the numbers, ascending, of two or three facets that meet, and only of such facets."""
 
 
 class MovingFacets:
@@ -126,7 +126,7 @@ def _in_one_plane(f: Sequence[Vector], g: Sequence[Vector]) -> bool:
 
 
 def _of_parallel(f: Sequence[Vector], g: Sequence[Vector]) -> Any:
-    """Of two facets in one plane: where the corners of each are in the other."""
+    """Whether two facets in one plane share an area, and where corners of each are in the other."""
     places = [
         [_sides(x, other) if in_polygon(x, other) else None for x in own]
         for own, other in ((f, g), (g, f))

@@ -45,7 +45,7 @@ Told = tuple[str, str, tuple[str, ...]]  # scale, change, place
 
 @dataclass
 class Table:
-    """What was compared, and what differed."""
+    """Counts and differences of a comparison."""
 
     seed: int
     polyhedra: int = 0
@@ -73,7 +73,7 @@ def compare(seed: int, quadruples: int, first: int = 0, step: int = 1) -> Table:
 
 
 class _Listed:
-    """What the reference says, by facets."""
+    """The events of the reference, by facets."""
 
     def __init__(self, pair: GeneralPair) -> None:
         P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)

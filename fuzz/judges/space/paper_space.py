@@ -30,7 +30,7 @@ def vertex_event(of: Facet, vertex: Vertex) -> Coming:
 
 
 def plane_event(a: Facet, b: Facet) -> Coming:
-    """Of facets in parallel planes."""
+    """The event of two facets in parallel planes."""
     return _coming(space_events.plane_event(_facet(a), _facet(b)))
 
 

@@ -45,7 +45,7 @@ class Difference:
 
 @dataclass
 class Table:
-    """What was compared, and what differed."""
+    """Counts and differences of a comparison."""
 
     seed: int
     polyhedra: int = 0

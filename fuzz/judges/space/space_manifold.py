@@ -53,7 +53,7 @@ class ManifoldJudge:
             self._process.close()
 
     def volume(self, sP: Polyhedron, Q: Polyhedron) -> VolumeAnswer:
-        """Of solids whose coordinates doubles hold."""
+        """The volume of the sum of solids with coordinates that doubles hold."""
         if self._process is None:
             return VolumeAnswer(None, why=str(self.absence))
         try:

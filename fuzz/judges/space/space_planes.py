@@ -1,5 +1,5 @@
-"""What is exposed of a polyhedral set in each of its planes, with corners in space, by the slow
-engine's code: of a canonical text, or of a polyhedron."""
+"""The exposed faces of a polyhedral set in each of its planes, with corners in space, by the slow
+engine's code: from a canonical text, or from a polyhedron."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ class PlaneFaces:
 
 
 def planes_of_text(text: str) -> list[PlaneFaces]:
-    """Of a set in canonical JSON."""
+    """The planes of a set in canonical JSON."""
     return _planes(exposed_from_json(json.loads(text)))
 
 
 def planes_of_solid(solid: Polyhedron) -> list[PlaneFaces]:
-    """Of a valid polyhedron: faces in one plane together."""
+    """The planes of a valid polyhedron, each with all faces in the plane."""
     return _planes(of_faces([solid.vertices[k] for k in face] for face in solid.faces))
 
 

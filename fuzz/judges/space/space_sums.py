@@ -58,7 +58,7 @@ class SpaceSums:
         return random.Random(f"minkref points {self.pair.name}")
 
     def ask(self, routes: dict[str, Route], nef: NefJudge) -> None:
-        """All who know an answer. What a route refuses is a disagreement."""
+        """Asks all who know an answer. A refusal of a route is a disagreement."""
         pair = self.pair
         for name, route in routes.items():
             try:
@@ -111,7 +111,7 @@ class SpaceSums:
         return f" (they wind {winds} times){self.witnessed(place)}"
 
     def witnessed(self, place: Point | None) -> str:
-        """What the slow engine says of the point, and whether a witness of it stands its check."""
+        """Says where the slow engine has the point, and if a witness of this stands its check."""
         if place is None:
             return ""
         inside = self.truth.holds(place)

@@ -10,7 +10,7 @@ from minkref.fuzz.run.runner import Finding
 
 
 def shows(target: str) -> bool:
-    """Of methods in the plane, which have no adapters."""
+    """Whether the target is a method in the plane; these methods have no adapters."""
     return method_of_target(target)[0] in METHOD_GROUPS
 
 

@@ -53,7 +53,7 @@ def scad_space(mesh: Set) -> str:
 
 
 def run(scene: str, form: str) -> str:
-    """What OpenSCAD exports of the scene; it ends with exit code 1 where nothing is there."""
+    """The scene as exported by OpenSCAD, which ends with exit code 1 if the scene is empty."""
     with tempfile.TemporaryDirectory() as folder:
         source, target = Path(folder, "in.scad"), Path(folder, f"out.{form}")
         source.write_text(scene, encoding="utf-8")

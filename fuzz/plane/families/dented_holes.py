@@ -1,7 +1,7 @@
 """A box with many holes full of dents, and a triangle so small that most of each hole survives.
 
-What is left of such a hole is thin in places: good for finding codes that look at one point of a
-face to decide whether it is a hole.
+The rest of such a hole is thin in places: good for finding codes that look at one point of a face
+to decide whether the face is a hole.
 """
 
 from __future__ import annotations

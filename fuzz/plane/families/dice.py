@@ -10,7 +10,7 @@ class Dice(random.Random):
     whatever the version: cases keep their names."""
 
     def randint(self, a: int, b: int) -> int:
-        """Of a, ..., b, each with the same probability. ValueError where there is none."""
+        """Draws one of a, ..., b, each with the same probability. ValueError if there is none."""
         width = b - a + 1
         if width <= 0:
             raise ValueError(f"there is no whole number from {a} to {b}")

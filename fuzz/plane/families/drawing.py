@@ -1,4 +1,4 @@
-"""What the families share: exact rings, their sizes by the index of a pair, and how two drawn
+"""Shared by the families: exact rings, their sizes by the index of a pair, and how two drawn
 operands become a valid pair."""
 
 from __future__ import annotations
@@ -29,7 +29,8 @@ def vertices_at(index: int, dice: random.Random) -> int:
 
 
 def family(name: str) -> Callable[[Draw], Callable[[int, int], Pair]]:
-    """Of a function that draws two operands: makes the pairs of the family, by seed and index."""
+    """Turns a function that draws two operands into one that makes the pairs of the family, by seed
+    and index."""
 
     def pairs(draw: Draw) -> Callable[[int, int], Pair]:
         @functools.wraps(draw)

@@ -25,7 +25,7 @@ GROWTH = 160
 
 
 def lattice_pair(seed: int, index: int) -> Pair:
-    """Of both operands every coordinate is a whole number from -3 to 5, whatever the scale."""
+    """A pair with whole coordinates from -3 to 5 in both operands, whatever the scale."""
     dice = Dice(f"minkref lattice {seed} {index}")
     small = dice.random() < 0.4
     most = FEWEST + min(index, GROWTH) * (MOST - FEWEST) // GROWTH

@@ -36,7 +36,7 @@ def _changed(dice: random.Random, texts: tuple[str, str], scale: str) -> tuple[s
     for _ in range(PATIENCE):
         shapes = [read_shape(text) for text in texts]
         which = dice.randrange(2)
-        # What fits sP fits P only when divided by s.
+        # Coordinates that fit sP fit P only when divided by s.
         size = Fraction(scale) if which == 0 else 1 / Fraction(scale)
         shapes[which] = dice.choice(CHANGES)(dice, shapes[which], shapes[1 - which], size)
         made = (shape_text(shapes[0]), shape_text(shapes[1]))

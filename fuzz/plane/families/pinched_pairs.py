@@ -16,8 +16,8 @@ MOST_VERTICES = 16
 
 
 def pinched_pair(seed: int, index: int) -> Pair:
-    """At scale 1; coordinates are from -3 to 5, whole but for middles of edges. Of four pairs, two
-    have a segment, and every tenth a point."""
+    """A pair at scale 1; coordinates are from -3 to 5, whole but for middles of edges. Every second
+    pair has a segment, and every tenth a point."""
     dice = Dice(f"minkref pinched {seed} {index}")
     pinched = pinched_shape(dice)
     other: Shape

@@ -100,7 +100,7 @@ def random_operand(dice: random.Random, grid: int, most_holes: int, small: bool 
 
 
 def _side(dice: random.Random, grid: int) -> int:
-    """Of the window of a second operand: often so small that holes of the first one survive."""
+    """The side of a second operand's window: often so small that holes of the first survive."""
     kind = dice.random()
     if kind < 0.5:
         return dice.randint(1, max(1, grid // 4))

@@ -122,7 +122,7 @@ def _images(cells: tuple[Cell, ...], side: int) -> Iterator[tuple[Cell, ...]]:
 
 
 def _framed(cells: frozenset[Cell], side: int) -> frozenset[Cell]:
-    """What the cells leave of a square with room around them."""
+    """A square with room around the cells, without the cells."""
     return frozenset(_grid(-1, side + 1)) - cells
 
 

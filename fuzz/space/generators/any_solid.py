@@ -25,7 +25,7 @@ def walls(dice: random.Random, most: int = 3) -> tuple[int, int, int, int]:
 
 
 def any_solid(dice: random.Random) -> Polyhedron:
-    """Of any kind; small integers."""
+    """A solid of any kind; small integers."""
     return dice.choice(SOLIDS)(dice)
 
 

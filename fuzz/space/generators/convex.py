@@ -12,7 +12,7 @@ from minkref.fuzz.space.hull import convex_hull
 
 
 def random_hull(dice: random.Random, count: int, grid: int) -> Polyhedron:
-    """Of `count` points, at least four, with integer coordinates from 0 to `grid`."""
+    """The hull of `count` points, at least four, with integer coordinates from 0 to `grid`."""
     while True:
         points = [_whole(*(dice.randint(0, grid) for _ in range(3))) for _ in range(count)]
         try:

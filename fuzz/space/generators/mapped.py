@@ -39,7 +39,7 @@ def _entry(dice: random.Random, most: int) -> int:
 
 
 def unimodular(dice: random.Random, steps: int) -> Matrix:
-    """Of GL(3, Z): a signed permutation, then `steps` shears."""
+    """A matrix of GL(3, Z): a signed permutation, then `steps` shears."""
     rows = [list(row) for row in dice.choice(signed_permutations())]
     for _ in range(steps):
         i, j = dice.sample(range(3), 2)

@@ -87,8 +87,8 @@ def clutch(dice: random.Random, around: int, teeth: int, size: int, jitter: int 
 
 
 def ring_of_triangles(around: int, section: int) -> list[Face]:
-    """Of `around` sections with their corners counter-clockwise, seen with the axis to the left
-    and z upwards; the way around is counter-clockwise seen from above."""
+    """The faces of `around` sections with corners counter-clockwise, seen with the axis to the
+    left and z upwards; the way around is counter-clockwise seen from above."""
     faces: list[Face] = []
     for i in range(around):
         here, there = i * section, (i + 1) % around * section
