@@ -1,4 +1,4 @@
-"""What holds for all tests."""
+"""Hooks and settings for all tests."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from types import FunctionType
 import pytest
 from thoroughness import THOROUGH
 
-# What jsonschema would check IRIs with takes two seconds to import, and no schema of ours has any.
+# The package that checks IRIs for jsonschema takes two seconds to import; our schemas have no IRIs.
 sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
 
 #: Rooms whose tests take two to ten times as long as they compute.
@@ -99,8 +99,8 @@ def pytest_configure() -> None:
 
 
 def pytest_make_parametrize_id(val: object) -> str | None:
-    """What a parameter without a name of its own is called: the text of a lambda, what a value
-    shows of itself."""
+    """The name of a parameter without a name of its own: the text of a lambda, the `repr` of a
+    value of `minkref._core`."""
     if isinstance(val, FunctionType) and val.__name__ == "<lambda>":
         return _text_of(val)
     if type(val).__module__ == "minkref._core":

@@ -115,7 +115,7 @@ def area(answer: dict[str, Any]) -> Fraction:
 
 
 def volume(answer: dict[str, Any]) -> Fraction:
-    """Of a surface, each edge of which is run as often forwards as backwards."""
+    """Volume inside a surface; each edge must be run as often forwards as backwards."""
     points = [[Fraction(x) for x in vertex] for vertex in answer["vertices"]]
     edges: dict[tuple[int, int], int] = {}
     total = Fraction()

@@ -1,4 +1,4 @@
-"""What functions give has names that can be imported, and refusals are of the documented kind."""
+"""Results have classes that can be imported, and refusals are of the documented kind."""
 
 from __future__ import annotations
 

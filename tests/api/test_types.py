@@ -1,4 +1,4 @@
-"""What is of a wrong type is refused in plain words, by every public function and method; exact
+"""Values of a wrong type are refused in plain words, by every public function and method; exact
 numbers of Python are numbers, floats are not."""
 
 from __future__ import annotations

@@ -40,7 +40,7 @@ def in_python_of(*arguments: str) -> Verdict:
 
 @pytest.fixture
 def check() -> Check:
-    """Runs both checkers: they exit alike. What the one in Python says."""
+    """Runs both checkers, which must exit alike; gives the verdict of the Python checker."""
 
     def call(path: Path, *options: str) -> Verdict:
         python, cpp = (run(*options, str(path)) for run in (in_python_of, in_cpp_of))
@@ -65,7 +65,7 @@ def check_value(check: Check, tmp_path: Path) -> CheckValue:
 
 @pytest.fixture
 def expect_refused(check_value: CheckValue) -> Callable[..., None]:
-    """That a certificate, spoilt in a way, is refused with this code, and why is said."""
+    """Asserts that a spoilt certificate is refused with this code, and that the reason is said."""
 
     def expect(value: Any, case: Any, spoil: Callable[[Any], object], code: int, why: str) -> None:
         spoil(value)

@@ -37,7 +37,7 @@ def digest_of_case(case: Value) -> str:
 
 
 def in_lowest_terms(body: Value) -> Value:
-    """What is hashed of an operand or of a sum."""
+    """The hashed part of an operand or of a sum: faces, and vertices in lowest terms."""
     vertices = [[str(Fraction(c)) for c in vertex] for vertex in body["vertices"]]
     return {"faces": body["faces"], "vertices": vertices}
 
@@ -124,7 +124,7 @@ def proof_of(P: Polyhedron, Q: Polyhedron, scaling: Point, body: Polyhedron) -> 
 
 
 def claim_about(number: int, one: Value, case: Value) -> Value:
-    """What a false sum would claim: its own vertices, rings and volume, whatever they are."""
+    """The claim of a false sum: its own vertices, rings and volume, whatever they are."""
     scaling = whole_scaling(*one["scaling"])
     P, Q = polyhedron(case["P"]).scaled(scaling), polyhedron(case["Q"])
     made = (zip(P.vertices[p], Q.vertices[q], strict=True) for p, q in one["vertices"])

@@ -40,7 +40,7 @@ def places(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
 
 
 def others(value: Any) -> Iterator[Any]:
-    """What may stand there instead: near numbers, shorter, longer and reordered lists."""
+    """Replacements for a value: near numbers, shorter, longer and reordered lists."""
     if isinstance(value, int):
         yield from (value - 1, value + 1, -value, value + 7, str(value))
     elif isinstance(value, str):

@@ -44,7 +44,7 @@ PAIRS = {
 
 
 def changes(certificate: Value, case: Value) -> Iterator[Change]:
-    """Of the certificate, and of the case with its digest as it was and as it has become."""
+    """Changes the certificate, and the case with its old digest and with its new one."""
     for value in changed(certificate):
         yield value, case
     for value in changed(case):

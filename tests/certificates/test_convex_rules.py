@@ -59,7 +59,7 @@ def also(*spoils: Spoil) -> Spoil:
 
 
 A, B, C, D, E, F = cubes.RINGS
-# Of the cube with the corner 7 cut off, which is inside the sum.
+# The cube with the corner 7 cut off, a body that lies inside the sum.
 CUT = also(
     rings(A, B, C, [1, 5, 3], [2, 3, 6], [3, 5, 6], [4, 6, 5]),
     lambda c: c["sums"][0]["facets"].__setitem__(5, [[3, 5, 6], [7], [7]]),

@@ -146,7 +146,7 @@ def test_a_search_ends_in_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_numbers_that_meet_last_are_neighbours() -> None:
-    """Of 0, s, 2 - s and 3 - 2s the last two to meet before 2 do so at 3/2, then at 1."""
+    """Takes 0, s, 2 - s and 3 - 2s: going down from 2, they first meet at 3/2, then at 1."""
     numbers = [Linear(Fraction(a), Fraction(b)) for a, b in ((0, 0), (0, 1), (2, -1), (3, -2))]
     assert steady(numbers, Fraction(0), Fraction(2), True) == (Fraction(3, 2), 2)
     assert steady(numbers, Fraction(0), Fraction(2), False) == (0, 1)

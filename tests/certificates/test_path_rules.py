@@ -165,7 +165,7 @@ def test_a_false_one_about_a_trap_is_not(
 
 
 def test_ranges_that_follow_each_other_are_one(check_value: Any) -> None:
-    """Of a trap as of a path."""
+    """Holds for a trap as for a path."""
     value = walls.room()
     first, second = scales("1", "2", "(]"), scales("2", "4", "(]")
     value["steps"][3]["scales"] = first

@@ -1,4 +1,4 @@
-"""What the producer writes is verified by both checkers; what is changed in it is not."""
+"""Certificates of the producer are verified by both checkers; changed certificates are not."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_the_death_of_a_hole(check: Any, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("family", ["random", "holes", "comb", "touching", "degenerate", "fit"])
 def test_degeneracies(check: Any, tmp_path: Path, family: str) -> None:
-    """What makes each of the first critical scales critical: a zero there, and the signs beside."""
+    """Proves each of the first critical scales critical: a zero there, and the signs beside."""
     case = named(f"{family}:{SEED}:2")
     events = _core.ArrangementEvents(case.P, case.Q)
     rows = events.rows(events.of_kind("arrangement"))

@@ -49,8 +49,8 @@ def test_some_by_hand(low: str, high: str, found: str) -> None:
 
 @pytest.mark.parametrize("terms", [999, 1001, 5_000])
 def test_between_neighbouring_convergents_of_the_golden_ratio(terms: int) -> None:
-    """The bounds have a thousand terms in common and more: no depth of calls is needed. Of two
-    neighbours the one before has the smaller denominator, and nothing in between has less."""
+    """The bounds have a thousand terms in common and more: no depth of calls is needed. The
+    earlier of two neighbours has the smaller denominator, and nothing in between has less."""
     a, b = 1, 1
     for _ in range(terms):
         a, b = a + b, a

@@ -13,7 +13,7 @@ RUN = Entry.run  # a test may put `once` in its place
 
 
 def once(factory: pytest.TempPathFactory, entry: Entry) -> Shown:
-    """What its check has shown. One that fails runs again for who asks next, and fails."""
+    """The result of the entry's check. A check that fails runs again, and fails again."""
     folder = factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
         folder = folder.parent  # of all workers

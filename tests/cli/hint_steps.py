@@ -1,4 +1,4 @@
-"""What the hint of a refusal tells people to do, as command lines to be tried."""
+"""Steps that the hint of a refusal recommends, as command lines to be tried."""
 
 from __future__ import annotations
 

@@ -96,8 +96,8 @@ def told(minkref: Minkref, *arguments: str | Path) -> dict[str, Any]:
 
 
 def account(value: Any, names: bool = True) -> Any:
-    """What two routes have to agree on. `names` of features are those of a window: of another
-    window they are others, and lives are told without them."""
+    """The part of an answer that two routes must share. `names` of features belong to a window:
+    another window has other names, and lives are then told without names."""
     of_topology = ("feature", "before", "after", "parts") if names else ("feature", "parts")
     fields = ("s", "rank", "kind", "change")
     if value["kind"] == "topology":

@@ -83,7 +83,7 @@ def test_every_topology_event_is_a_boundary_event(minkref: Minkref) -> None:
 
 
 def test_swapping_the_operands_inverts_the_scales(minkref: Minkref) -> None:
-    # Of the sum; the convolution itself differs where edges are parallel.
+    # Events of the sum only; the convolution itself differs where edges are parallel.
     one = minkref("events", "g1", "g2", "--kind", "topology", "--json").json["events"]
     other = minkref("events", "g2", "g1", "--kind", "topology", "--json").json["events"]
     inverse = sorted({1 / Fraction(event["s"]) for event in other})

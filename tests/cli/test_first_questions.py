@@ -1,4 +1,4 @@
-"""What a message says is the case, and what it recommends is what was asked for."""
+"""Messages are true, and they recommend the thing that was asked for."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a new user types first: the version, completion, a word that is nearly right."""
+"""First words of a new user: the version, completion, a word that is nearly right."""
 
 from __future__ import annotations
 

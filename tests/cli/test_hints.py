@@ -37,11 +37,11 @@ CUBE = """OFF
 4 0 4 6 2
 4 1 3 7 5
 """
-#: What an answer depends on, no option.
+#: Refusals that depend on the numbers, not on an option.
 OF_THE_NUMBERS = ("undecided-sign", "no-proof")
 CUBES = ["cube.off", "cube.off"]
 WINDOW = ["--from", "1", "--to", "2"]
-#: What each command takes in each setting.
+#: Arguments that each command takes in each setting.
 TAKEN: dict[str, dict[str, Words]] = {
     "sum": {
         "plane": [SQUARE, NOTCH], "disc": [SQUARE, "disc:1"], "space": CUBES,
@@ -101,7 +101,7 @@ VALUES: dict[str, list[str]] = {
     "--threads": ["1"],
     "--at": ["0,0"],
 }
-#: Of which a misspelt value is another one.
+#: Options that refuse a misspelt value.
 WORDS = (
     "--route", "--arithmetic", "--form", "--reading", "--format", "--kind", "--compatible",
     "--contact", "--repair",

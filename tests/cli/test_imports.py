@@ -16,7 +16,7 @@ try:
 finally:
     sys.stderr.write("".join(f"{name}\\n" for name in sys.modules))
 """
-#: What a start without work does without, whatever else it imports.
+#: Modules that a start without work must not import.
 HEAVY = ("jinja2", "jsonschema", "matplotlib", "minkref.degeneracies", "minkref.fuzz",
          "minkref.reports", "multiprocessing", "numpy", "plotly", "pyarrow", "sympy")  # fmt: skip
 

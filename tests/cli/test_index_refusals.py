@@ -1,4 +1,4 @@
-"""What is no index of the operands, or of the scales, or cannot be built is refused."""
+"""Indices of other operands or scales are refused, and builds that cannot succeed."""
 
 from __future__ import annotations
 

@@ -90,7 +90,7 @@ def test_a_sum_at_an_event_has_its_tight_passages(minkref: Minkref, tmp_path: Pa
 
 
 def test_all_commands_take_the_file(minkref: Minkref, saved: Path, tmp_path: Path) -> None:
-    """What they find with it is what they find without it."""
+    """Finds the same with the file as without the file."""
     index = ("--index", str(saved))
     for kind in ("boundary", "topology"):
         arguments = ("events", "g1", "disc", "--kind", kind, "--to", "5", "--json")

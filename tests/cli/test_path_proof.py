@@ -79,7 +79,7 @@ def test_names_that_are_none(minkref: Any, tmp_path: Path, name: str, why: str) 
 
 
 def test_no_file_is_lost(minkref: Any, tmp_path: Path) -> None:
-    """Of an operand, of the other output, and of another case."""
+    """Keeps the files of an operand, of the other output, and of another case."""
     part = tmp_path / "part.case.json"
     part.write_text('{"polygons": [{"outer": [[2, 0], [3, 0], [3, 1], [2, 1]]}]}', "utf-8")
     before = part.read_bytes()

@@ -37,14 +37,14 @@ INVALID = cache(pages._invalid)
 
 @pytest.fixture(autouse=True)
 def invalid_input_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of which some is large, and is on each front page."""
+    """Makes invalid input once: some of it is large, and each front page shows it."""
     monkeypatch.setattr(pages, "_invalid", INVALID)
 
 
 def test_a_page_for_each_family(
     minkref: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Of so many cases of each; `found` has a drawing of each of its cases."""
+    """Takes some cases of each family; `found` has a drawing of each of its cases."""
     most, drawn = draws(1, COUNT_WITH_DISC + COUNT_OF_PATHS), draws(1, 2)
     counts: Counter[Path] = Counter()
     cases = []

@@ -1,4 +1,4 @@
-"""What `minkref sum` says of a mesh in space that it has to round."""
+"""Answers of `minkref sum` about meshes in space that have to be rounded."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ def test_names_that_the_stream_cannot_say_are_escaped(encoding: str) -> None:
 
 
 def seconds_of(process: subprocess.Popen[bytes]) -> float:
-    """Of a processor. It starts in less than one, and computes."""
+    """Processor seconds of a process. The start takes less than one, the rest is computation."""
     words = Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
     return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
 

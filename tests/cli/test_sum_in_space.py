@@ -30,7 +30,7 @@ def off(polyhedron: Polyhedron) -> str:
 
 
 def canonical(polyhedron: Polyhedron) -> str:
-    """Of a hull, whose vertices ascend and whose rings start at the least."""
+    """Text of a hull whose vertices ascend and whose rings start at their least vertex."""
     vertices = [[str(c) for c in vertex] for vertex in polyhedron.vertices]
     faces = sorted(polyhedron.faces)
     return json.dumps({"faces": faces, "vertices": vertices}, separators=(",", ":"))
@@ -38,7 +38,7 @@ def canonical(polyhedron: Polyhedron) -> str:
 
 @pytest.fixture
 def cubes(tmp_path: Path) -> tuple[Path, Path]:
-    """Of the sides 2 and 1."""
+    """Files of two cubes, with sides 2 and 1."""
     paths = tmp_path / "two.off", tmp_path / "one.off"
     for path, side in zip(paths, (2, 1), strict=True):
         corner = (Fraction(side), Fraction(side), Fraction(side))

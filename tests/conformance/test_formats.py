@@ -47,7 +47,7 @@ def test_junit_counts_and_tells_each_kind_where_it_was_found(made: Any) -> None:
 
 
 COUNTS = {"name", "time", "tests", "failures", "errors"}
-# Of each element: attributes, those that must be there, what may be in it. As junit-10.xsd says.
+# For each element, after junit-10.xsd: all attributes, required attributes, allowed children.
 JUNIT: dict[str, tuple[set[str], set[str], set[str]]] = {
     "testsuites": (COUNTS, set(), {"testsuite"}),
     "testsuite": (

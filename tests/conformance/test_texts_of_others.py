@@ -1,5 +1,5 @@
-"""What others wrote, as names, versions, messages and logs of targets, names of cases and titles of
-case files, is text in every report: no markup, no link, nothing that a terminal obeys."""
+"""Texts of others, as names, versions, messages and logs of targets, names of cases and titles of
+case files, stay text in every report: no markup, no link, nothing that a terminal obeys."""
 
 from __future__ import annotations
 

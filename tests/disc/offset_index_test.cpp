@@ -1,5 +1,5 @@
-// What is read off the index is the static sum, at any radius; and so are the counts of its
-// history.
+// The region read off the index is the static sum, at any radius; the counts of the history are
+// those of the static sum too.
 #include "reference/disc/index/offset_index.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 """Code in the pages does what they say.
 
-What takes long is run where the run is thorough: of each kind some stays, and test_links.py looks
+Long code is run where the run is thorough: some of each kind stays, and test_links.py looks
 at the options of all commands. `minkref` is run in copies of this process."""
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ PAGES = sorted(
 SHOWN = [page for page in PAGES if blocks(ROOT, page)]
 MARKED = 21
 NEEDED = {"docs/tutorials/adapter.md": ("node", "rustc")}  # beside what builds minkref
-#: Of these a page has others of the kind, or tests/adapters and tests/consumer show the same.
+#: Left out: the page has others of the kind, or tests/adapters and tests/consumer show the same.
 LONG = (
     "--pairs 100 --no-models --report",  # of first-finding.md, that goes on with single cases
     "--case path:1:16",  # a finding that is shrunk: reading-a-finding.md has one too
@@ -38,7 +38,7 @@ LONG = (
 )
 #: From a command with one of these to the next `adapter new` of the page.
 LANGUAGES = ("--language javascript", "--language rust", "--language c++")
-#: Of commands whose output is not compared, or is the same.
+#: Commands made shorter; their output is not compared, or stays the same.
 SHORTER = (
     (r"--seconds \d+", "--pairs 4 --no-models"),
     (r"^minkref (generate|verify)", r"minkref \1 --jobs 1"),
@@ -60,7 +60,7 @@ def shorter(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def taken(all_of_them: list[Block]) -> Iterator[Block]:
-    """Those that do not take long. What a block prints goes with it."""
+    """Blocks that do not take long, each with the block that shows its output."""
     left_out = language = False
     for block in all_of_them:
         if "adapter new" in block.text:

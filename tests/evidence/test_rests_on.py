@@ -1,4 +1,4 @@
-"""What a result rests on: what its processes read, the C++ under it, and which rows are stale."""
+"""Files that a result rests on: read by its processes, or C++ under it; and rows that are stale."""
 
 from __future__ import annotations
 

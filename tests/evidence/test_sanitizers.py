@@ -1,4 +1,4 @@
-"""What the evidence reads of the tests that ran under the sanitizers."""
+"""Reads results of tests that ran under the sanitizers, as the evidence does."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ def test_laws_are_asked_of_all_families() -> None:
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_route_keeps_the_laws(route: str) -> None:
-    """Of a pair whose two components give all laws something to say."""
+    """Takes a pair whose two components give all laws something to say."""
     assert route in routes()
     row = judge((13, Size.QUICK))
     assert row["messages"] == []

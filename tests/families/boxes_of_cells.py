@@ -41,7 +41,7 @@ def sum_by_boxes(P: Polyhedron, Q: Polyhedron, s: Fraction) -> str | None:
 
 
 def _rims(cells: set[Cell], stops: list[list[Fraction]]) -> Iterator[list[Place]]:
-    """Of the sides of cells with no cell beyond, those in a row taken together: rectangles,
+    """Rectangles from the sides of cells with no cell beyond, those in a row taken together,
     counter-clockwise seen from outside."""
     for axis, step in product(range(3), (0, 1)):
         u = (axis + 1) % 3

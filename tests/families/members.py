@@ -1,4 +1,4 @@
-"""What tests of families have in common: members that are made in other processes or again, faults
+"""Helpers for tests of families: members that are made in other processes or again, faults
 of spoilt files, and vectors of their own."""
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ def text_of(pair: Pair) -> str:
     return f"{pair.P} {pair.Q} {pair.scale}\n"
 
 
-#: Of each group its families, those that other processes make, how many members of each, and how
-#: the one with a number is made.
+#: For each group: its families, those that other processes make, how many members of each family,
+#: and the function that makes a member from its number.
 GROUPS: dict[
     str, tuple[Mapping[str, Any], list[str], int, Callable[[Any, int, int], object]]
 ] = {
@@ -70,7 +70,7 @@ TELL = "import members; members.tell()"
 
 
 def digest_of(group: str, name: str, seed: int = SEED) -> str:
-    """Of the first members of a family, the last of them made first."""
+    """Digest of the first members of a family, the last of them made first."""
     families, _, count, make = GROUPS[group]
     made = [str(make(families[name], seed, k)) for k in reversed(range(count))]
     return sha256("".join(reversed(made)).encode()).hexdigest()[:16]
@@ -105,8 +105,8 @@ def digests() -> dict[str, dict[str, str]]:
 
 
 def assert_made_again(folder: Path, count: int, make: Callable[[int], Made]) -> None:
-    """That the members in a folder of the corpus, and no more, are made again: the same bytes. Of
-    one of them, where the run is not thorough."""
+    """Asserts that the members in a folder of the corpus, and no more, are made again with the same
+    bytes; tries one member where the run is not thorough."""
     numbers = range(count) if THOROUGH else [len(folder.name) % count]
     made = [make(k) for k in numbers]
     files = [file for one in made for file in (one.case, one.beside) if file is not None]
@@ -126,7 +126,7 @@ def faults_of_spoilt(
     make: Callable[[Any, int, int], Made] = made_member,
     faults: Callable[[Path], Iterable[str]] | None = None,
 ) -> list[str]:
-    """What lint finds where the case file of the first member is spoilt."""
+    """Faults that lint finds where the case file of the first member is spoilt."""
     from minkref.degeneracies import lint  # slow to import, and not needed to make members
 
     if (family.name, seed) not in _MADE:

@@ -52,7 +52,7 @@ class Read:
         return found[True], found[False]
 
     def plane(self, feature: list[list[int]]) -> Plane:
-        """Of a facet of the convolution, with its outward normal."""
+        """The plane of a facet of the convolution, with its outward normal."""
         p, q = feature
         if len(p) > 2:
             n = self.normal("P", p)
@@ -74,8 +74,8 @@ class Read:
             -n[0], -n[1], -n[2])  # fmt: skip
 
     def is_facet(self, feature: list[list[int]]) -> bool:
-        """Of a face and a vertex: all edges at the vertex run down from the normal. Of two edges:
-        the faces beside both do."""
+        """Whether all edges at the vertex run down from the normal, for a face and a vertex; for
+        two edges, whether the faces beside both do."""
         n, _ = self.plane(feature)
         return all(dot(n, way) < 0 for way in self._ways_down(feature))
 
@@ -106,7 +106,7 @@ def sign(value: Fraction) -> int:
 
 
 def value_of(row: Any, read: Read) -> int:
-    """Of the predicate that a row names."""
+    """Value of the predicate that a row names."""
     what, features = row["what"], row["features"]
     p, q = features[0]
     if what in ("parallel-facets", "opposite-facets"):

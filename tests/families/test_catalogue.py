@@ -15,7 +15,7 @@ from thoroughness import draws
 SEED = 11
 COUNT = 50
 LATE = range(600, 720, draws(8, 3))
-# Of the first pairs of each family: a change here changes every case that a family names.
+# Digests of the first pairs of each family: a change here changes every case that a family names.
 FINGERPRINTS = {
     "random": "fa5aa64472adb6de",
     "convex": "33a56d7ce74e885b",

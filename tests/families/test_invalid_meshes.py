@@ -58,7 +58,7 @@ def written(member: Invalid, folder: Path) -> Path:
 
 
 def test_there_is_a_family_for_each_documented_refusal() -> None:
-    """Of the table of polyhedra, limits of a million faces aside, and of the words of all."""
+    """Checks the table of polyhedra, limits of a million faces aside, and four codes outside it."""
     text = DOCUMENTED.read_text(encoding="utf-8")
     rows = text[text.index("first byte. Its code is one of those below, or:") :]
     table = [row for row in rows[: rows.index("## Refusals")].splitlines() if row.startswith("| `")]

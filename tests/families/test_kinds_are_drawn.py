@@ -56,7 +56,7 @@ def of_pinched(index: int) -> Kind:
     return (min(3, *map(len, rings)),)
 
 
-#: Of each generator: its kind of a number, all kinds, how many numbers are enough.
+#: For each generator: the kind that a number draws, all kinds, how many numbers are enough.
 GENERATORS: dict[str, tuple[Callable[[int], Kind], set[Kind], int]] = {
     "paths": (
         lambda k: (path_case(SEED, k).kind,), {(kind,) for kind in (*PATHS, "general")}, 24,

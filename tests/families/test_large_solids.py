@@ -42,7 +42,7 @@ def check(solid: Polyhedron) -> None:
 
 
 def tunnels(solid: Polyhedron) -> int:
-    """Of all shells together."""
+    """The number of tunnels, all shells together."""
     edges = {
         frozenset(side)
         for face in solid.faces

@@ -129,7 +129,7 @@ def test_families_show_what_their_titles_say() -> None:
 
 
 def test_certificates_prove_what_is_expected(tmp_path: Path) -> None:
-    """Of the first cases of the corpus; of members that are made, where the run is thorough."""
+    """Takes the last case of each family in the corpus; made members too in a thorough run."""
     asked = {}
     for name, family in PATH_FAMILIES.items():
         files = cases(name)[-1:]

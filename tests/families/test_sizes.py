@@ -125,7 +125,7 @@ def test_doubles_up_to_the_limits() -> None:
 
 
 def test_significands_are_full() -> None:
-    """Of coordinates near the largest double, and the step from it to the next below."""
+    """Looks at coordinates near the largest double; 2**971 is its distance to the next below."""
     drawn = [member(FAMILIES["limits-of-float64"], 3, k) for k in range(60)]
     large = [c for f in drawn if kind_of_double(f) == "largest" for c in coordinates(f)]
     full = [c for c in large if abs(c) >= 2**1023 and (c / 2**971) % 2]

@@ -35,7 +35,7 @@ from thoroughness import THOROUGH, draws
 
 SEED = 907
 COUNT = 8
-#: Of these the first few show less than all that the family does.
+#: Families whose first few members do not show everything that the family does.
 VARIED = {"all-facets-change-no-edges", "facets-nearly-parallel", "magnitudes-in-space"}
 SIBLINGS = 5  # the scaling, and two on each side
 
@@ -78,7 +78,7 @@ def along(vertices: list[Vector], face: list[int]) -> Vector:
 
 
 def sign(row: Any, P: list[Vector], Q: list[Vector]) -> int:
-    """Of the predicate that a row names, of SP and Q."""
+    """Sign of the predicate that a row names, for SP and Q."""
     if row["what"] == "compatible":
         facet, (vertex,), n_of, v_of = (
             (row["P"], row["Q"], P, Q) if len(row["Q"]) == 1 else (row["Q"], row["P"], Q, P)
@@ -301,8 +301,8 @@ def test_bodies_far_out() -> None:
 
 
 def test_needles_and_plates() -> None:
-    """Of the one all vertices are near the line between two, by a millionth of its length; the
-    other has a facet across which it is a million times less wide than long, and its volume."""
+    """Expects a needle, with all vertices within a millionth of its length of the line between two,
+    and a plate, a million times less wide across a facet than long, with a plate's volume."""
     for value in documents("needle-and-plate"):
         kinds = set()
         for name in "PQ":

@@ -31,7 +31,7 @@ def test_a_member_belongs_to_one_of_the_families(family: str) -> None:
 
 
 def test_numbers_below_and_above_tell_nothing() -> None:
-    """Of holes, components and, but for one family, vertices."""
+    """Compares numbers of holes, components and, but for one family, vertices."""
     for family in TOUCHES:
         facts = member(family, SEED, 1)
         below, _, above = facts.counts

@@ -1,4 +1,4 @@
-// What is written and read again is the same polyhedron.
+// A polyhedron that is written and read again is the same polyhedron.
 #include <random>
 
 #include "tests/formats/mesh.hpp"

@@ -1,4 +1,4 @@
-// What a test asks of a refusal.
+// Checks that a test makes of a refusal.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is written and read again is the same set.
+// A set that is written and read again is the same set.
 #include "formats/write.hpp"
 
 #include <random>

@@ -20,7 +20,7 @@ LOCKS = [ROOT / "requirements.txt", *OTHERS, *ADAPTERS]
 
 
 def locked(file: Path) -> dict[str, tuple[Requirement, list[str]]]:
-    """Of each package its requirement and the digests."""
+    """The requirement and the digests of each package."""
     text = re.sub(r"\\\n", " ", file.read_text(encoding="utf-8"))
     found = {}
     for line in text.splitlines():

@@ -42,7 +42,7 @@ def test_citation_names_the_version() -> None:
 
 
 def test_the_changelog_speaks_of_the_version() -> None:
-    """What comes next, then the versions with their dates, by setting."""
+    """Starts with the coming changes, then the versions with their dates, by setting."""
     heads = re.findall(r"^## (.*)$", text("CHANGELOG.md"), re.MULTILINE)
     assert heads[0] == "Unreleased"
     assert re.fullmatch(rf"{re.escape(version())} - \d{{4}}-\d\d-\d\d", heads[1])

@@ -1,4 +1,4 @@
-"""What GitHub runs: actions by commit, least permissions, a limit of time for each job, and
+"""Workflows on GitHub: actions by commit, least permissions, a limit of time for each job, and
 commands that can be called by hand."""
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def steps(workflow: dict[Any, Any]) -> list[dict[str, Any]]:
 
 
 def lines(workflow: dict[Any, Any]) -> list[str]:
-    """What is run, line by line."""
+    """The commands that are run, line by line."""
     return [line for step in steps(workflow) for line in step.get("run", "").splitlines()]
 
 
@@ -95,7 +95,7 @@ def test_parts_and_packages_of_the_nightly_run_exist() -> None:
 
 
 def test_images_are_pinned_or_listed_as_not_pinned() -> None:
-    """By digest. What has none stands in docs/packages.md, and nothing else stands there."""
+    """Pins images by digest. Images without a digest, and no others, stand in docs/packages.md."""
     used = set()
     for workflow in map(read, WORKFLOWS):
         containers = [job.get("container", {}) for job in workflow["jobs"].values()]

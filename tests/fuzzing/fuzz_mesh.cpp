@@ -1,5 +1,5 @@
-// Polyhedra: the first byte chooses the format. What is read survives being written and read again,
-// or it is refused.
+// Polyhedra: the first byte chooses the format. A body survives being written and read again, or it
+// is refused.
 #include <array>
 
 #include "formats/read_mesh.hpp"

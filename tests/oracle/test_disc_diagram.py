@@ -143,7 +143,7 @@ def test_sets_of_all_families_have_the_vertices_of_both() -> None:
 
 
 def over_floor(rows: list[Any]) -> int:
-    """Of the notch: the number of the event at (4, 3)."""
+    """The number of the event at (4, 3), for the notch."""
     return [row[4] for row in rows].index((4.0, 3.0))
 
 

@@ -1,4 +1,4 @@
-"""What the slow engine takes for a polygon set, against the definition and against the reference.
+"""Validity of polygon sets in the slow engine, against the definition and against the reference.
 
 Laws: a set is refused iff one of the conditions of docs/definitions.md, "Polygon set", fails; the
 slow engine and the reference, which share no code, refuse the same sets.

@@ -20,7 +20,7 @@ Regions = dict[tuple[int, int], tuple[Fraction | None, Fraction | None]]
 
 
 def edges_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> tuple[list[Edge], list[set[Any]]]:
-    """Of the reduced convolution, each with the pairs of vertices at its ends."""
+    """Edges of the reduced convolution, each with the pairs of vertices at its ends."""
     first, second = ([ring for rings in each.rings() for ring in rings] for each in (P, Q))
     edges, ends = [], []
     for kind, _, ring, index, other, vertex in _core.reduced_convolution(P, Q):

@@ -14,7 +14,7 @@ CORRECTED = {name: corrected for name, _, corrected, _ in _core.paper_readings()
 PRINTED = {name: values[0] for name, values, *_ in _core.paper_readings()}
 READINGS = {"corrected": CORRECTED, "printed": PRINTED}
 ARITHMETICS = ("double", "mpfr:53", "mpfr:200", "mpfr:1000")
-# Of each pair and form, in the order of ARITHMETICS.
+# Digests for each pair and reading, in the order of ARITHMETICS.
 DIGESTS = {
     ("g1", "g2", "corrected"): (
         "b677a2c7521cf456bcb0dbdf",

@@ -135,7 +135,7 @@ def sextuple(
     a: tuple[Fraction, ...], b: tuple[Fraction, ...], c: tuple[Fraction, ...],
     d: tuple[Fraction, ...],
 ) -> Fraction:  # fmt: skip
-    """Of the tetrahedron, positive where d is above the plane of a, b, c."""
+    """Six times the tetrahedron's volume, positive where d is above the plane of a, b, c."""
     u, v, w = ([x - y for x, y in zip(p, a, strict=True)] for p in (b, c, d))
     return (
         w[0] * (u[1] * v[2] - u[2] * v[1])

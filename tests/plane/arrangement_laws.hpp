@@ -1,4 +1,4 @@
-// What an arrangement of segments must be, checked against a subdivision made by brute force.
+// Laws of an arrangement of segments, checked against a subdivision made by brute force.
 #pragma once
 
 #include <map>
@@ -33,7 +33,7 @@ class ArrangementLaws {
     }
   }
 
-  /// What is wrong, or nothing.
+  /// The first fault, or nothing.
   std::string fault() const {
     for (const auto law :
          {&ArrangementLaws::nodes, &ArrangementLaws::sub_edges, &ArrangementLaws::half_edges,

@@ -77,7 +77,7 @@ inline bool enters(const PolygonSet& A, const PolygonSet& B, bool sides_count, b
   return false;
 }
 
-/// Of a point or a segment the relative interior counts; at most one of A, B may be one.
+/// A point or a segment counts by its relative interior; at most one of A, B may be such a set.
 inline Contact contact_by_edges(const PolygonSet& A, const PolygonSet& B) {
   if (A.empty() || B.empty()) return Contact::empty;
   if (!B.is_region()) return contact_by_edges(B, A);

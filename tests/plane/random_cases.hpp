@@ -23,7 +23,7 @@ inline std::string text(const Case& c) {
          "\"}";
 }
 
-/// What is wrong, or nothing where the law holds. An exception breaks it too.
+/// The fault, or nothing where the law holds. An exception breaks the law too.
 using Law = std::function<std::string(const Case&)>;
 
 inline std::string fault(const Law& law, const Case& c) {

@@ -75,7 +75,7 @@ std::vector<Point> other_points(Source& random, const Case& c) {
   return points;
 }
 
-/// What is wrong with the pieces as a set of points.
+/// The fault of the pieces as a set of points.
 std::string wrong_points(Source& random, const Case& c) {
   const Pieces found = pieces(c);
   const PolygonSet sum = minkowski_sum(c.P, c.Q, c.scale, Route::definition).region;
@@ -116,7 +116,7 @@ std::size_t ends_at(const Pieces& all, const Point& x) {
   return count;
 }
 
-/// What is wrong with the pieces as a canonical list of maximal pieces.
+/// The fault of the pieces as a canonical list of maximal pieces.
 std::string wrong_form(const Case& c) {
   const Pieces found = pieces(c);
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -261,7 +261,7 @@ TEST(TightPassages, AreTheDefinitionPointByPointOnALattice) {
     }
     return fault_of(random, c);
   });
-  // What is common on the lattice, so that nothing is tried in vain.
+  // Kinds that are common on the lattice, so that nothing is tried in vain.
   EXPECT_GE(points, testing::repetitions(10U));
   EXPECT_GE(lines, testing::repetitions(20U));
   EXPECT_GE(bends, testing::repetitions(5U));
@@ -389,7 +389,7 @@ TEST(TightPassages, DoNotDependOnTheKernel) {
 }
 
 TEST(TightPassages, OfOperandsShakenApartAreTheDefinitionToo) {
-  // What almost fits does not fit.
+  // Operands that almost fit do not fit.
   MINKREF_SEEDED(random, 709);
   const auto shaken_case = [](Source& source) {
     Case c = random_lattice_case(source);

@@ -25,7 +25,7 @@ def proved() -> list[str]:
 
 @pytest.fixture
 def check(proved: list[str]) -> Callable[..., Verdict]:
-    """Its verdict, and what it says. What it verifies, the two others verify."""
+    """Verdict and output of the proved checker; the two others verify all that it verifies."""
 
     def call(path: Path, *options: str) -> Verdict:
         ran = _run(proved, path, options)

@@ -288,8 +288,8 @@ def test_no_mutant_with_a_changed_claim_is_accepted(check_value: Any) -> None:
 
 
 def test_mutants_of_steps_never_break_it(check_value: Any) -> None:
-    """What it verifies of them, the others verify (see conftest.py): not quite with another box,
-    which may touch the sum at an end for what is proved."""
+    """Mutants that the proved checker verifies, the others verify (see conftest.py): not quite with
+    another box, which may touch the sum at an end for what is proved."""
     value = in_stages()
     for mutant in mutants({"steps": value["steps"]}, 2, random.Random(SEED)):
         if ("move" in mutant.field and "box" not in mutant.field) or mutant.path == ("steps",):

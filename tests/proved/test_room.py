@@ -1,4 +1,4 @@
-"""What can be said of the room without Coq: what has to be believed is short, nothing assumed."""
+"""Checks of the room without Coq: the part to be believed is short, and nothing is assumed."""
 
 from __future__ import annotations
 

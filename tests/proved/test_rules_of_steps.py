@@ -1,4 +1,4 @@
-"""What the page asks of steps, and no theorem does."""
+"""Rules for steps that the page asks for, and no theorem does."""
 
 from __future__ import annotations
 

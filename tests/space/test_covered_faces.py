@@ -154,7 +154,7 @@ def test_a_hole_that_two_shells_cover_is_none(shells: list[Polyhedron]) -> None:
 
 
 def test_a_cavity_that_is_wound_backwards_far_from_its_shell() -> None:
-    """What winds less than 0 hides nothing that another shell has there."""
+    """A region wound less than 0 times hides nothing that another shell has there."""
     far = block("5 5 5", "6 6 6")
     for shells in ([far.turned_inside_out(), far], [far.turned_inside_out(), far, far]):
         found = compare(CUBES, together([*HALVES, *shells]))

@@ -1,4 +1,4 @@
-"""What finds a fault and what checks it agree, though they share nothing."""
+"""The search for a fault and the check of the fault agree, though they share nothing."""
 
 from __future__ import annotations
 

@@ -167,7 +167,7 @@ def test_two_solids_are_one_mesh_iff_their_interiors_and_faces_share_nothing(siz
 
 
 def lies_in(one: Solid, point: Whole) -> bool:
-    """Of a convex solid."""
+    """Whether a point lies in a convex solid, boundary included."""
     for a, b, c in (corners(one, face[:3]) for face in one.faces):
         if dot(normal(a, b, c), minus(point, a)) > 0:
             return False

@@ -36,7 +36,7 @@ def in_space(drawn: GeneralPair) -> SpacePair:
 
 @cache
 def drawn(number: int) -> SpacePair:
-    """Of the family with this number, the one of some whose sum is smallest."""
+    """The pair with the smallest sum among some of the family with this number."""
     pairs = [in_space(general_pair(SEED, number + k * COUNT)) for k in range(draws(2, 3))]
     return min(pairs, key=lambda pair: len(pair.exact.polyhedron.triangles))
 

@@ -91,7 +91,7 @@ def test_right_results_pass_however_they_are_spelled(family: str, form: str) -> 
 
 
 def only_points(form: str) -> None:
-    """Of a torus and a cube nothing is known but single points: the operand itself is no sum."""
+    """Only single points of torus + cube are known: the operand itself is no sum."""
     pair = space_pair("torus", 3, 13)
     answer = compare(pair, FORMS[form](pair.P))
     assert answer.verdict == "wrong" and Reason.MISSING in answer.reasons

@@ -40,8 +40,8 @@ def determinant(a: Point, b: Point, c: Point) -> Fraction:
 
 
 def winding(triangles: Sequence[Triangle], x: Point, dice: Random) -> int | None:
-    """Of a closed surface around a point off it; None in the plane of a triangle. By a ray that
-    meets no edge."""
+    """Winding number of a closed surface around a point off the surface, by a ray that meets no
+    edge; None in the plane of a triangle."""
     if any(dot(normal(a, b, c), minus(x, a)) == 0 for a, b, c in triangles):
         return None
     while True:

@@ -67,7 +67,7 @@ def verify(faulty_sums: None) -> Callable[..., Run]:
 
 @pytest.fixture
 def outcomes(faulty_sums: None) -> Callable[..., list[Outcome]]:
-    """What is said of one target on named cases, without a run and its workers."""
+    """Outcomes of one target on named cases, without a run and its workers."""
 
     def call(name: str, *cases: str, limits: Limits | None = None) -> list[Outcome]:
         sys.set_int_max_str_digits(0)  # as in a worker

@@ -40,7 +40,7 @@ def moves_a_vertex(P: Solid, Q: Solid) -> Solid:
 
 
 def by_shells(P: Solid, Q: Solid) -> Solid:
-    """Of the two shells of P, each convex, and a convex Q: two shells that overlap."""
+    """Adds a convex Q to each of the two convex shells of P: two shells that overlap."""
     first = Polyhedron.from_document(P)
     result = Polyhedron((), ())
     for part in fewer_shells(first):

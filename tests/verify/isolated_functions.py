@@ -18,7 +18,7 @@ class Told(Exception):
 
 
 def tries(P: Set, Q: Set) -> NoReturn:
-    """What the variable MINKREF_TRY says, at its first call."""
+    """Tries the thing that the variable MINKREF_TRY names, at the first call."""
     what, _, argument = os.environ["MINKREF_TRY"].partition(" ")
     try:
         said = TRIES[what](argument)

@@ -64,7 +64,7 @@ def between(a: Place, b: Place, t: Fraction) -> Place:
 
 
 def paths(way: str, path: list[Place]) -> Iterator[list[Place]]:
-    """What is looked at in place of the path."""
+    """Paths that are looked at in place of the path."""
     segments = list(pairwise(path))
     if way == "first-segment":
         yield path[:2]

@@ -72,7 +72,7 @@ def test_polycubes_at_a_fine_scale_are_judged_by_the_exact_sum() -> None:
 
 @pytest.mark.thorough
 def test_targets_in_space_have_the_cases_in_space_of_the_corpus(minkref: Any) -> None:
-    """That ships with the project: as `test_targets_in_space_have_those_in_space`, of all."""
+    """Takes the shipped corpus as `test_targets_in_space_have_those_in_space` does a part of it."""
     space = [p for p in lint.CORPUS.iterdir() if '"dimension": 3' in first(p)]
     plane = sum(len(lint.case_paths(p)) for p in lint.CORPUS.iterdir() if p not in space)
     convex = [p.name for p in space if p.name not in SOLID_FAMILIES]
@@ -81,8 +81,8 @@ def test_targets_in_space_have_the_cases_in_space_of_the_corpus(minkref: Any) ->
 
 
 def test_targets_in_space_have_those_in_space(minkref: Any, tmp_path: Path) -> None:
-    """All of them, at all of their scalings, but polyhedra that are not convex. Of those in the
-    plane the run says how many it leaves out."""
+    """Takes all cases in space, at all of their scalings, but polyhedra that are not convex. The
+    run says how many cases in the plane it leaves out."""
     convex, solids = ["with-itself", "facets-parallel-always"], [next(iter(SOLID_FAMILIES))]
     options = corpus(tmp_path / "cases", *convex, *solids, "euler-zero")
     plane = len(lint.case_paths(lint.CORPUS / "euler-zero"))

@@ -50,7 +50,7 @@ def case_of(P: Any, Q: Any) -> Case:
 
 @pytest.fixture
 def told(tmp_path: Path) -> Iterator[Callable[..., Outcome]]:
-    """What is said of an adapter that gives these answers by verb, about the events of a case."""
+    """Outcome for an adapter that gives these answers by verb, about the events of a case."""
     program, made = tmp_path / "adapter.py", []
     program.write_text(PROGRAM, encoding="utf-8")
 

@@ -41,7 +41,7 @@ def walls(request: pytest.FixtureRequest) -> Isolation:
 def said(
     walls: Isolation, what: str, argument: object = "", megabytes: int = 512, processes: int = 99
 ) -> str:
-    """What the adapter says of its try; nothing of it runs afterwards."""
+    """The adapter's account of its try; nothing of the adapter runs afterwards."""
     limits = Limits(60, megabytes * MIB, processes=processes, isolation=walls)
     process = AdapterProcess("it", [sys.executable, str(PROGRAM), what, str(argument)], limits)
     try:
@@ -157,7 +157,7 @@ def test_memory_is_counted_of_the_whole_tree(walls: Isolation, measured: bool) -
 
 @pytest.mark.parametrize("grouped", [True, False])
 def test_a_fork_bomb_stops_at_the_limit_of_processes(walls: Isolation, grouped: bool) -> None:
-    """Of 60 it begins as many as the limit leaves beside itself, where one holds."""
+    """Begins as many of 60 processes as the limit leaves beside the bomb, where a limit holds."""
     if not grouped:
         walls = replace(walls, rooms=tuple(r for r in walls.rooms if PIDS not in r.controllers))
     begun, refused = said(walls, "bomb", 60, processes=20).split()

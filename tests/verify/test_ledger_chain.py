@@ -131,7 +131,7 @@ def test_lines_that_a_program_forges_without_the_key_are_refused(path: Path) -> 
 
 
 def test_lines_of_another_ledger_are_refused(path: Path, tmp_path: Path) -> None:
-    """Of the same run, begun twice."""
+    """Mixes two ledgers of the same run, begun twice."""
     with Ledger(tmp_path / "other.jsonl", HEAD) as ledger:
         for number in range(RESULTS):
             ledger.write(result(number, Verdict.UNDECIDED))

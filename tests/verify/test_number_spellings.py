@@ -1,5 +1,5 @@
 """Numbers that others write are read by one grammar, in every place where one may stand: ASCII
-digits, no underscores, exponents of four digits at most. What is none is refused at once."""
+digits, no underscores, exponents of four digits at most. Any other text is refused at once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is asked of adapters in space, as the page of the protocol says, and what is said of it."""
+"""Requests to adapters in space, as the page of the protocol says, and messages about answers."""
 
 from __future__ import annotations
 

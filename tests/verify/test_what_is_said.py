@@ -1,4 +1,4 @@
-"""What a run says: findings first and once each, what no target takes, as many cases as asked."""
+"""Output of a run: findings first and once each, cases no target takes, as many cases as asked."""
 
 from __future__ import annotations
 

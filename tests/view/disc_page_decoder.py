@@ -39,7 +39,7 @@ class DiscDecoder:
             centre = self._moved((x, y))
             return [[(centre, ends[0], ends[1]), (centre, ends[1], ends[0])]]
         gap, numbers, halves = self.gap(radius), self.data["numbers"], self.data["halves"]
-        # Of each half with a corner the next along its walk.
+        # For each half with a corner: the next such half along its walk.
         following: dict[int, int] = {}
         free: list[tuple[int, int]] = []
         for first_side, end_side, first, end in self.data["walks"]:

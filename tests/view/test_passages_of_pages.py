@@ -52,7 +52,7 @@ def test_the_picture_of_a_sum_with_a_disc_has_them(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(absent() is not None, reason=f"no browser: {absent()}")
 def test_pages_draw_them_and_open_at_their_top(window: Browser, tmp_path: Path) -> None:
-    """That of a path opened scrolled to its list, and cut its last column, on a telephone."""
+    """The page of a path opened scrolled to its list, and cut its last column, on a telephone."""
     files = {
         "plane": (SQUARE, WALLS, "--from", "1/2", "--to", "2"),
         "disc": (SLOT, "disc"),

@@ -28,7 +28,7 @@ WRITTEN = {"run.ledger", "junit.xml", "out.sarif", "summary.md", "lines.jsonl"}
 
 @dataclass
 class Seen:
-    """What a run did, in its own words and in those of the kernel."""
+    """The doings of a run, in its own words and in those of the kernel."""
 
     code: int | None
     seconds: float
@@ -53,7 +53,7 @@ class Seen:
 
     @property
     def version(self) -> str:
-        """Of the hostile target, which tells there what it got at."""
+        """The version of the hostile target; it names the things that the target got at."""
         others = [t for t in (self.document or {}).get("targets", []) if t["name"] != OURS]
         return str(others[0].get("version", "")) if others else ""
 
@@ -184,7 +184,7 @@ def changed(before: dict[str, str], after: dict[str, str]) -> list[str]:
 
 
 def unknown(work: Path) -> list[str]:
-    """What is in the run's folder and is no output of it, or is a link."""
+    """Names of files in the run's folder that are no outputs of the run, or are links."""
     found = [path for path in work.iterdir() if path.name not in WRITTEN and path.name != "report"]
     return sorted(path.name for path in found + [p for p in work.rglob("*") if p.is_symlink()])
 

@@ -13,10 +13,11 @@ ALL_WAYS = (PASS, WRONG, ERRORED, CRASHED, LATE, MEMORY, "skipped", "pass-within
 
 @dataclass(frozen=True)
 class Attack:
-    """`verdicts`: those that it may have; none: it does not begin, exit code 2. What it may get at,
-    in its own words: `inside` the sandbox, where all of that is its own and ends with it, and
-    `alone`, without one. `leaves`: files where everybody may write, or shared memory, without a
-    sandbox. `kills`: may end the run, without a sandbox and a user of its own."""
+    """`verdicts`: the possible ones; none: the run does not begin, exit code 2. Things that the
+    adapter may get at, in its own words: `inside` the sandbox, where all of them are its own and
+    end with it, and `alone`, without a sandbox. `leaves`: files where everybody may write, or
+    shared memory, without a sandbox. `kills`: may end the run, without a sandbox and a user of its
+    own."""
 
     adapter: str
     verdicts: tuple[str, ...] = (PASS,)
@@ -172,7 +173,7 @@ FUNCTIONS = [
     *functions((CRASHED, ERRORED), "writes_into_its_operands", kind="so"),
     *functions((CRASHED, ERRORED, MEMORY, LATE), "rings_beyond_memory", kind="so"),
 ]
-# What lies in the words of the protocol itself a function cannot do.
+# Attacks by words of the protocol itself, which a function cannot make.
 SPEAK = ("PrintsADocument", "NastyReason", "ObeyTheTerminal", "ObeyTheTerminalInTheLog", "OtherSeq")
 SPEAK += ("AnswersAhead", "AnswersTwice", "AnswersBeforeItIsAsked", "DiesWhileItsChildrenAnswer")
 OUTLIVED = {"EatsSharedMemory": (ERRORED,)}  # an exception ends an adapter, and no function

@@ -1,4 +1,4 @@
-"""What is wrong with a run under attack: held against docs/adapter-protocol.md, docs/verify.md and
+"""Faults of a run under attack: held against docs/adapter-protocol.md, docs/verify.md and
 docs/security.md."""
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from reading import obeyed
 
 SCRIPT = "<script>alert("  # as hostile adapters name themselves
 CODES = (0, 1, 2, 3)
-# What the run itself keeps of a user: the key that chains ledgers.
+# The run itself keeps this for a user: the key that chains ledgers.
 KEPT = ".local"
 
 
@@ -34,7 +34,7 @@ def faults_of(attack: Attack, seen: Seen, sandboxed: bool) -> list[str]:
 
 
 def got(seen: Seen) -> list[str]:
-    """What the adapter got at, as it tells in its version."""
+    """The things that the adapter got at, as its version tells."""
     words = [word for word in seen.version.split() if word.startswith("got:")]
     return sorted({word.removeprefix("got:") for word in words})
 
@@ -88,7 +88,7 @@ def traces(attack: Attack, seen: Seen, alone: bool) -> list[str]:
 
 
 def outputs(seen: Seen) -> list[str]:
-    """That every file is what it should be, whatever texts it had to hold."""
+    """Faults of output files, which must be well-formed whatever texts they had to hold."""
     faults = []
     for name, text in seen.files.items():
         if name not in WRITTEN and not name.startswith("report/"):

@@ -1,4 +1,4 @@
-"""What lies outside of a run, before and after it: files, sockets, shared memory, mounts."""
+"""Things outside of a run, before and after it: files, sockets, shared memory, mounts."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ PATIENCE = 2.0  # seconds in which what was sent SIGKILL may still end
 
 
 def children() -> list[int]:
-    """Of this process, as the kernel has them."""
+    """The children of this process, as the kernel lists them."""
     found = Path(f"/proc/self/task/{os.getpid()}/children")
     return [int(word) for word in found.read_text().split()]
 
@@ -61,7 +61,7 @@ def reap() -> None:
 
 
 def left_behind() -> list[str]:
-    """What is alive after some patience: process and command."""
+    """Processes that are alive after some patience, each with its command."""
     end = time.monotonic() + PATIENCE
     while True:
         reap()

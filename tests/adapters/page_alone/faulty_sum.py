@@ -1,4 +1,4 @@
-"""What faulty adapters in the plane share: the exact sum, to be spoilt."""
+"""Base of the faulty adapters in the plane: the exact sum, to be spoilt."""
 
 from __future__ import annotations
 

@@ -138,7 +138,7 @@ def grown(polygons: list[Polygon], by: Fraction) -> list[Polygon]:
 
 
 def shrunk(polygons: list[Polygon], by: Fraction) -> list[Polygon]:
-    """What the grown complement leaves."""
+    """The polygons that the grown complement leaves."""
     if not polygons:
         return []
     rings = rings_of(polygons)

@@ -46,7 +46,7 @@ def adapter(name: str) -> str:
 
 
 def said_of(name: str, *cases: str) -> list[tuple[Verdict, str]]:
-    """Of a target on named cases, without a run and its workers."""
+    """Verdicts and messages about a target on named cases, without a run and its workers."""
     limits = Limits(seconds=SECONDS)
     target = cache(lambda name: make_target(name, limits))  # it, or one of ours
     found = []

@@ -68,7 +68,7 @@ class ClosedInSpace(Space):
 
 
 class ExtremeVertices(Space):
-    """Of convex operands the hull of the sums of all their vertices, by itself."""
+    """Takes the hull of the sums of all vertices itself where the operands are convex."""
 
     def shells(self, request: Request) -> list[Shell]:
         P, Q = shell_of(request["sP"]), shell_of(self.Q)

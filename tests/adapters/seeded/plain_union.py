@@ -82,8 +82,8 @@ class Union:
     def cover(
         self, piece: Ring, lines: list[Line], earlier: bool, covered: Covered
     ) -> Covered | None:
-        """Adds what another piece covers of each edge; None where nothing is left of any. Of edges
-        that lie on each other and run the same way the earlier one stays."""
+        """Adds what another piece covers of each edge; None where nothing is left of any. Where
+        edges lie on each other and run the same way, the earlier one stays."""
         rows: list[tuple[list[int], bool]] = []
         for a, b, c in lines:
             row = [a * x + b * y + c for x, y in piece]
@@ -106,7 +106,7 @@ class Union:
         return covered if any(intervals is not None for intervals in covered) else None
 
     def clipped(self, ends: list[tuple[int, int, bool]], earlier: bool) -> Interval | None:
-        """What the lines leave of an edge, from their values at its ends. The third of each says
+        """The part of an edge that the lines leave, from their values at its ends. `opposite` says
         that the piece lies on the other side of the line, so that edges on it run opposite ways."""
         (ln, ld), (hn, hd) = (0, 1), (1, 1)
         for f0, f1, opposite in ends:
@@ -121,7 +121,7 @@ class Union:
         return ((ln, ld), (hn, hd)) if ln * hd < hn * ld else None
 
     def uncovered(self, intervals: list[Interval]) -> list[Interval]:
-        """What intervals leave of [0, 1]."""
+        """The parts of [0, 1] that the intervals leave."""
         left: list[Interval] = []
         reached: Ratio = (0, 1)
         for low, high in sorted(intervals, key=BY_BEGINNING):

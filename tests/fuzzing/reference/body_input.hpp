@@ -61,8 +61,8 @@ struct BodyPair {
 void expect_same(const std::string& law, const BodyPair& pair, const Polyhedron& expected,
                  const Polyhedron& actual);
 
-/// One input: `check` takes its bodies from the bytes, and has dice that hang on these alone. What
-/// it throws is a finding.
+/// Runs one input: `check` takes its bodies from the bytes, and its dice depend on them alone. An
+/// exception of `check` is a finding.
 int check_bodies(const std::uint8_t* data, std::size_t size,
                  const std::function<void(BodyPair&, Bytes&, Dice&)>& check);
 

@@ -20,8 +20,8 @@ struct MeetingScales {
 
 bool are_parallel(const RationalEdge& a, const RationalEdge& b);
 
-/// Of edges that are not parallel, through their moving intersection and a scale for each end point
-/// (the paper's way, corrected), in rational numbers.
+/// The scales at which two edges, not parallel, meet: through their moving intersection and a scale
+/// for each end point (the paper's way, corrected), in rational numbers.
 MeetingScales meeting_scales(const RationalEdge& a, const RationalEdge& b);
 
 /// Whether two closed edges have a point in common at a scale, by orientation signs alone.

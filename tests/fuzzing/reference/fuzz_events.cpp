@@ -27,7 +27,7 @@ std::string names(std::initializer_list<std::size_t> edges) {
 /// Scale, a, b, change.
 using Row = std::tuple<Rational, std::uint32_t, std::uint32_t, Change>;
 
-/// Of pairs that are not parallel: the events listed are the ends of the intervals.
+/// Checks pairs that are not parallel: the events listed are the ends of the intervals.
 void check_intervals(const Case& pair, const Edges& edges, const PairEvents& found,
                      const std::vector<Rational>& scales) {
   std::vector<Row> listed, expected;
@@ -56,7 +56,7 @@ void check_intervals(const Case& pair, const Edges& edges, const PairEvents& fou
          to_string(std::get<0>(first)) + " " + names({std::get<1>(first), std::get<2>(first)}));
 }
 
-/// What the events of one pair say of a scale: it meets, it does not; none where there are no
+/// Whether a pair of edges meets at a scale, as the events of the pair say; none where there are no
 /// events.
 std::optional<bool> told(const std::vector<const PairEvent*>& events,
                          const std::vector<Rational>& scales, const Rational& s) {
@@ -121,8 +121,8 @@ void check_nodes(const Case& pair, const ArrangementEvents& events) {
 /// Scale, edges, which of them sees the others swap.
 using Swap = std::tuple<Rational, std::uint32_t, std::uint32_t, std::uint32_t, std::uint8_t>;
 
-/// Of three edges no two of which are parallel: the triple events are the scales at which their
-/// lines pass through one point where two of them meet the third below and above.
+/// Checks triples of edges, no two parallel: the triple events are the scales at which their lines
+/// pass through one point where two of the edges meet the third below and above.
 void check_triples(const Case& pair, const ArrangementEvents& events) {
   const Edges& edges = events.moving();
   const auto n = static_cast<std::uint32_t>(edges.size());

@@ -1,4 +1,4 @@
-// What became of the inputs of a process, printed when it ends.
+// Numbers of valid, refused and other inputs of a process, printed when the process ends.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct InputTally {
   void print() const;
 };
 
-/// That of this process.
+/// The tally of this process.
 InputTally& tally();
 
 }  // namespace minkref::fuzzing

@@ -8,8 +8,8 @@
 
 namespace minkref::fuzzing {
 
-/// What a change works on. `other` is in the scale of `shape`: what fits it fits at the scale of
-/// the pair.
+/// The operands that a change works on. `other` is in the scale of `shape`: shapes that fit here
+/// fit at the scale of the pair.
 struct ChangeSite {
   Dice& dice;
   PolygonSet& shape;

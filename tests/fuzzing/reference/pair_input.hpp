@@ -12,8 +12,8 @@
 
 namespace minkref::fuzzing {
 
-/// What a target bears, so that it sees many pairs a second: vertices of an operand, and of one
-/// times those of the other. The mutator keeps to it.
+/// Limits that let a target see many pairs a second: vertices of an operand, and vertices of one
+/// operand times those of the other. The mutator keeps to these limits.
 struct Bounds {
   std::size_t vertices, product;
 };
@@ -22,7 +22,7 @@ extern const Bounds bounds;
 inline constexpr std::size_t most_digits = 48;
 inline constexpr std::size_t most_scales = 6;
 
-/// Reads a case; none where the text is not one. What follows its last brace is left out: libFuzzer
+/// Reads a case; none where the text is no case. Text after its last brace is left out: libFuzzer
 /// minimises with rests of longer texts behind a shorter one.
 std::optional<Case> read_pair(std::string_view text);
 

@@ -9,7 +9,7 @@
 namespace minkref::fuzzing {
 namespace {
 
-/// Of the vertices of P and of Q, where all events are looked for.
+/// The most pairs of vertices, one of P and one of Q, for which all events are looked for.
 constexpr std::size_t most_pairs = 64;
 
 Rational plain_scale(Dice& dice) {

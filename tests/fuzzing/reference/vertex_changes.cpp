@@ -39,7 +39,7 @@ std::pair<Point, Point> ChangeSite::some_edge(const PolygonSet& set) const {
 
 namespace {
 
-/// Of the size of the things around, or next to nothing.
+/// A step of the size of the edges around, or next to nothing.
 Rational some_step(const ChangeSite& c) {
   const Rational small[] = {1,
                             1,

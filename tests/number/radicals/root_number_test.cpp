@@ -66,7 +66,7 @@ TEST(RootNumber, SeesZerosOfRootsThatAreThereAlready) {
   const auto three = RootField::with_root_of(RootNumber(3).in(two.field()));
   std::vector<Rational> unit(4);
   const RootNumber root_of_three = sqrt(RootNumber(3).in(two.field()));
-  // Of another field object than `three`, so the sum must be refused, not guessed.
+  // The second root's field object is not `three`, so the sum must be refused, not guessed.
   EXPECT_THROW(root_of_three + sqrt(RootNumber(3)), std::logic_error);
   const RootNumber sum = two + root_of_three;
   // sqrt(5 + 2 sqrt(6)) = sqrt(2) + sqrt(3)

@@ -85,8 +85,8 @@ def sides_of_sum(P: _core.PolygonSet, Q: _core.PolygonSet, s: Fraction) -> list[
 def limits(
     edge: Edge, P: _core.PolygonSet, Q: _core.PolygonSet, s: Fraction, step: Fraction
 ) -> Iterator[tuple[Point, Point]]:
-    """What the edge's pieces on the boundary come to at s, from the side of `step`: between events
-    they move linearly, so that those at s + step and s + 2 step tell it."""
+    """Limits at s of the edge's pieces on the boundary, from the side of `step`: between events the
+    pieces move linearly, so that the pieces at s + step and s + 2 step tell the limits."""
     ps, qs = rings_of(P), rings_of(Q)
     found = [
         on_boundary(at_scale(edge, ps, qs, t), sides_of_sum(P, Q, t))

@@ -16,7 +16,7 @@ Numbers numbers_at(const PolygonSet& P, const PolygonSet& Q, const Rational& s) 
   return {sum.holes, sum.components, sum.region.vertices()};
 }
 
-/// What differs from the static sums between all arrangement events, and at each of them.
+/// Differences from the static sums, between all arrangement events and at each of them.
 std::string wrong_counts(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window) {
   const DynamicSum dynamic(P, Q, window);
   const ArrangementEvents& events = *dynamic.states().timeline().events;

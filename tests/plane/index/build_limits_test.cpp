@@ -111,7 +111,7 @@ TEST(BuildLimits, AreLookedAtWhileAStageLasts) {
     for (const auto& [step, count] : looks) all += step.first == stage ? count : 0;
     EXPECT_GT(all, 4) << static_cast<int>(stage);
   }
-  // Of the last stage each part, besides the look at its end.
+  // Each part of the last stage, besides the look at its end.
   for (std::uint64_t part = 1; part <= 5; ++part) {
     EXPECT_GT(looks.at({Stage::rings, part}), 1) << part;
   }

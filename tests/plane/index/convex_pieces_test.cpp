@@ -24,7 +24,7 @@ bool is_left_of_all(const Point& x, const std::vector<Point>& ring) {
   return true;
 }
 
-/// What is wrong with a piece: its corners are inside, and no edge of the region passes it.
+/// The fault of a piece: its corners must be inside, and no edge of the region may pass it.
 std::string fault(const ConvexPiece& piece, const PolygonSet& region) {
   std::vector<Point> ring;
   for (const Corner& c : piece.corners) ring.push_back(exact(c));

@@ -37,7 +37,7 @@ TEXTS = {
 }
 MODELS = {"letters": ("g1", "g2"), "right angles": ("g3", "g1")}
 NAMES = (*TEXTS, *MODELS, "huge and tiny", *(f"random {k}" for k in range(draws(3, 6))))
-# Of which a boundary is told in integers of more than one word.
+# A pair whose boundary needs integers of more than one word.
 LONG = "huge and tiny"
 
 
@@ -78,8 +78,8 @@ def scales(index: Index, most: int = draws(6, 12)) -> list[str]:
 
 
 def integers(words: NDArray[numpy.uint64]) -> Any:
-    """Of an array with the words of an integer along its last axis: nested lists of integers, or
-    the one integer."""
+    """Nested lists of integers, or a single integer, from an array whose last axis holds the words
+    of an integer."""
     if words.ndim > 1:
         return [integers(part) for part in words]
     data = words.astype("<u8").tobytes()
@@ -94,7 +94,7 @@ def exact_tracks(index: Index) -> list[tuple[Point, Point]]:
 
 
 def points(index: Index, rings: Rings) -> list[Point]:
-    """Of a form that is exact."""
+    """Points of the rings, in any exact form."""
     if rings.form == "homogeneous":
         return [(Fraction(x, w), Fraction(y, w)) for x, y, w in integers(rings.homogeneous)]
     if rings.form == "rational":

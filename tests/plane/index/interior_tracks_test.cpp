@@ -1,4 +1,4 @@
-// What doubles leave out is inside: against the exact test of points.
+// Tracks that doubles leave out are inside: against the exact test of points.
 #include "reference/plane/index/interior_tracks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is read off the index is the sum.
+// The region read off the index is the sum.
 #include "reference/plane/index/scale_index.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-"""What is asked of the index in Python singly, in batches and from several threads; its build."""
+"""Questions to the index in Python, singly, in batches and from several threads; its build."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from indexed_sums import FORMS, LONG, NAMES, Index, Rings, arrays, operands, sca
 from minkref import _core
 from minkref.plane.commands.scale_index import STAGES
 
-# What needs no rings.
+# Questions that need no rings.
 
 
 def test_the_area_is_within_its_error(index: Index) -> None:

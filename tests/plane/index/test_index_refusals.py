@@ -1,4 +1,4 @@
-"""What the index in Python refuses: scales, forms, windows, files, more memory than allowed."""
+"""Refusals of the index in Python: scales, forms, windows, files, more memory than allowed."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ def region(index: Index, rings: Rings) -> str:
     return _core.canonicalize(found)[0].canonical_json()
 
 
-# What the rings are.
+# The rings themselves.
 
 
 def test_rings_bound_the_sum_at_and_between_events(index: Index) -> None:

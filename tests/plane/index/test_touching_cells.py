@@ -20,7 +20,7 @@ from minkref.reports.evidence.plane_index.touching_rings import Task, cell_tasks
 from thoroughness import THOROUGH, draws
 
 SEED = 3
-# Of 2 x 2 and of 3 x 3 cells; in step with neither directions, orders nor windows.
+# Strides over 2 x 2 and over 3 x 3 cells; in step with neither directions, orders nor windows.
 EVERY = {2: draws(3, 1), 3: draws(211, 53)}
 DRAWN = range(60) if THOROUGH else range(3, 60, 4)  # regions and segments in each window
 

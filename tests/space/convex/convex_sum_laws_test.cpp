@@ -1,4 +1,4 @@
-// What holds of every sum of convex bodies.
+// Laws of every sum of convex bodies.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -140,7 +140,7 @@ TEST(ConvexSum, UpdatesOntoAndAcrossATieGiveWhatIsFoundFromScratch) {
   EXPECT_GE(ties, testing::repetitions(30));
 }
 
-/// What has drifted adds up over many updates: steps far below it must not get lost.
+/// Drift adds up over many updates: steps far below the drift must not get lost.
 TEST(ConvexSum, TinyStepsAfterManyHugeOnesGiveWhatIsFoundFromScratch) {
   const Rational half_step = 1 + Rational(1, Integer(1) << 34);
   const Polyhedron tent{

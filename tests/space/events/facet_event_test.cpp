@@ -45,7 +45,7 @@ struct FixedFacet {
   }
 };
 
-/// What two facets share: which sides bound it at either end of the line that their planes share.
+/// The common part of two facets: the sides that bound it at either end of the planes' common line.
 struct Shared {
   bool empty = false, is_point = false;
   std::set<std::size_t> first, last;

@@ -1,4 +1,4 @@
-// What cells of a grid cover lies in the interior of the sum.
+// Points covered by cells of a grid lie in the interior of the sum.
 #include "reference/space/edges/interior_cells.hpp"
 
 #include <gtest/gtest.h>
@@ -161,8 +161,7 @@ TEST(InteriorCells, WhatTheyContainIsInTheInterior) {
   EXPECT_GT(contained, 500U);
 }
 
-/// Of boxes whose sides are just beyond borders of cells, so that there is little left to be wrong
-/// in.
+/// Takes boxes with sides just beyond borders of cells: the margin for errors is small.
 TEST(InteriorCells, NoPointOfTheBoundaryIsContained) {
   constexpr int picked = 4;
   const Scaling wide{picked, picked, picked};  // so that means are integer points

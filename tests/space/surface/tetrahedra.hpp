@@ -99,7 +99,7 @@ class TetrahedraGrid {
   int n_;
 };
 
-/// What is counted on one side, of the full cells or of the empty ones.
+/// Counts on one side: of the full cells, or of the empty cells.
 struct CellCount {
   std::size_t components = 0;
   std::size_t shells = 0;

@@ -1,4 +1,4 @@
-"""What every hostile adapter keeps to, so that it harms nobody: a minute of life, fifty processes,
+"""Limits of every hostile adapter, so that it harms nobody: a minute of life, fifty processes,
 three gigabytes, files of one gigabyte, and signals to its own run alone."""
 
 from __future__ import annotations

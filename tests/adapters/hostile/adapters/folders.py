@@ -1,5 +1,5 @@
 """Files where none should be. Each is a marker `minkref-hostile...`, and nothing that is there is
-changed. What it could write, the adapter tells as its version."""
+changed. The version of the adapter tells which files it could write."""
 
 from __future__ import annotations
 

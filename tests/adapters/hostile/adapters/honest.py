@@ -16,8 +16,8 @@ Point = tuple[Fraction, Fraction]
 
 
 class Adapter:
-    """What it is told on its command line, as NAME=VALUE: `run`, a mark of the run, and `ports` and
-    folders to try. What came of a mischief it tells as its version."""
+    """Takes words NAME=VALUE on its command line: `run`, a mark of the run, and `ports` and folders
+    to try. Its version tells the outcome of a mischief."""
 
     declares: ClassVar[dict[str, Any]] = {}
     instead: ClassVar[str] = ""  # the verb that `mischief` is the answer to; else before `hello`
@@ -27,7 +27,7 @@ class Adapter:
         self.run = told["run"]
 
     def mischief(self, request: Request) -> str | None:
-        """What it does. The text becomes the version, where this is done before `hello`."""
+        """Does the mischief; its text becomes the version where the mischief precedes `hello`."""
         return None
 
     def hello(self, version: str) -> Answer:
@@ -107,7 +107,7 @@ def ring_of(operand: Any) -> list[Point]:
 
 
 def sum_of_convex(a: list[Point], b: list[Point]) -> list[Point]:
-    """Of two convex polygons that run counter-clockwise: their edges, merged by direction."""
+    """Merges the edges of two counter-clockwise convex polygons by direction."""
     a, b = from_lowest(a), from_lowest(b)
     ring, i, j = [], 0, 0
     while i < len(a) or j < len(b):

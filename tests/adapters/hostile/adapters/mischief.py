@@ -1,5 +1,5 @@
 """The hostile adapters as functions: `py:mischief:NAME` does when it is loaded, or called, what the
-adapter of this name does. What it is told stands in MINKREF_HOSTILE, as JSON."""
+adapter of this name does. MINKREF_HOSTILE holds the options of the adapter, as JSON."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""What lies outside of an adapter: environment, network, its parents, the terminal. What it got at,
-it tells as its version, in words that begin with `got`."""
+"""Things outside of an adapter: environment, network, its parents, the terminal. The version of the
+adapter names the things that it got at, in words that begin with `got`."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ class TakesItsParentsFiles(Adapter):
 
 
 class Privileges(Adapter):
-    """What a process may do that is more than another's."""
+    """Privileges of a process beyond those of others."""
 
     def mischief(self, request: Request) -> str:
         status = Path("/proc/self/status").read_text()

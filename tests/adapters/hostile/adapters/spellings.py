@@ -1,5 +1,5 @@
 """Numbers as no grammar has them, one after the other, at every verb, in the plane and in space.
-What the page allows (`n`, `n/d`, decimals, in ASCII digits) is none of these."""
+No number here is one that the page allows (`n`, `n/d`, decimals, in ASCII digits)."""
 
 from __future__ import annotations
 

@@ -130,7 +130,7 @@ LARGE = "POLYGON ((" + ", ".join(f"{k} {k * k}" for k in range(200_000)) + ", 0 
 
 
 def changing() -> list[Hostile]:
-    """What was read may be this or that; it must be one of them, and no crash."""
+    """Files that change while they are read: either content may be read, but nothing may crash."""
     changes = {"truncated": truncated, "overwritten": overwritten, "replaced": replaced}
     whole = index(lambda data: None)
     found = []
