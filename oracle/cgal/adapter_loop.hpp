@@ -12,7 +12,7 @@ namespace minkref::cgal_oracle {
 using SolidSum = std::function<Solid(const Solid& sP, const Solid& Q)>;
 
 /// Answers requests until `stop` or the end of the input, in this process: whoever runs an adapter
-/// limits it. `hello` is the declaration. What CGAL prints goes to the log. Returns the exit code.
+/// limits it. `hello` is the declaration. CGAL's output goes to the log. Returns the exit code.
 int serve_adapter(const nlohmann::json& hello, const SolidSum& sum);
 
 }  // namespace minkref::cgal_oracle

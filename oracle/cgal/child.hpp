@@ -34,7 +34,7 @@ struct Outcome {
 
 /// Forks, runs `work` there under the limits, and reads what it returns from a pipe. The child has
 /// no standard input, its standard output goes to standard error, it writes no core, and it dies
-/// with its parent. What happens in it does not reach the caller but as an Outcome. Throws
+/// with its parent. Only an Outcome of the child reaches the caller. Throws
 /// std::system_error where the system refuses a pipe or a process.
 Outcome run_in_child(const Limits& limits, const std::function<std::string()>& work);
 

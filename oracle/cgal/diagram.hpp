@@ -30,9 +30,10 @@ struct DiagramVertex {
   double x, y, squared_radius;
 };
 
-/// Of segments that meet in ends only. A vertex that is as far from k sites comes k - 2 times;
-/// those at ends of segments, whose distance is zero, are left out. All decisions are exact: by the
-/// filtered traits where doubles hold all coordinates, else over rationals alone.
+/// The diagram vertices of segments that meet in ends only. A vertex that is as far from k sites
+/// comes k - 2 times; vertices at ends of segments, whose distance is zero, are left out. All
+/// decisions are exact: by the filtered traits where doubles hold all coordinates, else over
+/// rationals alone.
 std::vector<DiagramVertex> diagram_of(const std::vector<Segment>& segments);
 
 }  // namespace minkref::cgal_oracle

@@ -9,7 +9,7 @@
 
 namespace minkref::cgal_oracle {
 
-/// Until the input ends. What `answer` throws, CGAL's failures too, is {"error": what}.
+/// Answers lines until the input ends; exceptions, CGAL's failures too, by {"error": what}.
 template <class Answer>
 void answer_lines(Answer&& answer) {
   for (std::string line; std::getline(std::cin, line);) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an executable offers: implemented once by each unit that includes CGAL.
+// The methods of an executable: implemented once by each unit that includes CGAL.
 #pragma once
 
 #include <span>

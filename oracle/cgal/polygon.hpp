@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes in and what comes out: one polygon with holes, exact coordinates, no CGAL.
+// Input and output: one polygon with holes, exact coordinates, no CGAL.
 #pragma once
 
 #include <gmpxx.h>

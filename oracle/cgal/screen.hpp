@@ -15,8 +15,7 @@ namespace minkref::cgal_oracle {
 /// other. Where `holes` is false, without holes. (CGAL reads an empty boundary as the whole plane,
 /// and its polygon with holes that touch leaves open what its algorithms do there: such operands
 /// would convict CGAL of what it never promised.) Throws BadOperand where a ring is turned the
-/// wrong way. That a ring does not cross itself is the caller's word. Exact; O(n log n) on usual
-/// input.
+/// wrong way. The caller promises that no ring crosses itself. Exact; O(n log n) on usual input.
 std::optional<std::string> outside_of_cgal(const std::vector<Polygon>& operand, bool holes,
                                            const std::string& name);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an executable offers behind the protocol: implemented once by each kind of executable.
+// The service of an executable behind the protocol: implemented once by each kind of executable.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ nlohmann::json description();
 /// Whether `method` is one of this executable's (self-tests apart).
 bool has_method(const std::string& method);
 
-/// What the child does: reads the operands, asks CGAL, and returns {"status":..., ...}; status is
+/// The work of the child: reads the operands, asks CGAL, and returns {"status":..., ...}; status is
 /// result, skipped or errored. May throw anything.
 nlohmann::json answer_of(const Request& request);
 

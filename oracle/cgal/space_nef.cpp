@@ -36,7 +36,7 @@ struct BuildShell : CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
   }
 };
 
-/// What a shell encloses, whatever way its faces run.
+/// The set that a shell encloses, whatever way its faces run.
 Nef enclosed(Solid shell, bool inside_out) {
   if (inside_out) {
     for (Face& face : shell.faces) std::reverse(face.begin(), face.end());

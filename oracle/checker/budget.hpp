@@ -1,4 +1,4 @@
-// What a certificate may cost.
+// The budget for checking a certificate.
 #pragma once
 
 #include <gmpxx.h>

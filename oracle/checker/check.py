@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Checks certificates of Minkowski sums: `python3 check.py FILE...`. Of sums sP + Q in the plane
-(certificate-v1), of sums of convex polyhedra (convex-certificate-v1), of sums of any polyhedra
-(solid-certificate-v1), and of parts that move along paths in the plane (path-certificate-v1).
+"""Checks certificates of Minkowski sums: `python3 check.py FILE...`. The forms: sums sP + Q in the
+plane (certificate-v1), sums of convex polyhedra (convex-certificate-v1), sums of any polyhedra
+(solid-certificate-v1), and parts that move along paths in the plane (path-certificate-v1).
 
-It stands alone: this file and the standard library. What the members mean, what each rule demands
-and why that is enough: docs/certificates.md, docs/certificates-convex.md for convex polyhedra,
+The checker stands alone: this file and the standard library. The members, the demands of each rule
+and why they are enough: docs/certificates.md, docs/certificates-convex.md for convex polyhedra,
 docs/certificates-solids.md for others and docs/certificates-paths.md for paths. Signs are decided
-in integers and fractions. What is unknown, unused or left over makes a certificate malformed. The
+in integers and fractions. Anything unknown, unused or left over makes a certificate malformed. The
 parts: what all forms share; the plane, and paths in it; space, convex and not; the certificate as a
 whole.
 
@@ -75,7 +75,7 @@ def require(condition: bool, what: str) -> None:
 
 @contextmanager
 def within(place: str) -> Iterator[None]:
-    """What is wrong inside is said with its place."""
+    """Puts the place before the message of an error inside."""
     try:
         yield
     except NotVerified as error:
@@ -83,7 +83,7 @@ def within(place: str) -> Iterator[None]:
 
 
 class Budget:
-    """What may still be spent."""
+    """The time and the tests that may still be spent."""
 
     def __init__(self, seconds: float, tests: float) -> None:
         self.deadline, self.tests = time.monotonic() + seconds, tests
@@ -445,7 +445,7 @@ class Region:
         demand(len(turns) > 2 and is_convex(turns), f"cell {cell} is not convex")
 
     def check_box(self) -> None:
-        """What is left of the edges of all cells is the rim of the box, which holds the sum."""
+        """Edges with a cell on one side only are the rim of the box, which holds the sum."""
         rim = [edge for edge in self.owner if edge[::-1] not in self.owner]
         for u, v in rim:
             ends = [*self.points[u], *self.points[v]]
@@ -644,7 +644,7 @@ class Proof:
         self.shown.append(shown)
 
     def follow(self, steps: Json, claims: Json) -> list[str]:
-        """What is claimed."""
+        """Checks steps and claims; returns the claims as texts."""
         for what, entries, add in (
             ("step", steps, self.add_step),
             ("claim", claims, self.add_claim),
@@ -789,7 +789,7 @@ def moving(value: Json) -> Vertex:
 
 
 def segments(path: list[Vertex]) -> list[tuple[Vertex, Vertex]]:
-    """Of one place a segment from it to itself."""
+    """From each place to the next; a single place gives a segment from it to itself."""
     return list(itertools.pairwise(path)) or [(path[0], path[0])]
 
 
@@ -798,7 +798,7 @@ def at_corners(f: Triple, cell: list[Corner]) -> list[int]:
 
 
 def not_above(f: Triple, cell: list[Corner]) -> list[Corner]:
-    """What a convex polygon has where f <= 0."""
+    """The part of a convex polygon where f <= 0."""
     levels = at_corners(f, cell)
     kept: list[Corner] = []
     for i, (c, level) in enumerate(zip(cell, levels, strict=True)):
@@ -907,7 +907,7 @@ class Clear:
                 self.follow(Way(self, ends), items(code))
 
     def left(self, cell: list[Corner], f: Triple) -> list[Corner]:
-        """What of a cell f does not hold apart."""
+        """The part of a cell that f does not hold apart."""
         self.proof.spend(len(cell))
         rest = not_above(f, cell)
         overlap = self.contact == "forbidden" or min(at_corners(f, cell)) < 0
@@ -936,7 +936,7 @@ class Clear:
 
 
 class PathProof(Proof):
-    """Of a case of R, O and a path."""
+    """The proof for a case of R, O and a path."""
 
     rules: ClassVar[dict[str, Any]] = {"pieces": Pieces, "clear": Clear}
     claims = ("free", "hit", "valid", "escapes", "trapped", "trap")
@@ -1172,7 +1172,7 @@ class Body:
         require(used, f"{name} has a vertex in no face")
 
     def plain(self) -> Json:
-        """What is hashed: numbers in lowest terms."""
+        """The value that is hashed, with numbers in lowest terms."""
         return {"faces": self.faces, "vertices": [[str(c) for c in point] for point in self.exact]}
 
     def check(self, unit: int, budget: Budget) -> None:
@@ -1256,7 +1256,7 @@ class ConvexSum:
         self.sextuple += dot_in_space(area, corners[0])
 
     def check_claim(self, claim: list[Json]) -> str:
-        """What is claimed."""
+        """Checks a claim and returns its text."""
         scaling, vertices, facets, volume, digest = claim
         demand(space_vector(scaling) == self.scaling, "the sum is at another scaling")
         counts = [integer(vertices), integer(facets)] == [len(self.points), len(self.rings)]
@@ -1291,8 +1291,8 @@ def shortest(a: SpaceVector) -> SpaceVector:
 
 
 def below(polygon: list[Homogeneous], half: HalfSpace, budget: Budget) -> list[Homogeneous]:
-    """What a convex polygon with an area has below a plane, and nothing if that has no area; where
-    the polygon lies in the plane, all of it."""
+    """The part below a plane of a convex polygon with an area: nothing if the part has no area; all
+    of the polygon where it lies in the plane."""
     budget.spend(len(polygon))
     (a, b, c), height = half
     levels = [a * x + b * y + c * z - height * w for x, y, z, w in polygon]
@@ -1396,8 +1396,8 @@ def read_pieces(value: Json, body: Body) -> tuple[list[SpacePoint], list[list[in
 
 
 def check_pieces(body: Body, pieces: list[Hull], budget: Budget) -> None:
-    """That the facets of the pieces, less the faces of the operand, cancel: in each plane, on each
-    of its lines, each point is the start of as many edges as it is the end of."""
+    """Demands that the facets of the pieces, less the faces of the operand, cancel: in each plane,
+    on each of its lines, each point is the start of as many edges as it is the end of."""
     ends: Counter[Any] = Counter()
 
     def count(normal: SpaceVector, ring: Sequence[SpaceVector], times_: int) -> None:
@@ -1551,7 +1551,7 @@ class SolidSum:
         return True
 
     def check_claim(self, claim: list[Json]) -> str:
-        """What is claimed."""
+        """Checks a claim and returns its text."""
         scaling, planes, polygons, volume, digest = claim
         demand(space_vector(scaling) == self.scaling, "the sum is at another scaling")
         form = CanonicalForm(self.faces, self.unit, self.budget)
@@ -1564,7 +1564,7 @@ class SolidSum:
 
 
 class CanonicalForm:
-    """Of a set whose boundary is tiled by convex polygons, by their oriented planes."""
+    """The form of a set whose boundary is tiled by convex polygons, by their oriented planes."""
 
     def __init__(
         self, faces: dict[tuple[SpaceVector, int], list[list[Homogeneous]]], unit: int,
@@ -1595,7 +1595,7 @@ class CanonicalForm:
         return True
 
     def value(self) -> Json:
-        """That of a convex polyhedron where it is one."""
+        """The form as JSON; for a convex polyhedron, faces and vertices."""
         corners = [
             [[lifted(p, normal, offset) for p in ring] for rings in region for ring in rings]
             for normal, offset, region in self.planes
@@ -1815,7 +1815,7 @@ def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budge
 
 
 def said_of(sums: Sequence[Any], claims: Json, names: str, budget: Budget) -> list[str]:
-    """What is claimed of sums in space."""
+    """Checks claims about sums in space; returns them as texts."""
     require(len({one.scaling for one in sums}) == len(sums), "two sums are at one scaling")
     require(len(set(map(digest_of, items(claims)))) == len(claims), "a claim is made twice")
     said: list[str] = []
@@ -1841,7 +1841,7 @@ FORMS: dict[Any, tuple[str, Checked]] = {  # and the member that holds the argum
 
 
 def check(path: Path, case: Path | None, seconds: float, tests: float, size: float) -> list[str]:
-    """What a certificate proves. Raises NotVerified."""
+    """The claims that a certificate proves, as texts. Raises NotVerified."""
     certificate = read_json(path, size, decimals=False)
     form = certificate.get("certificate") if isinstance(certificate, dict) else None
     known = isinstance(form, str) and form in FORMS

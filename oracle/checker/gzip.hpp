@@ -10,8 +10,8 @@ namespace minkref::checker {
 /// Whether a file begins as one that gzip wrote.
 bool is_gzip(std::string_view data);
 
-/// What was compressed. Throws NotVerified: malformed for what is not one whole member with the
-/// right checksum and length and nothing after it, out of budget for more than `most` bytes.
+/// The data decompressed. Throws NotVerified: malformed for data that is not one whole member with
+/// the right checksum and length and nothing after it, out of budget for more than `most` bytes.
 std::string gunzip(std::string_view data, std::size_t most);
 
 }  // namespace minkref::checker

@@ -19,7 +19,7 @@ std::string_view without_sign(std::string_view text) {
   return text.substr(!text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0);
 }
 
-/// Of an exponent: at most three digits, or 1000.
+/// Whether an exponent has at most three digits, or is 1000.
 bool is_exponent(std::string_view text) {
   const std::string_view digits = without_sign(text);
   return is_digits(digits) && (digits.size() <= 3 || digits == "1000");

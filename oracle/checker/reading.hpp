@@ -28,7 +28,7 @@ mpq_class number(const Value& value);
 mpz_class whole(const Value& value);
 mpq_class scale(const Value& value);
 const std::string& text(const Value& value);
-/// Of a case: a text without U+0000 whose part behind the last slash is neither empty nor a dot.
+/// The path of a case: text without U+0000, its part behind the last slash neither empty nor a dot.
 const std::string& path(const Value& value);
 
 struct Vector {

@@ -29,7 +29,7 @@ class Bridge:
 
     @property
     def square(self) -> Fraction:
-        """Of half its length."""
+        """The square of half its length."""
         return ((self.a[0] - self.b[0]) ** 2 + (self.a[1] - self.b[1]) ** 2) / 4
 
     @property

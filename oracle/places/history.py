@@ -1,4 +1,4 @@
-"""What becomes of holes and components, by bridges and chambers: as the radius shrinks, chambers
+"""The history of holes and components, by bridges and chambers: as the radius shrinks, chambers
 are joined across ever shorter bridges; as it grows, polygons are joined by ever longer ones."""
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ Row = tuple[Mapping[str, Any], Found]
 
 
 def history_faults(boundary: Boundary, rows: Sequence[Row]) -> list[str]:
-    """What is wrong with the changes that `minkref events P disc --kind topology` lists, all of
-    them; each row with its event as event_faults found it. Exact, but that no chamber without an
-    end of a hole has room for one is looked at in doubles. O(n^3) for n edges."""
+    """Faults in `rows`: all changes that `minkref events P disc --kind topology` lists, each with
+    its event as event_faults found it. Exact, but doubles decide that no chamber without an end of
+    a hole has room for one. O(n^3) for n edges."""
     across = sorted(bridges(boundary), key=lambda bridge: bridge.square)
     holes = _Holes(boundary, across, rows)
     return [*holes.faults(), *_join_faults(boundary, across, rows)]

@@ -12,8 +12,8 @@ FINE = 2e-3  # of the size of the chamber: what is told apart
 
 def holds_more(ring: Sequence[Point], walls: Sequence[tuple[Point, Point]], reach: float) -> bool:
     """Whether a place inside of a chamber is clearly farther away than `reach` from its walls and
-    corners. What is nearest to the place is one of these: from behind a bridge the nearest point
-    would be in the disc over it."""
+    corners. One of these is nearest to the place: from behind a bridge the nearest point would be
+    in the disc over the bridge."""
     own = [Edge(0, k, 0, p, q) for k, (p, q) in enumerate(walls)]
     sides = [Edge(0, k, 0, p, q) for k, (p, q) in enumerate(zip(ring, [*ring[1:], ring[0]],
                                                                 strict=True))]  # fmt: skip

@@ -9,8 +9,8 @@
 
 namespace minkref::sampled {
 
-/// Of a state of the boundary: rings and vertices of the canonical form, components of the
-/// interior, bounded ones of the complement.
+/// Counts for a state of the boundary: rings and vertices of the canonical form, components of the
+/// interior, bounded components of the complement.
 struct Counts {
   int rings = 0, vertices = 0, components = 0, holes = 0;
   friend bool operator==(const Counts&, const Counts&) = default;

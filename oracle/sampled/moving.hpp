@@ -51,7 +51,7 @@ struct Moving {
       for (const auto& q : Q.pieces) pieces.push_back(sum_of(p, q));
     }
     if constexpr (!std::is_same_v<Int, mpz_class>) find_sizes();
-    // Of the products of candidates: offsets times two directions, compared as fractions.
+    // Room for the products of candidates: offsets times two directions, compared as fractions.
     const long double root = 8 * coefficient * direction * direction;
     demand_room<Int>(64 * root * root);
   }

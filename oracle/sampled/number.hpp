@@ -18,7 +18,7 @@ __extension__ typedef __int128 Wide;
 /// A narrow integer may not hold what comes: to be done again with a wider one.
 struct TooLarge : std::exception {};
 
-/// What a number may not exceed so that nothing overflows; half of what would.
+/// The size that a number may not exceed, so that nothing overflows; half of the size that would.
 template <class Int>
 constexpr long double room() {
   if constexpr (std::is_same_v<Int, Narrow>) return 0x1p62L;

@@ -50,8 +50,8 @@ bool within_turn(const Vec<Int>& u, const Vec<Int>& d, const Vec<Int>& w) {
   return cross(u, d) > 0;
 }
 
-/// Of rings of a polygon set: outer ones counter-clockwise, holes clockwise; or of two points, or
-/// one. Throws BadOperand where they do not bound a set that pieces tile.
+/// The operand of rings of a polygon set: outer ones counter-clockwise, holes clockwise; or of two
+/// points, or one. Throws BadOperand where the rings do not bound a set that pieces tile.
 template <class Int>
 Operand<Int> operand_of(const Rings& rings);
 

@@ -16,8 +16,7 @@ struct State {
   std::vector<BoundaryEdge<Int>> edges;
   std::vector<Point<Int>> points;          ///< ascending
   std::vector<std::pair<int, int>> lines;  ///< of each point: two edges there that are not parallel
-  /// Of the canonical form, but that straight vertices stay, which are where the boundary touches
-  /// itself.
+  /// Rings of the canonical form, but straight vertices stay, where the boundary touches itself.
   std::vector<std::vector<RingVertex>> rings;
   Counts counts;
 };

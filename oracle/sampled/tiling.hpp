@@ -13,9 +13,9 @@ struct Side {
   bool gone = false;
 };
 
-/// Of the set whose boundary is `edges` (numbers of `points`, the set to the left), which meet at
-/// ends only. Takes diagonals while there is one, then leaves out those that two convex faces can
-/// do without. O(n^3).
+/// Tiles the set whose boundary is `edges` (numbers of `points`, the set to the left). Edges meet
+/// at ends only. Takes diagonals while there is one, then leaves out those that two convex faces
+/// can do without. O(n^3).
 template <class Int>
 class Tiling {
  public:

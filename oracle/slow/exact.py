@@ -15,7 +15,7 @@ Vector = tuple[int, int]
 
 
 class InputError(ValueError):
-    """What was given is no operand, no scale, no file that can be read; the text says why."""
+    """The input is no operand, no scale, no file that can be read; the text says why."""
 
 
 def number(text: str) -> Fraction:

@@ -1,4 +1,4 @@
-"""What two operands in convex pieces have at all scales: directions and, along each, supports.
+"""Two operands in convex pieces at all scales: directions and, along each, supports.
 
 For a direction d (integer, primitive) a convex piece has the least value of cross(d, x), the points
 where it is attained (its face: a vertex or an edge in direction d, with the piece on its left), and
@@ -32,7 +32,7 @@ def face(piece: Piece, d: Vector) -> Face:
 
 
 def upward(d: Vector) -> Vector:
-    """Of d and -d the one to the right, or upwards."""
+    """The direction among d and -d that points to the right, or upwards."""
     return d if d > (0, 0) else (-d[0], -d[1])
 
 

@@ -65,7 +65,7 @@ def hole_links(below: State, at: State, above: State) -> list[Link]:
     for index, part in enumerate(at.complement):
         point = sample(at.outline.plane, part, at.outline.edges, at.side.unit, ())
         i, j = (place_of(side, side.complement, point) for side in (below, above))
-        # What is in no hole is in the outside, which no ring goes around.
+        # A part in no hole is in the outside, which no ring goes around.
         triples.append((0 if i is None else i + 1, index + 1, 0 if j is None else j + 1))
     states = (below, at, above)
     return linked(triples, tuple(len(each.complement) + 1 for each in states))  # type: ignore[arg-type]

@@ -1,8 +1,8 @@
 """Operands: a polygon set, a segment, a point or the empty set, and the JSON texts that hold one.
 
 Checked: numbers, structure, numbers of vertices, edges of length zero, rings of area zero, and that
-a segment or point stands alone. What the rings are to each other, and that they are simple, is
-checked where files are read (validity.py); a caller of `operand_from_json` is taken at his word.
+a segment or point stands alone. How the rings lie, and that they are simple, is checked
+where files are read (validity.py); a caller of `operand_from_json` is taken at his word.
 """
 
 from __future__ import annotations

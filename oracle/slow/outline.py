@@ -2,7 +2,7 @@
 inside.
 
 On each line the closed intervals of edges are cut by the open intervals inside of a convex sum.
-What is left is on the boundary where edges run one way, and a tight segment where they run both
+The rest is on the boundary where edges run one way, and a tight segment where they run both
 ways, since then both sides are covered. A point of an edge that no open sum covers, between two
 stretches that open sums cover, is a tight point if it is neither on the boundary nor on a tight
 segment.

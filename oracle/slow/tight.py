@@ -42,7 +42,7 @@ def pieces(found: Outline) -> list[list[Node]]:
         if len(at[node]) != 2:
             lines += [follow(edge) for edge in at[node] if (edge.start, edge.end) not in used]
     for node in sorted(at):
-        # What is left are closed polylines that meet no other.
+        # The rest are closed polylines that meet no other.
         lines += [follow(edge) for edge in at[node][:1] if (edge.start, edge.end) not in used]
     found_pieces = [canonical(line) for line in lines]
     found_pieces += [[point] for point in found.points]

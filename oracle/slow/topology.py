@@ -1,5 +1,5 @@
-"""What the sum is at, just below and just above a scale, and what changes there, without any
-event being known."""
+"""The sum at, just below and just above a scale, and the changes there, without any event being
+known."""
 
 from __future__ import annotations
 

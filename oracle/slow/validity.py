@@ -2,7 +2,7 @@
 
 - A ring is simple: two of its edges have nothing in common but the vertex between neighbours.
 - Two rings have no stretch in common, and do not cross: cut at the points that they share, one lies
-  inside of the other with all pieces, or outside with all. Of each piece one point is looked at.
+  inside of the other with all pieces, or outside with all. One point of each piece is looked at.
 - A hole lies inside of its outer ring, and in no other hole of its polygon.
 - Outer rings lie outside of each other, or one in a hole of the other's polygon.
 
@@ -50,7 +50,7 @@ def refuse_invalid(polygons: Sequence[Polygon]) -> None:
 
 
 def containments(rings: Sequence[Ring], names: Sequence[str]) -> list[set[int]]:
-    """Of each ring, those it lies inside of. InputError where a ring is not simple or two rings
+    """For each ring, the rings around it. InputError where a ring is not simple or two rings
     overlap or cross."""
     shared = shared_points(rings, names)
     holders: list[set[int]] = [set() for _ in rings]

@@ -79,8 +79,8 @@ def witness(P: Operand | Pieces, Q: Operand | Pieces, scale: Fraction, x: Point)
 
 
 def relative_interior_meets(a: Corners, b: Corners, common: Common) -> bool:
-    """Whether the open pieces meet: the centre of what they have in common is then inside of both.
-    Of a segment the ends do not count, of a point the point does."""
+    """Whether the open pieces meet: the centre of their intersection is then inside of both. The
+    ends of a segment do not count; a single point does."""
     x, y = centre(common)
     for piece in (a, b):
         if len(piece) >= 3:

@@ -3,7 +3,7 @@
 The two segments as sets of points are X(s, t) and Y(s, u), written down as docs/definitions.md has
 them. Contact at scale s means that X(s, t) = Y(s, u) has a solution with t and u in [0, 1]. Contact
 can only begin or end where t or u is 0 or 1, so that condition is put in and the other unknown
-eliminated. What is left is a polynomial in s. It is given in its factors; which of them bounds
+eliminated. The result is a polynomial in s, given in its factors; which of the factors bounds
 contact, and on which side, is not asked here.
 """
 

@@ -31,7 +31,7 @@ class MovingSegment:
             raise ValueError("the parent edge of a moving segment has length zero")
 
     def direction(self) -> Point:
-        """That of the parent edge; it does not depend on s."""
+        """The direction of the parent edge; it does not depend on s."""
         x = self.data if self.kind == "S" else self.data[2:]
         return x[2] - x[0], x[3] - x[1]
 

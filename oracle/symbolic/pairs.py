@@ -1,7 +1,7 @@
 """When two moving segments meet: the exact set of scales, and its events.
 
 Candidates are the roots of the general solutions; which scales belong to the set is decided at the
-candidates and between neighbours by looking at the two segments there. That is enough: contact
+candidates and between neighbours by looking at the two segments there. This is enough: contact
 begins and ends only where an end of the one lies on the line of the other (parallel segments on one
 line: on an end of the other), and all these scales are candidates.
 """
@@ -34,7 +34,7 @@ class Interval:
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """What changes at scale `s`, at the point `at`, or along the segment from `at` to `to`."""
+    """A change at scale `s`, at the point `at`, or along the segment from `at` to `to`."""
 
     s: Rational
     change: str

@@ -1,4 +1,4 @@
-"""What segments have in common at one scale, from the definition: the points that lie on each.
+"""The common points of segments at one scale, from the definition: the points that lie on each.
 
 Nothing here knows that the segments move. Every membership in this package is decided here.
 """

@@ -39,7 +39,7 @@ bool winds_around(const Path& ring, const Point& x) {
   return times != 0;
 }
 
-/// What a claim says of the path, or of the place, for later ones.
+/// A claim about the path, or about the place, as later claims use it.
 struct Said {
   std::string kind;
   bool strict;
@@ -339,7 +339,7 @@ class PathCertificate {
     return "trapped" + said(step.scales, step.strict);
   }
 
-  /// That a moving place is in B + -sA at all the scales; with contact allowed inside of it.
+  /// Demands that a moving place is in B + -sA at all the scales; inside it with contact allowed.
   void check_inside(const MovingPlace& place, const PiecesOfBoth& by, std::uint32_t A,
                     std::uint32_t B, const Clear& step) {
     std::vector<Vector> normals = sides(by[1]->hulls[B]);

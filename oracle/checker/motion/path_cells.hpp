@@ -25,7 +25,7 @@ struct Gap {
   mpz_class at(const Corner& corner) const { return a * corner.t + b * corner.s + c * corner.w; }
 };
 
-/// What of a cell is where the gap is not positive.
+/// The part of a cell where the gap is not positive.
 Cell not_above(const Gap& gap, const Cell& cell);
 /// A cell cut in the middle of its places: the later half, the earlier one.
 std::array<Cell, 2> halves(const Cell& cell);
@@ -64,7 +64,7 @@ struct MovingPlace {
 };
 using MovingPath = std::vector<MovingPlace>;
 MovingPlace moving(const Value& value);
-/// Of places with two numbers, which stay, or four: x0, x1, y0, y1.
+/// Reads places with two numbers, which stay, or with four: x0, x1, y0, y1.
 MovingPath read_moving_path(const Value& value);
 MovingPath staying(const Path& path);
 

@@ -20,7 +20,7 @@ class Clear {
   bool apart(const MovingPlace& place, const Vector& normal) const;
 
  private:
-  /// What of a cell the gap does not hold apart.
+  /// The part of a cell that the gap does not hold apart.
   Cell left(const Cell& cell, const Gap& gap) const;
   void follow(const Way& way, const std::vector<Value>& code) const;
   bool is_empty() const { return by_[0]->hulls.empty() || by_[1]->hulls.empty(); }

@@ -9,7 +9,7 @@
 namespace minkref::checker {
 namespace {
 
-/// What a claim is about, for later ones: nothing, the region of a sum, or those of an interval.
+/// The regions of a claim, for later claims: none, that of a sum, or those of an interval.
 using Shown = std::vector<const Region*>;
 
 class Certificate {

@@ -5,7 +5,7 @@
 
 namespace minkref::checker {
 
-/// What a certificate proves, a line a claim. `read_case` gives the case by the path that the
+/// The proven claims of a certificate, a line each. `read_case` gives the case by the path that the
 /// certificate names. Throws NotVerified.
 std::vector<std::string> check(const Value& certificate,
                                const std::function<Value(const std::string&)>& read_case,

@@ -16,7 +16,7 @@ struct FacePlane {
 
 std::size_t seen_along(const Whole& normal) { return normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2; }
 
-/// What runs counter-clockwise seen from outside is seen to run clockwise.
+/// Whether rings counter-clockwise from outside are seen to run clockwise.
 bool is_mirrored(const Whole& normal) {
   const std::size_t axis = seen_along(normal);
   return (normal[axis] > 0) == (axis == 1);

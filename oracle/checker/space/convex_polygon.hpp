@@ -16,8 +16,8 @@ using ConvexPolygon = std::vector<Corner>;
 /// normal * x <= height
 using HalfSpace = std::pair<Whole, mpz_class>;
 
-/// What a convex polygon with an area has below a plane: empty if that has no area, null if it is
-/// all of it, also where the polygon lies in the plane.
+/// The part below a plane of a convex polygon with an area: empty if the part has no area, null if
+/// it is the whole polygon, also where the polygon lies in the plane.
 std::optional<ConvexPolygon> below(const ConvexPolygon& polygon, const HalfSpace& half,
                                    Budget& budget);
 

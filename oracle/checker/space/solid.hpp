@@ -13,7 +13,7 @@ namespace minkref::checker {
 /// Whether this says of itself that it is a certificate of this form.
 bool is_solid_certificate(const Value& certificate);
 
-/// What a certificate proves, a line a claim. `read_case` gives the case by the path that the
+/// The proven claims of a certificate, a line each. `read_case` gives the case by the path that the
 /// certificate names. Throws NotVerified.
 std::vector<std::string> check_solids(const Value& certificate,
                                       const std::function<Value(const std::string&)>& read_case,

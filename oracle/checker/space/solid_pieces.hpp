@@ -23,7 +23,7 @@ struct Hull {
   bool holds(const Whole& point) const;
 };
 
-/// What a certificate says of the pieces of an operand.
+/// The pieces of an operand as a certificate gives them.
 struct PieceList {
   std::vector<Triple> points;  ///< the vertices of the operand, and what is added to them
   std::vector<Ring> hulls;
@@ -32,7 +32,7 @@ PieceList read_pieces(const Value& value, const Body& body);
 
 std::vector<Hull> hulls_of(const PieceList& list, const std::vector<Whole>& points, Budget& budget);
 
-/// That the facets of the pieces, less the faces of the operand, cancel. Throws NotVerified.
+/// Demands that the facets of the pieces, less the operand's faces, cancel. Throws NotVerified.
 void check_tiling(const Body& body, const std::vector<Hull>& pieces, Budget& budget);
 
 /// The corners of a corner, an edge or a facet of a piece, ascending.

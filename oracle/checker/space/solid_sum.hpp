@@ -23,7 +23,7 @@ class SolidSum {
   SolidSum(const SolidSum&) = delete;
 
   const Triple& scaling() const { return scaling_; }
-  /// What is claimed.
+  /// Checks a claim and returns its text.
   std::string check_claim(const std::vector<const Value*>& claim) const;
 
  private:

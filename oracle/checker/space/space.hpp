@@ -1,4 +1,4 @@
-// What the forms of certificates in space share: vectors, rings, operands, claims.
+// Shared by the forms of certificates in space: vectors, rings, operands, claims.
 #pragma once
 
 #include <gmpxx.h>
@@ -47,7 +47,7 @@ Triple triple(const Value& value);
 /// The products, which are whole numbers.
 Whole times(const Triple& factors, const Triple& point);
 std::string to_text(const Triple& point);  ///< `x, y, z`
-/// Of faces and vertices: what is hashed.
+/// The text of faces and vertices that is hashed.
 std::string canonical_json(const std::vector<Ring>& faces, const std::vector<Triple>& vertices);
 
 /// A polyhedron, its vertices and faces in the order of the file.
@@ -77,7 +77,7 @@ InSpace open_in_space(const Value& certificate, const std::string& form,
 /// `unit` becomes what also makes the coordinates of these points whole.
 void add_denominators(const std::vector<Triple>& points, mpz_class& unit, Budget& budget);
 
-/// What is claimed of sums, a line a claim; `names`: what a claim says of one.
+/// Checks claims about sums and returns a line for each; `names`: further members of a claim.
 template <class Sums>
 std::vector<std::string> check_claims(const Value& claims, const Sums& sums,
                                       const std::string& names, Budget& budget) {

@@ -83,8 +83,8 @@ class Exposed:
 
 
 def of_faces(faces: Iterable[list[Place]]) -> Exposed:
-    """Of planar faces that run counter-clockwise seen from outside; those in one oriented plane
-    have disjoint interiors, or InputError."""
+    """The set of planar faces that run counter-clockwise seen from outside. InputError where faces
+    in one oriented plane do not have disjoint interiors."""
 
     def rows() -> Iterable[tuple[SpacePlane, list[Segment]]]:
         for face in faces:
@@ -96,7 +96,7 @@ def of_faces(faces: Iterable[list[Place]]) -> Exposed:
 
 
 def exposed(rows: Iterable[tuple[SpacePlane, list[Segment]]]) -> Exposed:
-    """Of the directed boundaries, each with the set on its left as it is seen in its plane."""
+    """The set with these directed boundaries, each with the set on its left, seen in its plane."""
     segments: dict[SpacePlane, list[Segment]] = defaultdict(list)
     for plane, edges in rows:
         segments[plane] += edges
@@ -152,7 +152,7 @@ def lifted(point: Point, plane: SpacePlane) -> Place:
 
 
 def is_mirrored(normal: Whole) -> bool:
-    """What runs counter-clockwise seen from outside is seen to run clockwise."""
+    """Whether rings counter-clockwise from outside are seen to run clockwise."""
     axis = viewing_axis(normal)
     return (normal[axis] > 0) == (axis == 1)
 

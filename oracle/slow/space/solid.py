@@ -31,8 +31,8 @@ class Solid:
 
 def solid_from_json(value: Any) -> Solid:
     """From {"vertices": [[x, y, z], ...], "faces": [[i, j, k, ...], ...]}. InputError where it is
-    not of this form, or a face has no area or is not planar. That the surface closes and does not
-    cross itself is taken on trust."""
+    not of this form, or a face has no area or is not planar. It is taken on trust that the surface
+    closes and does not cross itself."""
     if not isinstance(value, dict):
         raise InputError("a polyhedron is an object")
     try:

@@ -19,8 +19,8 @@ IDENTITY: Matrix = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
 class CellSum:
-    """Of two sets of cells, each the cube from (i, j, k) to (i + 1, j + 1, k + 1), under an integer
-    matrix given by rows. InputError where it is singular."""
+    """The sum of two sets of cells, each the cube from (i, j, k) to (i + 1, j + 1, k + 1), under an
+    integer matrix given by rows. InputError where the matrix is singular."""
 
     def __init__(
         self, P: Iterable[Whole], Q: Iterable[Whole], scale: Fraction, matrix: Matrix = IDENTITY

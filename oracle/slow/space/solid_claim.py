@@ -1,10 +1,10 @@
 """A claimed sum in space before the points of the true one.
 
 A claim is a closed surface if along every line of space its edges cancel. Then it winds around
-every point off it, and is the sum iff that is 1 in the sum and 0 outside. What is asked: of each
-exposed polygon, for random points of its inside, whether the point just below is in the sum and
-the one just above is not; of random points of space, and of points beside random points of the
-planes of the sums of pairs, whether the surface winds around them as it should.
+every point off it, and is the sum iff the winding is 1 in the sum and 0 outside. The questions: for
+random points inside each exposed polygon, whether the point just below is in the sum and the point
+just above is not; for random points of space, and for points beside random points of the planes of
+the sums of pairs, whether the surface winds around them as it should.
 """
 
 from __future__ import annotations
@@ -122,7 +122,7 @@ def _beside_planes(truth: SolidSum, dice: random.Random, count: int) -> Iterator
 
 
 def inner_point(part: Polygon, dice: random.Random) -> Point:
-    """Of the inside of the polygon: on a random level between two corners, between two sides."""
+    """A point inside the polygon: on a random level between two corners, between two sides."""
     levels = sorted({point[1] for point in part.outer})
     k = dice.randrange(len(levels) - 1)
     y = levels[k] + (levels[k + 1] - levels[k]) * Fraction(dice.randint(1, 96), 97)

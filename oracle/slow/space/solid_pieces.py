@@ -42,7 +42,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Part:
-    """What a cell has of a face."""
+    """The part of a face in a cell."""
 
     plane: Plane
     ring: Ring
@@ -82,7 +82,7 @@ def opposite(plane: Plane) -> Plane:
 
 
 def best_plane(parts: list[Part]) -> Plane:
-    """That which cuts the fewest faces, and then parts them most evenly."""
+    """The plane that cuts the fewest faces, and then parts them most evenly."""
     planes = list(dict.fromkeys(part.plane for part in parts))
     step = 1 + len(planes) // MOST_CANDIDATES
 
@@ -102,7 +102,7 @@ def best_plane(parts: list[Part]) -> Plane:
 
 
 def sided(parts: list[Part], plane: Plane) -> list[Part]:
-    """What lies below the plane, of faces that are not in it."""
+    """The parts below the plane of faces that are not in it."""
     kept = []
     for part in parts:
         if part.plane in (plane, opposite(plane)):
@@ -187,7 +187,7 @@ def box_around(points: list[Place]) -> list[Ring]:
 
 
 def piece_of(facets: list[Ring]) -> Piece:
-    """Of the facets of a polytope, or of one ring of a single point or two."""
+    """The piece of the facets of a polytope, or of one ring of a single point or two."""
     points = list(dict.fromkeys(point for ring in facets for point in ring))
     unit, corners = wholes(points)
     place = dict(zip(points, corners, strict=True))

@@ -1,8 +1,8 @@
 """The whole of a small sum in space, plane by plane.
 
 A point of a facet's plane is exposed if the point just below is in the sum and the one just above
-is not. What is exposed ends only where the section of some sum of two pieces ends. So the sides of
-all sections are cut where they meet, and of each part both sides are asked.
+is not. The exposed part ends only where the section of some sum of two pieces ends. So the sides of
+all sections are cut where they meet, and both sides of each part are asked.
 """
 
 from __future__ import annotations
@@ -49,8 +49,8 @@ def ways_along(piece: Piece, n: Whole) -> list[Whole]:
 
 
 def section(truth: SolidSum, pair: int, facets: list[Plane], plane: Plane) -> list[Place]:
-    """What the sum of two pieces has of the plane, as a ring; none where that has no area, or all
-    of the sum is below the plane."""
+    """The part of the plane in the sum of two pieces, as a ring; none where the part has no area,
+    or all of the sum is below the plane."""
     (a, b, c), offset = plane
     if height_along(truth, pair, (a, b, c)) < offset:
         return []
@@ -131,7 +131,7 @@ def _part(truth: SolidSum, plane: Plane, a: Point, b: Point) -> Iterator[Segment
 
 
 def is_exposed(truth: SolidSum, normal: Whole, x: Place, way: Whole) -> bool:
-    """Of the point of the plane a little from x towards `way`."""
+    """Whether the point of the plane a little from x towards `way` is exposed."""
     a, b, c = normal
     return truth.holds(x, [way, (-a, -b, -c)]) and not truth.holds(x, [way, normal])
 

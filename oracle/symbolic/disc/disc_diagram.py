@@ -80,7 +80,7 @@ def equidistant(features: Sequence[Feature]) -> list[SquaredRadius]:
 
 
 def squared(scale: AlgebraicScale) -> list[SquaredRadius]:
-    """Of a distance that is a sum of square roots."""
+    """The square of a distance that is a sum of square roots."""
     if scale.value is None:
         return []
     return [of_radical(scale.value * scale.value)]
@@ -183,7 +183,7 @@ def hull(first: Bounds, second: Bounds) -> Bounds:
 
 
 def quotient(top: Bounds, below: Bounds) -> Bounds:
-    """Of intervals, the second without zero."""
+    """The quotient of intervals, the second without zero."""
     ends = [a / b for a in top for b in below]
     return min(ends), max(ends)
 

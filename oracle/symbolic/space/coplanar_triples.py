@@ -2,7 +2,7 @@
 where a side of each in that plane passes through one point. docs/definitions.md, In space.
 
 The planes that stand on two such sides, the plane itself, and the plane of the third facet or the
-one on its side come to pass through one point: a condition of four planes. What happens there is
+plane on its side come to pass through one point: a condition of four planes. The change there is
 seen from facets that stand still.
 """
 
@@ -70,7 +70,7 @@ def _two(facets: Facets, pair: tuple[int, int]) -> tuple[MovingFacet, MovingFace
 
 
 def _events(flat: Facets, across: MovingFacet | None) -> list[TupleEvent]:
-    """Of facets in one plane, with one across or without."""
+    """The events of facets in one plane, with one across or without."""
     every = [*flat, *([] if across is None else [across])]
     plane = flat[0].plane()
     found: set[tuple[Rational, Vector]] = set()

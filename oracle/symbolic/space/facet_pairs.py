@@ -2,8 +2,8 @@
 an end that turns. docs/definitions.md, In space.
 
 The scales that come into question are those of the derived solutions: a corner in a plane, two
-sides in one plane. What happens there is seen from facets that stand still, at each such scale and
-between them; the ends of what they share move evenly between.
+sides in one plane. The change there is seen from facets that stand still, at each such scale and
+between scales; the ends of the shared segment move evenly between.
 """
 
 from __future__ import annotations
@@ -123,14 +123,14 @@ def _change(below: bool, above: bool) -> str:
 
 
 def _once(first: MovingFacet, second: MovingFacet, s: Rational) -> Iterator[FacetEvent]:
-    """Of planes that are one at this scale."""
+    """The event where the planes are one at this scale."""
     f, g = first.corners(s), second.corners(s)
     if polygons_meet(f, g):
         yield FacetEvent(s, "parallel" if share_an_area(f, g) else "vertex", "touch", None)
 
 
 def _in_one_plane(first: MovingFacet, second: MovingFacet) -> Iterator[FacetEvent]:
-    """Of planes that are one at all scales: corners come to lie on sides."""
+    """The events where the planes are one at all scales: corners come to lie on sides."""
     marks = [s for a, b in product(first.edges(), second.edges()) for s in _ends_on_lines(a, b)]
     found: dict[Rational, set[Vector]] = {}
     for s in cells(marks)[0]:

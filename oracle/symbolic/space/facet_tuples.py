@@ -2,7 +2,7 @@
 or share one at one scale. docs/definitions.md, In space.
 
 A point of three planes moves evenly; it may enter or leave a facet where it comes to lie in the
-plane that stands on a side, which is a condition of four planes. What happens there is seen from
+plane that stands on a side, which is a condition of four planes. The change there is seen from
 facets that stand still.
 """
 
@@ -30,8 +30,8 @@ Facets = Sequence[MovingFacet]
 
 
 def triple_events(facets: Facets) -> list[TupleEvent]:
-    """Of three facets, ascending; without those at whose scale and point two of them have an
-    event. Of facets that are parallel only where they lie in one plane at all scales. Exact."""
+    """The events of three facets, ascending, without those at whose scale and point two facets have
+    an event. Parallel facets count only where they lie in one plane at all scales. Exact."""
     if any(always_in_one_plane(a, b) for a, b in combinations(facets, 2)):
         return coplanar_triple_events(facets)
     if parallel_among(facets):
@@ -46,8 +46,8 @@ def triple_events(facets: Facets) -> list[TupleEvent]:
 
 
 def quadruple_event(facets: Facets) -> TupleEvent | None:
-    """Of four facets no two of which are parallel, at whose scale and point no fewer of them have
-    an event. Exact."""
+    """The event of four facets, no two of them parallel; None where fewer of them have an event at
+    its scale and point. Exact."""
     normals = [facet.plane()[:3] for facet in facets]
     if not any(dot(cross(a, b), c) for a, b, c in combinations(normals, 3)):
         return None
@@ -95,8 +95,8 @@ def _of_a_track(facets: Facets, planes: Sequence[Plane]) -> Iterator[TupleEvent]
 
 
 def _of_a_line(facets: Facets, planes: Sequence[Plane]) -> Iterator[TupleEvent]:
-    """Of three planes all parallel to one line: they share one at one scale, if not always or
-    never, and the facets then perhaps a segment."""
+    """Events where all planes are parallel to one line: they share a line at one scale, if not
+    always or never, and the facets then perhaps a segment."""
     n = [plane[:3] for plane in planes]
     along = cross(n[0], n[1])
     a, b = (dot(cross(u, v), along) / dot(along, along) for u, v in ((n[2], n[1]), (n[0], n[2])))

@@ -80,7 +80,7 @@ TRIPLES = ((0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3))
 
 
 def common_point(planes: Sequence[Vector], s: Rational) -> Vector:
-    """That of three planes at scale s, by Cramer's rule."""
+    """The common point of three planes at scale s, by Cramer's rule."""
     n, h = [p[:3] for p in planes], [p[3] * s + p[4] for p in planes]
     weights = (cross(n[1], n[2]), cross(n[2], n[0]), cross(n[0], n[1]))
     return tuple(

@@ -74,7 +74,7 @@ class SpaceSegment:
         return (*first.p, *last.p, *first.q, *last.q)
 
     def direction(self) -> Vector:
-        """That of the parent edge of an S- or T-edge."""
+        """The direction of the parent edge of an S- or T-edge."""
         if self.kind == "D":
             raise ValueError("a diagonal turns as s changes")
         a, b = (self.start.p, self.end.p) if self.kind == "S" else (self.start.q, self.end.q)

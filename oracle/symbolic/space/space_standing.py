@@ -1,4 +1,4 @@
-"""What segments and facets in space have in common at one scale, from the definition."""
+"""The common points of segments and facets in space at one scale, from the definition."""
 
 from __future__ import annotations
 
