@@ -85,8 +85,8 @@ class Clearance:
         return None
 
     def _cuts(self, way: Way, corners: list[Corner], A: int, B: int) -> list[Vector]:
-        """Of two pieces: normals that take away the cell one after the other, each time the one
-        that leaves least."""
+        """Normals that together take away the cell for two pieces: each time the normal that
+        leaves least."""
         cuts: list[Vector] = []
         normals = self.pair.directions(A, B)
         while corners:

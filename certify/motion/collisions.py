@@ -30,13 +30,13 @@ class Hit:
 
 
 class Collisions:
-    """Of the segments of a path. `strict`: interiors meet. Exact."""
+    """Finds hits on the segments of a path. `strict`: interiors meet. Exact."""
 
     def __init__(self, pair: Pair, ways: Sequence[Way], strict: bool) -> None:
         self.pair, self.ways, self.strict = pair, ways, strict
 
     def hits(self, scales: ScaleRange) -> list[dict[str, Any]]:
-        """Of all scales of a range, ascending, each as far as it goes. Raises NoHit."""
+        """The hits at all scales of a range, ascending, each as far as it goes. Raises NoHit."""
         reach, end = cuts(scales)
         found: list[dict[str, Any]] = []
         while reach < end:
@@ -57,7 +57,7 @@ class Collisions:
         return found
 
     def _from(self, reach: Cut, scales: ScaleRange) -> Iterator[Hit]:
-        """Of all pairs of pieces that at least touch at a scale."""
+        """Yields hits of all pairs of pieces that at least touch at a scale."""
         here = ScaleRange(reach[0], reach[0], True, True)
         above = ScaleRange(reach[0], scales.high, True, scales.high is not None)
         for number, way in enumerate(self.ways):

@@ -10,7 +10,7 @@ Polygon = list[Place]  # counter-clockwise; of a segment two, of a point one
 
 
 def below(polygon: Sequence[Place], normal: Sequence[Fraction | int], most: Fraction) -> Polygon:
-    """What is in a half-plane, normal * x <= most."""
+    """The part of a polygon in the half-plane normal * x <= most."""
     at = [normal[0] * x + normal[1] * y - most for x, y in polygon]
     kept: dict[Place, None] = {}
     for k, (p, v) in enumerate(zip(polygon, at, strict=True)):

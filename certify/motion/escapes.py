@@ -30,8 +30,8 @@ class Escape:
 
 
 class Escapes:
-    """Of a part R among obstacles O. Exact. `spend` is called between pieces of work, and ends it
-    by what it raises."""
+    """Finds ways out for a part R among obstacles O. Exact. `spend` is called between pieces of
+    work; an exception from it ends the work."""
 
     def __init__(
         self,

@@ -129,7 +129,7 @@ class FreeCells:
 
 
 def _height(a: Place, b: Place, x: Fraction) -> Fraction:
-    """Of the line through two places at x."""
+    """The height at x of the line through two places."""
     return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0])
 
 

@@ -152,7 +152,7 @@ def levels(gap: Gap, corners: Sequence[Corner]) -> list[int]:
 
 
 def cut(corners: Sequence[Corner], gap: Gap) -> list[Corner]:
-    """What a convex polygon has where the gap is not positive."""
+    """The part of a convex polygon where the gap is not positive."""
     at = levels(gap, corners)
     if max(at) <= 0:
         return list(corners)

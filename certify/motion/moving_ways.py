@@ -36,8 +36,8 @@ WayAt = tuple[ScaleRange, list[MovingPlace], Vector]
 
 
 class MovingWays:
-    """Of a part R among obstacles O, from one place, at the scales of a range. Exact. `spend` is
-    called between pieces of work, and ends it by what it raises."""
+    """Finds ways out for a part R among obstacles O from one place, at scales of a range. Exact.
+    `spend` is called between pieces of work; an exception from it ends the work."""
 
     def __init__(
         self,
@@ -141,7 +141,7 @@ class MovingWays:
     def _way(
         self, cells: MovingCells, here: Fraction, there: End, scales: ScaleRange | None
     ) -> WayAt | None:
-        """Of the cells, from one scale to another; None where it is not free at all the scales."""
+        """A way in the cells, from one scale to another; None if not free at all the scales."""
         channel = cells.channel()
         if channel is None or scales is None:
             return None

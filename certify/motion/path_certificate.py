@@ -57,12 +57,12 @@ class PathCertificate:
         self.claims: list[dict[str, Any]] = []
 
     def free(self, scales: ScaleRange, contact: str = "allowed") -> int:
-        """That at no scale of a range a place of the path collides."""
+        """Claims that at no scale of a range a place of the path collides."""
         step = self._clear([*map(stays, self.path)], scales, contact, None)
         return self._claim("free", contact, scales, step=step)
 
     def hit(self, scales: ScaleRange, contact: str = "allowed") -> int:
-        """That at each scale of a range some place of the path collides."""
+        """Claims that at each scale of a range some place of the path collides."""
         self._refuse_thin(contact)
         ways = [Way(self.pair, start, end) for start, end in _segments(self.path)]
         collisions = Collisions(self.pair, ways, contact == "allowed")
@@ -99,14 +99,14 @@ class PathCertificate:
         normal: Vector,
         contact: str = "allowed",
     ) -> int:
-        """That at each scale of a range a way, whose places may move with the scale, leads from the
-        place to one from which the part may go on along a normal for ever."""
+        """Claims that at each scale of a range a way leads from the place to another, from which
+        the part may go on along a normal for ever. Places of the way may move with the scale."""
         step = self._clear(way, scales, contact, [*map(_told, way)])
         return self._claim("escapes", contact, scales, step=step, normal=list(normal))
 
     def trapped(self, scales: ScaleRange, ring: dict[str, Any], contact: str = "allowed") -> int:
-        """That at each scale of a range the place is free, and a ring of places that collide leads
-        around it (certify/motion/rings.py)."""
+        """Claims that at each scale of a range the place is free, and a ring of places that collide
+        leads around it (certify/motion/rings.py)."""
         step = self._clear([*map(stays, self.path)], scales, contact, None)
         return self._claim("trapped", contact, scales, step=step, by=PIECES, **ring)
 
@@ -163,7 +163,7 @@ class PathCertificate:
         return "{" + ",\n".join(parts) + "}\n"
 
     def case_digest(self) -> str:
-        """Of both sets and the path, as the certificate names its case."""
+        """The digest of both sets and the path, as the certificate names its case."""
         value = {"O": plain_polygons(self.O), "R": plain_polygons(self.R), "path": self._plain()}
         return digest(json.dumps(value, sort_keys=True, separators=(",", ":")))
 

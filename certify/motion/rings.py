@@ -142,7 +142,7 @@ class Rings:
         return low, high
 
     def _common(self, one: Nodes, other: Nodes, s: Fraction) -> Polygon:
-        """What two sets have in common."""
+        """The intersection of two sets at a scale."""
         unit = self.pair.unit
         polygon = self._set(*one, s)
         for n in self._normals(*other):
@@ -165,8 +165,8 @@ def _box(polygon: Polygon) -> tuple[Fraction, Fraction, Fraction, Fraction]:
 
 
 def _shortest_cycle(near: dict[int, dict[int, int]]) -> list[int] | None:
-    """Of a graph whose edges have winding numbers (negative in the other direction): a cycle over
-    which they do not add up to 0, a short one."""
+    """A short cycle whose winding numbers do not add up to 0, in a graph whose edges have winding
+    numbers (negative in the other direction)."""
     best: list[int] | None = None
     seen: set[int] = set()
     left = MOST_ROOTS

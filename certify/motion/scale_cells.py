@@ -55,7 +55,7 @@ def is_outside(corners: Sequence[Corner], scales: ScaleRange) -> bool:
 
 
 def left_of(corners: Sequence[Corner], gap: Gap, scales: ScaleRange, contact: str) -> list[Corner]:
-    """What of a cell is not held apart: nothing, or a polygon with a place at one of the scales."""
+    """The part of a cell not held apart: none, or a polygon with a place at one of the scales."""
     at = levels(gap, corners)
     if min(at) > 0 or (contact == "allowed" and min(at) == 0):
         return []

@@ -30,9 +30,9 @@ Goal = tuple[Cut, WayAt | None]
 
 
 class TrapCover:
-    """Of a part R among obstacles O, about one place. Each method takes a range of scales at which
-    the place is free. Exact. Raises NoProof where it comes to no end in SECONDS of the processor,
-    or MOST_CLAIMS of them."""
+    """Finds rings and ways out for a part R among obstacles O, about one place. Each method takes
+    a range of scales at which the place is free. Exact. Raises NoProof where the search comes to no
+    end in SECONDS of the processor, or MOST_CLAIMS claims."""
 
     def __init__(
         self, pair: Pair, sets: tuple[_core.PolygonSet, _core.PolygonSet], at: Place, contact: str
@@ -154,7 +154,7 @@ class TrapCover:
 
 
 def _no_proof(what: str, scales: ScaleRange, reach: Cut) -> NoProof:
-    """That nothing was found from a cut on; all scales of the range up to it are proven."""
+    """The error: nothing was found from a cut on; all scales of the range up to it are proven."""
     low, end = cuts(scales)
     where = f"at all scales above {_short(reach[0])}"
     if end[0] != inf and (reach[0] - low[0]) * 8 > (end[0] - low[0]) * 7:

@@ -60,10 +60,10 @@ class CellComplex {
   const std::vector<MovingLine>& lines() const { return lines_; }
   const std::vector<Corner>& corners() const { return corners_; }
 
-  /// Of a P- or Q-source. The line that there is, if one lies there already.
+  /// Adds the line of a P- or Q-source unless one lies there already. Returns its number.
   std::uint32_t line(const LineSource& source);
   std::uint32_t vertical_through(std::uint32_t corner);
-  /// Of two lines that are not parallel. The corner that there is, if one lies there already.
+  /// Adds the corner of two lines, not parallel, unless one lies there already. Returns its number.
   std::uint32_t meet(std::uint32_t first, std::uint32_t second);
   std::optional<std::uint32_t> corner_at(const Point& point) const;
   bool parallel(std::uint32_t first, std::uint32_t second) const;

@@ -23,8 +23,8 @@ Number = str | int | Fraction
 
 
 class NoProof(Exception):
-    """What is to be claimed does not hold, or has no certificate that was found. `mend`: what to
-    do, None for what is always advised."""
+    """A claim does not hold, or no certificate of it was found. `mend`: advice, None for the
+    usual advice."""
 
     def __init__(self, problem: str, mend: str | None = None) -> None:
         super().__init__(problem)
@@ -67,7 +67,7 @@ class Certificate:
         return claim
 
     def interval(self, from_scale: Number, to_scale: Number) -> int:
-        """That the boundary has no event between two scales. Raises NoProof if it has."""
+        """Claims that the boundary has no event between two scales. Raises NoProof if it has."""
         a, b = _exact("from_scale", from_scale), _exact("to_scale", to_scale)
         step, at, moving = self._move(a, b)
         steps = [step]
@@ -113,7 +113,7 @@ class Certificate:
         return self._claim("event", scale=str(s), kind=kind, before=before, at=at, after=after)
 
     def point(self, scale: Number, point: tuple[Number, Number]) -> int:
-        """That a point is in the sum."""
+        """Claims that a point is in the sum."""
         s = _exact("scale", scale)
         point = (number("x", point[0]), number("y", point[1]))
         answer = _core.decide(self.P, self.Q, str(s), *point)
@@ -136,8 +136,8 @@ class Certificate:
         return self._claim("sign", of=of, **{"from": str(a), "to": str(b)}, sign=sign)
 
     def zero(self, of: Predicate, scale: Number) -> list[int]:
-        """That a predicate is zero at a scale, and its signs just below and above; or that it is
-        zero at all scales, said of half to double of this one."""
+        """Claims that a predicate is zero at a scale, and its signs just below and above; or, if it
+        is zero at all scales, that it is zero from half to double of this scale."""
         s = Fraction(scale)
         if self._vertices.value(of, s) != 0:
             raise NoProof(f"{of[0]} is not zero at {s}")
@@ -147,8 +147,9 @@ class Certificate:
                                                   self._beside(of, s, 2 * s))]  # fmt: skip
 
     def degeneracy(self, scale: Number) -> list[int]:
-        """What makes a scale critical: for all edges of the convolution that start or stop meeting
-        there, alone or three in a point, the predicate that is zero at it, and its signs beside."""
+        """Claims why a scale is critical: for all edges of the convolution that start or stop
+        meeting there, alone or three in a point, the predicate that is zero at the scale, and its
+        signs beside it."""
         found = coincidences(self.P, self.Q, self._vertices, _exact("scale", scale))
         if not found:
             raise NoProof(f"no edges of the convolution start or stop meeting at {scale}")

@@ -51,7 +51,7 @@ inline int side(const Normal& n, const Place& p, const Value& h) {
 /// All normals that came up, each once.
 class NormalTable {
  public:
-  /// Of the direction (x, y), not zero.
+  /// Adds the normal in the direction (x, y), not zero, if it is new. Returns its number.
   std::uint32_t add(const Rational& x, const Rational& y);
   const Normal& operator[](std::uint32_t id) const { return normals_[id]; }
 

@@ -25,7 +25,7 @@ class Figure(NamedTuple):
         return digest(self.form)
 
     def at(self, s: Fraction) -> Figure:
-        """Of a moving form, at a scale at which nothing happens."""
+        """The figure of a moving form at a scale at which nothing happens."""
         touching = sorted(_place(list(v), s) for v in self.touching)
         return Figure(_form_at(self.form, s), touching, self.components, self.holes)
 
@@ -36,8 +36,8 @@ def figure(form: str, touching: Sequence[Sequence[str]], components: int, holes:
 
 
 def moving_form(polygons: list[list[list[list[str]]]]) -> str:
-    """Of vertices x0, x1, y0, y1, the points (x0 + s x1, y0 + s y1), by polygon and ring, the outer
-    one first: rings that start with their least vertex, in ascending order
+    """The form of vertices x0, x1, y0, y1, the points (x0 + s x1, y0 + s y1), by polygon and ring,
+    the outer ring first: rings start with their least vertex, in ascending order
     (docs/certificates.md)."""
     return _text([[[tuple(map(Fraction, v)) for v in ring] for ring in p] for p in polygons])
 

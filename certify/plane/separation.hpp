@@ -5,7 +5,7 @@
 
 namespace minkref::certify {
 
-/// What to do with a pair of nodes: split one of them, or separate it by a normal.
+/// Entries that split a node of a pair; the other entries are normals that separate the pair.
 inline constexpr std::int64_t split_P = -1, split_Q = -2;
 
 /// The code of a hull of corners: pairs of nodes from the roots on, the first child first; numbers

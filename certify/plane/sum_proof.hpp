@@ -1,4 +1,4 @@
-// What proves a sum: cells that tile a box, each covered by two pieces or apart from all.
+// The proof of a sum: cells that tile a box, each covered by two pieces or apart from all.
 #pragma once
 
 #include <memory>

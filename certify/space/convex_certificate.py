@@ -96,7 +96,7 @@ class ConvexCertificate:
         return "{" + ",\n".join(parts) + "}\n"
 
     def case_digest(self) -> str:
-        """Of both operands, as the certificate names its case."""
+        """The digest of both operands, as the certificate names its case."""
         return digest(f'{{"P":{self.P.plain},"Q":{self.Q.plain}}}')
 
     def case(self) -> str:
@@ -131,7 +131,7 @@ class _Operand:
         self, points: list[tuple[int, ...]], rings: list[list[int]], facets: list[list[int]]
     ) -> None:
         """Sets `_flat`: the flat vertices, each with the corners of the smallest face that it is
-        on, by the least of these corners. That face is the intersection of the facets around."""
+        on, by the least of these corners. The face is the intersection of the facets around."""
         facet_of = {_normal([points[i] for i in facet]): set(facet) for facet in facets}
         carriers: dict[int, set[int]] = {}
         for ring in rings:

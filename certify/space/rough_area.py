@@ -10,7 +10,7 @@ RoughHalf = tuple[float, float, float, float]  # a x + b y + c z <= d
 
 
 def rough_polygon(corners: list[tuple[int, int, int, int]], unit: int) -> list[Place]:
-    """Of homogeneous corners in units."""
+    """The polygon of homogeneous corners in units, in doubles."""
     return [(near(x, w * unit), near(y, w * unit), near(z, w * unit)) for x, y, z, w in corners]
 
 

@@ -96,7 +96,7 @@ class SolidCertificate:
         return "{" + ",\n".join(parts) + "}\n"
 
     def case_digest(self) -> str:
-        """Of both operands, as the certificate names its case."""
+        """The digest of both operands, as the certificate names its case."""
         return digest(f'{{"P":{_plain(self.P)},"Q":{_plain(self.Q)}}}')
 
     def case(self) -> str:

@@ -29,7 +29,7 @@ class TooLarge(Exception):
 
 
 class Trees:
-    """Of one sum. `entries` counts what has been written."""
+    """Makes the trees of one sum. `entries` counts the entries written so far."""
 
     def __init__(self, P: ScaledTiling, Q: ScaledTiling, unit: int, most_entries: int) -> None:
         self.P, self.Q, self.unit = P.hulls, Q.hulls, unit
@@ -82,8 +82,8 @@ class Trees:
         return found
 
     def _best_cut(self, polygon: Polygon, sections: list[Section]) -> HalfSpace:
-        """Of those along the largest section the one that takes most off. Which are, is found in
-        floating point: any of them would do."""
+        """The half-space along the largest section that takes most off. Section and half-space are
+        chosen in floating point: any choice would do."""
         seen = rough_polygon(polygon, self.unit)
         sizes = [rough_area(rough_polygon(section, self.unit)) for _, section in sections]
         pair, _ = sections[sizes.index(max(sizes))]
@@ -130,8 +130,8 @@ def rises_above(polygon: Polygon, half: HalfSpace) -> bool:
 
 
 def below(polygon: Polygon, half: HalfSpace) -> Polygon:
-    """What a convex polygon has below a plane; nothing where that has no area; the polygon itself
-    where it is not cut, or lies in the plane."""
+    """The part of a convex polygon below a plane; nothing if the part has no area; the polygon
+    itself if it is not cut, or lies in the plane."""
     (a, b, c), height = half
     levels = [a * x + b * y + c * z - height * w for x, y, z, w in polygon]
     if max(levels) <= 0:
