@@ -47,7 +47,7 @@ class Made:
     certified: bool = True
 
     def row(self, folder: Path) -> FileRow:
-        """Of the files as they are in FOLDER/FAMILY."""
+        """The row for the files as they are in FOLDER/FAMILY."""
         case, content = self.case
         beside, more = self.beside or ("", b"")
         where = folder / self.family

@@ -1,5 +1,5 @@
-"""What must hold of a corpus: schema, canonical form, ids, flags, certificates, no case twice; and
-each case is what its source makes. `python -m minkref.degeneracies.lint [FOLDER]`: a line for each
+"""Checks a corpus: schema, canonical form, ids, flags, certificates, no case twice; and each case
+is what its source makes. `python -m minkref.degeneracies.lint [FOLDER]`: a line for each
 fault, exit code 1 if there is one."""
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
 
 
 def corpus_faults(folder: Path = CORPUS) -> Iterator[str]:
-    """Of the corpus as a whole: no flag goes unused, none unexplained."""
+    """Faults of the corpus as a whole: flags that are unused or unexplained."""
     used = {
         flag
         for path in case_paths(folder)
@@ -87,7 +87,7 @@ def corpus_faults(folder: Path = CORPUS) -> Iterator[str]:
 
 @dataclass(frozen=True)
 class _Kind:
-    """Of cases: in the plane, of convex bodies in space, of polyhedra of any shape."""
+    """A kind of case: in the plane, of convex bodies in space, of polyhedra of any shape."""
 
     flags: frozenset[str]
     faults: Callable[[Path, dict[str, Any], dict[str, Path]], Iterator[str]]
@@ -104,7 +104,7 @@ def _kind(value: Any) -> _Kind:
 
 
 def _case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Iterator[str]:
-    """Of a case in the plane."""
+    """The faults of a case in the plane."""
     try:
         operands = [_core.PolygonSet.from_json(json.dumps(value[name])) for name in "PQ"]
         for name, operand in zip("PQ", operands, strict=True):

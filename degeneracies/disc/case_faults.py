@@ -1,5 +1,5 @@
-"""What must hold of the cases with a disc: schema, canonical form, ids, no case twice, and each is
-what its source makes. `python -m minkref.degeneracies.disc.case_faults [FOLDER]`: a line for each
+"""Checks the cases with a disc: schema, canonical form, ids, no case twice, and each is what its
+source makes. `python -m minkref.degeneracies.disc.case_faults [FOLDER]`: a line for each
 fault, exit code 1 if there is one."""
 
 from __future__ import annotations

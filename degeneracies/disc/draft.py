@@ -1,4 +1,4 @@
-"""What a generator of sums with a disc draws, and what is found out about it."""
+"""Drafts that a generator of sums with a disc draws, and the facts about them."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ FINE = 60  # bits: the nearest siblings
 
 @dataclass(frozen=True)
 class Near:
-    """What of a set is nearest to a place. `joints`: nearest points that are an end of an edge
-    which is seen at a right angle there."""
+    """The points of a set nearest to a place. `joints`: nearest points at an end of an edge that is
+    seen at a right angle there."""
 
     squared_distance: Fraction
     points: tuple[Spot, ...]
@@ -87,7 +87,7 @@ class DiscFacts:
 
     @cached_property
     def near(self) -> list[Near]:
-        """Of each place."""
+        """The nearest points to each place."""
         return [Near.to(self.shape, place) for place in self.places]
 
     @property

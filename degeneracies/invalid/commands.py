@@ -46,7 +46,7 @@ def words(command: str, member: Invalid, folder: Path) -> list[str]:
 
 
 def left_out(member: Invalid, text: str) -> list[str]:
-    """What a good message holds and this one does not: the place that is damaged, and the name of
-    the file, or of the option of the scale."""
+    """Texts of a good message that are missing in this one: the place that is damaged, and the name
+    of the file, or of the option of the scale."""
     named = member.file_name if member.scale is None else "--"
     return [each for each in (*member.place, named) if each not in text]

@@ -1,4 +1,4 @@
-"""What is well-formed and no operand in the plane."""
+"""Input that is well-formed, but no operand in the plane."""
 
 from __future__ import annotations
 

@@ -135,8 +135,8 @@ def too_many_digits(dice: Random) -> Invalid:
 
 @FAMILIES.add("holes whose outer ring is too costly to find")
 def too_much_work(dice: Random) -> Invalid:
-    """Of a .poly with two outer rings: a hole and an outer ring with a vertex at each whole number
-    of two sides. The slow engine has no such limit."""
+    """A .poly with two outer rings: a hole and an outer ring have a vertex at each whole number of
+    two sides. The slow engine has no such limit."""
     size = dice.randint(1200, 1600)
     page = sheet(dice, [[[(0, 0), (1, 0), (0, 1)]]], ("poly",))
     hole = [f"{x} 1" for x in range(1, size)] + [f"{x} 2" for x in range(size - 1, 0, -1)]

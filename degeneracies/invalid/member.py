@@ -1,4 +1,4 @@
-"""What a family of invalid input draws."""
+"""Families of invalid input, and the members that they draw."""
 
 from __future__ import annotations
 

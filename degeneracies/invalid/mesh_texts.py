@@ -224,7 +224,7 @@ def unsupported_version(dice: Random) -> Invalid:
 
 @FAMILIES.add("a mesh with lines, points or curves")
 def unsupported_geometry(dice: Random) -> Invalid:
-    """What a polyhedron does not have."""
+    """Elements that a polyhedron does not have."""
     if dice.random() < 0.3:
         page = drawn(dice, "off")
         content = page.text().replace("OFF", dice.choice(("4OFF", "nOFF")), 1)
@@ -243,7 +243,7 @@ def unsupported_geometry(dice: Random) -> Invalid:
 
 @FAMILIES.add("a line of an OBJ file that begins with no word of it")
 def unknown_word(dice: Random) -> Invalid:
-    """Of an OBJ file: a face misspelt is a hole."""
+    """A misspelt face of an OBJ file is a hole."""
     page = drawn(dice, "obj")
     lines = page.lines()
     at = dice.randrange(1, len(lines))

@@ -20,8 +20,8 @@ CLOSED = ("wkt", "geojson")  # a ring repeats its first vertex
 
 
 class Tokens(list[Corner]):
-    """Of a ring, or the ends of what is `thin`, a point or a segment. `mark`: the mark stands
-    before its beginning."""
+    """The corners of a ring, or if `thin` the ends of a point or a segment. `mark`: the mark stands
+    before the beginning."""
 
     mark = False
     thin = False
@@ -73,7 +73,7 @@ class Sheet:
     other: Shape | None = None  # of a case
 
     def number(self, polygon: int, ring: int) -> int:
-        """Of a ring in the file."""
+        """The number of a ring in the file."""
         return sum(len(rings) for rings in self.polygons[:polygon]) + ring
 
     def mark(self, polygon: int, ring: int, vertex: int) -> None:

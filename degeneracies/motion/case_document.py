@@ -58,7 +58,7 @@ class DegeneratePath(CaseTexts):
 
     @property
     def certificate(self) -> PathCertificate:
-        """What is expected, at all scales up to a last one where the family has one."""
+        """The proof of the answers, at all scales up to a last one where the family has one."""
         made = PathCertificate(self.facts.part, self.facts.obstacles, self.facts.path)
         until = self.family.until
         last = None if until is None else until * self.facts.scale
@@ -71,6 +71,6 @@ class DegeneratePath(CaseTexts):
 
 
 def path_case_id(family: str, part: Any, obstacles: Any, path: list[list[str]]) -> str:
-    """Of what the case is made of."""
+    """The id from family, part, obstacles and path."""
     content = json.dumps([set_content(part), set_content(obstacles)])
     return id_of(family, content, [number for place in path for number in place])

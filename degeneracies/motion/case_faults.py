@@ -1,5 +1,5 @@
-"""What must hold of the cases of paths and traps: schema, canonical form, ids, no case twice, a
-certificate of all that is expected, and each is what its source makes. `python -m
+"""Checks the cases of paths and traps: schema, canonical form, ids, no case twice, a certificate of
+each expected answer, and each case is what its source makes. `python -m
 minkref.degeneracies.motion.case_faults [FOLDER]`: a line for each fault, exit code 1 if there is
 one."""
 

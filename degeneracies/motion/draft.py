@@ -1,4 +1,4 @@
-"""What a generator of paths and traps draws, and what is found out about it."""
+"""Drafts that a generator of paths and traps draws, and the facts about them."""
 
 from __future__ import annotations
 
@@ -79,9 +79,9 @@ class PathFacts:
 
 @dataclass(frozen=True)
 class PathFamily(Subject):
-    """`draw` draws a candidate; it belongs to the family if `belongs` says so of its facts. What is
-    asked of its members: at which scales the part passes, or is trapped (`is_trap`). `until`: up to
-    how many times the scale at which it is degenerate that is certified; None: at all scales."""
+    """`draw` draws a candidate; it belongs to the family if `belongs` says so of its facts. The
+    answer for a member: the scales at which the part passes, or is trapped (`is_trap`). `until`: up
+    to how many times the degenerate scale the answer is certified; None: at all scales."""
 
     draw: Callable[[Random], PathDraft]
     belongs: Callable[[PathFacts], bool]

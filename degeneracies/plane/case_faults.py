@@ -1,4 +1,4 @@
-"""What must hold of every case of a corpus: its id and its place, and its certificate beside it."""
+"""Checks each case of a corpus: its id and its place, and its certificate beside it."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ class Provable(Protocol):
 
 @dataclass(frozen=True)
 class CaseTexts(ABC):
-    """Of a case, in the plane or in space. They depend on what it is made of alone."""
+    """The texts of a case, in the plane or in space; they depend on its content alone."""
 
     subject: Subject
     source: str

@@ -18,7 +18,7 @@ Window = tuple[Fraction, Fraction, Fraction, Fraction]  # the least x and y, the
 
 
 class ConvolutionAt:
-    """Of two operands at a scale."""
+    """The convolution of two operands at a scale."""
 
     def __init__(
         self, P: _core.PolygonSet, Q: _core.PolygonSet, vertices: Vertices, scale: Fraction
@@ -98,7 +98,7 @@ class ConvolutionAt:
 
 
 def _boxes(operand: _core.PolygonSet, factor: Fraction) -> tuple[list[Window], list[Window]]:
-    """Of outer rings and of holes."""
+    """The boxes of outer rings and of holes."""
 
     def box(ring: list[list[str]]) -> Window:
         xs, ys = ([factor * Fraction(p[i]) for p in ring] for i in (0, 1))
@@ -118,7 +118,7 @@ def _on_line(a: Place, b: Place) -> tuple[Any, Fraction, Fraction]:
 
 
 def _abscissas(segments: list[Segment]) -> list[Fraction]:
-    """Of ends and of crossings, sorted."""
+    """The abscissas of ends and of crossings, sorted."""
     found = {p[0] for segment in segments for p in segment}
     spans = [
         (min(a[0], b[0]), max(a[0], b[0]), min(a[1], b[1]), max(a[1], b[1])) for a, b in segments

@@ -1,4 +1,4 @@
-"""What a generator draws, and what is found out about it."""
+"""Drafts that a generator draws, and the facts about them."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class Facts:
 
     @cached_property
     def coordinates(self) -> list[Fraction]:
-        """Of all vertices of both operands."""
+        """The coordinates of all vertices of both operands."""
         return [c for place in (*self.vertices.P, *self.vertices.Q) for c in place]
 
     @cached_property
@@ -101,7 +101,7 @@ class Facts:
 
     @cached_property
     def topology(self) -> list[dict[str, Any]]:
-        """What happens to holes and components at the scale."""
+        """The changes of holes and components at the scale."""
         names = ("scale", "feature", "change", "before", "after", "parts", "at")
         return [dict(zip(names, row, strict=True)) for row in self._here.topology_events()]
 
@@ -168,7 +168,7 @@ class Facts:
 
 @dataclass(frozen=True)
 class Subject:
-    """What a case is about. What makes good code get it wrong: `why`."""
+    """The subject of a case. `why`: the reason that good code gets it wrong."""
 
     name: str
     title: str

@@ -1,5 +1,5 @@
-"""What cases in the plane are made of: each flag holds of the facts of a case, or does not.
-flags.json says what each means, what it breaks, and who is known to be broken by it."""
+"""Flags of cases in the plane: each flag holds of the facts of a case, or does not. flags.json says
+what each flag means, what it breaks, and who is known to be broken by it."""
 
 from __future__ import annotations
 

@@ -122,7 +122,7 @@ def _is(condition: Callable[[Facts], bool]) -> Callable[[Facts], bool]:
 
 
 def _ratio(facts: Facts) -> Fraction:
-    """Of the sizes of the operands, and of the scale and 1: the less extreme."""
+    """The less extreme ratio: of the sizes of the operands, or of the scale and 1."""
     p, q = (max(abs(c) for v in vs for c in v) for vs in (facts.vertices.P, facts.vertices.Q))
     return min(max(p / q, q / p), max(facts.scale, 1 / facts.scale))
 

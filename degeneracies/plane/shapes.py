@@ -1,5 +1,5 @@
-"""What the generators draw with: exact rings, counter-clockwise, and changes that keep what is
-degenerate: a linear map of both operands, translations, a factor between P and the scale."""
+"""Tools of the generators: exact rings, counter-clockwise, and changes that keep degeneracies:
+a linear map of both operands, translations, a factor between P and the scale."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the paper's method answers in floating point, and how many bits it needs to be right."""
+"""The answers of the paper's method in floating point, and the bits it needs to be right."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 from minkref import _core
 
-# Of a significand; all that are asked, from the least to the greatest.
+# Bits of a significand: all widths that are tried, ascending.
 WIDTHS = (8, 12, 16, 20, 24, 28, 32, 40, 48, 53, 64, 80, 96, 113, 160, 237, 320, 512, 1024, 2048,
           4096)  # fmt: skip
 

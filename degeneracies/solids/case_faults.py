@@ -1,5 +1,4 @@
-"""What must hold of a case of polyhedra of any shape; what it says is made again from its source by
-the lint."""
+"""Checks a case of polyhedra of any shape; the lint makes its text again from its source."""
 
 from __future__ import annotations
 

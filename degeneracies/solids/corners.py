@@ -136,7 +136,7 @@ def _three_at_a_side(facts: SolidFacts) -> list[Tie]:
 
 
 def _crossed(dice: Random, size: int) -> SolidDraft:
-    """Of both operands a long triangle on top of one body and the top of another: the triangles, at
+    """Each operand has a long triangle on top of one body and the top of another: the triangles, at
     right angles, come to lie in one plane, and then cross."""
     first, second = (_long_triangle(dice, turned) for turned in (False, True))
     tops = [(dice.randint(30, 40), dice.randint(-5, 5), dice.randint(-3, 3)) for _ in range(2)]

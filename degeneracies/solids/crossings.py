@@ -29,7 +29,8 @@ class _Seen:
         ]
 
     def is_on_both_sides_of(self, other: _Seen) -> bool:
-        """Of its plane. If not, no point inside of it is there, or all are."""
+        """Whether corners lie on both sides of the plane of `other`. If not, no point inside of
+        this facet is in the plane, or all are."""
         heights = [dot(other.facet.normal, corner) for corner in self.corners]
         return min(heights) < other.offset < max(heights)
 

@@ -1,4 +1,4 @@
-"""What a generator of polyhedra of any shape draws, and what is found out about it."""
+"""Drafts that a generator of polyhedra of any shape draws, and the facts about them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The Euler characteristic of what two polycubes have in common. Of `sP` and `x - Q` it is how
+"""The Euler characteristic of the intersection of two polycubes. For `sP` and `x - Q` it is how
 often the full convolution in space winds around x (docs/space-sums.md)."""
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ Box = tuple[Point, Point]
 
 
 def euler_of_meeting(P: Polyhedron, Q: Polyhedron, s: Fraction, x: Point) -> int | None:
-    """Of `sP` and `x - Q`; None where one of the two is no polycube. Exact. Both closed."""
+    """The number for closed `sP` and `x - Q`; None where one of the two is no polycube. Exact."""
     if P.is_thin or Q.is_thin:
         return None
     try:

@@ -1,4 +1,4 @@
-"""What fits exactly at one scale: slots, cavities, gaps, cups; and parts of a sum that touch."""
+"""Exact fits at one scale: slots, cavities, gaps, cups; and parts of a sum that touch."""
 
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ class Mesh:
 
     @cached_property
     def normals(self) -> list[Whole]:
-        """Of the faces, outwards, of no particular length but the least."""
+        """The least whole normals of the faces, outwards."""
         points = self.given.wholes
         return [direction(area_vector([points[k] for k in face])) for face in self.given.faces]
 

@@ -79,7 +79,7 @@ def _thin(dice: Random, size: int) -> SolidDraft:
 
 
 def _along_a_face(facts: SolidFacts) -> list[Tie]:
-    """Of a point: two faces of the body in one plane."""
+    """If an operand is a point: two faces of the body in one plane."""
     if 1 in (len(facts.P.given.vertices), len(facts.Q.given.vertices)):
         return _faces_in_one_plane(facts)
     return face_and_edge(facts)

@@ -1,4 +1,4 @@
-"""What shows that a pair belongs to a family: searches among the facets of its convolution."""
+"""Proofs that a pair belongs to a family: searches among the facets of its convolution."""
 
 from __future__ import annotations
 
@@ -172,7 +172,7 @@ def one_line(facts: SolidFacts) -> list[Tie]:
 
 
 def _line(one: ConvolutionFacet, other: ConvolutionFacet) -> tuple[object, ...]:
-    """Of two planes: its direction, and its moment, a polynomial in the scale."""
+    """The line of two planes: its direction, and its moment, a polynomial in the scale."""
     across = cross(one.normal, other.normal)
     along = max(direction(across), direction((-across[0], -across[1], -across[2])))
     k = next(k for k in range(3) if across[k])

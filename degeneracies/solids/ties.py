@@ -1,4 +1,4 @@
-"""What is degenerate about a case, as predicates of few vertices, exact: anyone can compute them
+"""The degeneracies of a case, as predicates of few vertices, exact: anyone can compute these
 again from the case alone."""
 
 from __future__ import annotations
@@ -124,7 +124,7 @@ def rank(rows: Sequence[Sequence[Fraction | int]]) -> int:
 
 
 def determinant(rows: Sequence[Sequence[Fraction | int]]) -> Fraction:
-    """Of four planes, along the last column."""
+    """The determinant of four planes, along the last column."""
     total = Fraction(0)
     for k, row in enumerate(rows):
         a, b, c = (other[:3] for j, other in enumerate(rows) if j != k)

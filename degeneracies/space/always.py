@@ -68,7 +68,7 @@ def _edges(dice: Random, size: int) -> SpaceDraft:
 def _everywhere(
     found_at: Callable[[SumAt], list[Coincidence]],
 ) -> Callable[[SpaceFacts], list[Coincidence]]:
-    """What is parallel at every scaling, and in the sum at each of those of the case."""
+    """A proof: coincidences at every scaling that are in the sum at each scaling of the case."""
 
     def proof(facts: SpaceFacts) -> list[Coincidence]:
         shown = at_all(facts, found_at(facts.sum()))

@@ -1,5 +1,5 @@
-"""What the generators in space draw with: exact convex bodies, and changes that keep what is
-degenerate: axes in another order or turned round, factors along the axes, translations."""
+"""Tools of the generators in space: exact convex bodies, and changes that keep degeneracies:
+axes in another order or turned round, factors along the axes, translations."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def factors(dice: Random) -> Point:
 
 
 def any_scaling(dice: Random) -> Point:
-    """Of moderate factors, no two of them the same."""
+    """A scaling of moderate factors, no two of them the same."""
     while True:
         x, y, z = (Fraction(dice.randint(1, 9), dice.randint(1, 5)) for _ in range(3))
         if x != y != z != x:

@@ -76,7 +76,7 @@ class DegenerateInSpace(CaseTexts):
 
     @property
     def certificate(self) -> ConvexCertificate:
-        """What the sum is at each of the scalings."""
+        """The certificate of the sum at each of the scalings."""
         return self.facts.certificate
 
     def _expected(self, at: Point) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What must hold of a case in space; what it says is made again from its source by the lint."""
+"""Checks a case in space; the lint makes its text again from its source."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a family looks for in a sum: which faces of P and of Q meet in its faces."""
+"""Coincidences that a family looks for in a sum: which faces of P and of Q meet in its faces."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a generator in space draws, and what is found out about it."""
+"""Drafts that a generator in space draws, and the facts about them."""
 
 from __future__ import annotations
 
@@ -211,7 +211,7 @@ class SpaceFacts:
         return direction(inverse(factors)), direction(factors)
 
     def signs(self, at: Point | None = None) -> list[int]:
-        """Of all facets of one body with all edges of the other: first the facets of P."""
+        """Signs of all facets of one body with all edges of the other: first the facets of P."""
         down, up = self.weights(at)
         found = []
         for facet in self.P.facets:
@@ -235,7 +235,7 @@ class SpaceFacts:
         return sum(exact != found for exact, found in pairs)
 
     def directions_of_P(self, at: Point | None = None) -> list[Whole]:
-        """Of the normals of S P."""
+        """The directions of the normals of S P."""
         down, _ = self.weights(at)
         return [direction(_weighted(facet.normal, down)) for facet in self.P.facets]
 
@@ -250,8 +250,8 @@ class SpaceFacts:
         ]
 
     def value(self, shown: Coincidence, at: Point) -> int:
-        """Of the predicate of the coincidence at a scaling: its sign, or 1 where a cross product is
-        not zero, or faces are no more farthest in one direction."""
+        """The value of a coincidence's predicate at a scaling: its sign, or 1 where a cross product
+        is not zero, or faces are no more farthest in one direction."""
         if shown.what == "compatible":
             return int((shown.P, shown.Q) not in self.sum(at).structure)
         first, second = self.P.directions[shown.P], self.Q.directions[shown.Q]

@@ -1,5 +1,5 @@
-"""What a sum that is kept up to date has to mend from one scaling to another, where the errors of
-facets and those of edges do not come together (Behar & Lien 2012, Theorem 1)."""
+"""Sums kept up to date that must be mended from one scaling to another, where errors of facets and
+errors of edges do not come together (Behar & Lien 2012, Theorem 1)."""
 
 from __future__ import annotations
 
