@@ -98,7 +98,7 @@ Computing::Computing() : interruptible_(Look()) {}
 
 NB_MODULE(_core, module) {
   using namespace nanobind::literals;
-  // What is alive when the interpreter ends, as in a thread that runs on, is no fault to tell of.
+  // Objects alive when the interpreter ends, as in a thread that runs on, are no fault to tell of.
   nanobind::set_leak_warnings(false);
   minkref::python::let_gmp_raise();
   if (const char* fault = minkref::FloatEnvironment::fault(); fault != nullptr) {

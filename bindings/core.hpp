@@ -28,8 +28,8 @@ inline ExactPoint to_strings(const Point& point) {
   return {to_string(point.x), to_string(point.y)};
 }
 
-/// What Python calls a PolygonSet: the set, whether it is known to be in canonical form (then it is
-/// not brought there again), and where its rings stood in the file that it was read from.
+/// The PolygonSet of Python: the set, whether the set is known to be in canonical form (then it is
+/// not brought there again), and where its rings stood in the file from which it was read.
 struct Set {
   PolygonSet value;
   bool canonical = false;
@@ -68,7 +68,7 @@ class Computing {
 };
 using Released = nanobind::call_guard<Computing>;
 
-/// Of a class whose values never change: copy.copy and copy.deepcopy give the value itself.
+/// For a class whose values never change: copy.copy and copy.deepcopy give the value itself.
 template <typename Value>
 nanobind::class_<Value>& unchanging(nanobind::class_<Value>&& bound) {
   return bound.def("__copy__", [](const nanobind::object& self) { return self; })

@@ -74,7 +74,7 @@ class Arrangement {
     return events_ ? convolution_rows(events_->edges()) : std::vector<EdgeRow>{};
   }
 
-  /// Of each of these events, how many different scales of them lie below its own.
+  /// For each of these events, how many of their different scales lie below its own.
   std::vector<std::uint32_t> ranks(const std::vector<std::uint32_t>& which) const {
     std::vector<std::uint32_t> result;
     for (std::size_t i = 0; i < which.size(); ++i) {

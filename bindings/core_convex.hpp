@@ -1,4 +1,4 @@
-// What the bindings of convex sums share.
+// Declarations that the bindings of convex sums share.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace minkref::python {
 
 using Body = std::shared_ptr<const ConvexPolyhedron>;
 
-/// What Python calls a ConvexPolyhedron: shared by the sums that refer to it.
+/// The ConvexPolyhedron of Python: shared by the sums that refer to it.
 struct ConvexBody {
   Body value;
 };

@@ -142,8 +142,8 @@ std::vector<HoleRow> holes(const DiscIndex& self) {
   return rows;
 }
 
-/// What becomes of holes and components at an event: holes that are born, each with the one that it
-/// was a part of; holes that end; polygons of P whose components join.
+/// Changes of holes and components at an event: holes that are born, each with the hole of which it
+/// was a part; holes that end; polygons of P whose components join.
 struct EventChanges {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> born;
   std::vector<std::uint32_t> ended;

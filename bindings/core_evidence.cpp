@@ -1,4 +1,4 @@
-// What the evidence asks of the reference beyond its results.
+// Bindings that the evidence needs beyond the results of the reference.
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>

@@ -12,7 +12,7 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// Of the last successful read of this thread.
+/// Warnings of the last successful read of this thread.
 thread_local std::vector<std::string> last_warnings;
 
 Set keep(Reading reading) {

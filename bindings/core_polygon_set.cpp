@@ -79,7 +79,8 @@ std::string to_json(const Set& set) {
   return text;
 }
 
-/// Of a text that we wrote, however long its numbers are. Where the rings stood in a file is gone.
+/// Reads a text that we wrote, however long its numbers are. The places of the rings in a file are
+/// gone.
 Set from_state(const std::pair<std::string, bool>& state) {
   return {set_of(state.first, no_limits()).value, state.second};
 }

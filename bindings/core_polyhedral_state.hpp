@@ -16,8 +16,8 @@ using PlaneRow =
     std::tuple<ExactSpacePoint, std::string, std::vector<std::vector<std::vector<ExactPoint>>>>;
 
 std::vector<PlaneRow> state_of(const PolyhedralSet& set);
-/// Refuses (BadInput "damaged-set") what is not in canonical form. That the planes together bound a
-/// set is not looked at.
+/// Refuses (BadInput "damaged-set") a state that is not in canonical form. Does not test whether
+/// the planes together bound a set.
 PolyhedralSet set_of_state(const std::vector<PlaneRow>& state);
 
 }  // namespace minkref::python

@@ -12,7 +12,7 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// What was found, and in how many seconds.
+/// How many were found, and in how many seconds.
 using Found = std::pair<std::size_t, double>;
 
 template <class Search>

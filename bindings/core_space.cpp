@@ -72,7 +72,7 @@ std::vector<std::array<double, 3>> approximate_points(const Polyhedron& polyhedr
   return result;
 }
 
-/// Of all faces together, of their projections along the axes.
+/// Areas of the projections along the axes, each summed over all faces.
 ExactSpacePoint projected_areas(const Polyhedron& polyhedron) {
   const IntegerPoints integers = integer_points(polyhedron.vertices);
   IntegerVector twice{0, 0, 0};
@@ -84,7 +84,7 @@ ExactSpacePoint projected_areas(const Polyhedron& polyhedron) {
   return to_strings({twice[0] * unit, twice[1] * unit, twice[2] * unit});
 }
 
-/// Of each face the triangles into which it is cut.
+/// For each face the triangles into which it is cut.
 std::vector<std::vector<TriangleCorners>> triangles(const Polyhedron& polyhedron) {
   const IntegerPoints integers = integer_points(polyhedron.vertices);
   const VertexSigns signs(integers.points);

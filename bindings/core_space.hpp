@@ -11,8 +11,8 @@ namespace minkref::python {
 
 using ExactSpacePoint = std::tuple<std::string, std::string, std::string>;
 
-/// What Python calls a Polyhedron: the surface, and where its vertices and faces stood in the file
-/// that it was read from.
+/// The Polyhedron of Python: the surface, and where its vertices and faces stood in the file from
+/// which it was read.
 struct Surface {
   MeshReading reading;
 

@@ -1,4 +1,4 @@
-// What a sum in space has for a boundary.
+// The boundary of a sum in space.
 #pragma once
 
 #include "bindings/core.hpp"

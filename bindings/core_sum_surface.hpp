@@ -1,4 +1,4 @@
-// What Python calls a SumSurface.
+// The SumSurface of Python.
 #pragma once
 
 #include <memory>

@@ -64,7 +64,7 @@ class TimedWalk {
   }
 
  private:
-  /// With coordinates. What the route finds has to be the state after the update.
+  /// Seconds of the route, with coordinates. The route has to find the state after the update.
   double from_scratch(const Scaling& at, Compatibility (*route)(const Contacts&)) {
     const Stopwatch watch;
     contacts_.rescale(at);

@@ -18,8 +18,8 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// Of each scale: seconds of the query, seconds of evaluating the vertices that it gave out of
-/// tracks that lie in their order, vertices.
+/// One scale: seconds of the query, seconds of evaluating its vertices out of tracks that lie in
+/// their order, number of vertices.
 using Row = std::tuple<double, double, std::size_t>;
 
 constexpr int most_passes = 1000;

@@ -19,7 +19,7 @@ class LaterPassages {
  public:
   using Find = std::function<std::vector<TightPassage>()>;
 
-  /// Of an answer that has none.
+  /// For an answer without passages.
   LaterPassages() : state_(std::make_shared<State>()) {}
   explicit LaterPassages(Find find, std::optional<std::vector<TightPassage>> found = {})
       : LaterPassages() {

@@ -17,7 +17,7 @@ namespace minkref::python {
 
 ScaleWindow window_of(const std::optional<std::string>& from, const std::optional<std::string>& to);
 
-/// Of events within a closed window; `scale` gives that of a group.
+/// Rows for the events within a closed window; `scale` gives the scale of a group.
 class TimelineRows {
  public:
   TimelineRows(const TopologyTimeline& timeline, const ScaleWindow& window,
@@ -26,8 +26,8 @@ class TimelineRows {
 
   using OptionalText = std::optional<std::string>;
 
-  /// Of "hole" (the outside left out) or "component": name, scales of birth and death, for those
-  /// that live at some scale of the window; a birth or death outside it is none.
+  /// For "hole" (the outside left out) or "component": name, scales of birth and death of features
+  /// that live at some scale of the window; a birth or death outside the window is none.
   using LifeRow = std::tuple<std::uint32_t, OptionalText, OptionalText>;
   std::vector<LifeRow> lives(const std::string& kind) const;
 
@@ -40,11 +40,11 @@ class TimelineRows {
                                  std::vector<std::uint32_t>, std::size_t, ExactPoint>;
   std::vector<TopologyRow> topology_events() const;
 
-  /// Of "hole" (0 is the outside) or "component": scales of birth and death.
+  /// For "hole" (0 is the outside) or "component": scales of birth and death.
   using FeatureRow = std::pair<OptionalText, OptionalText>;
   std::vector<FeatureRow> features(const std::string& kind) const;
 
-  /// Of each state of the boundary: the scale where it begins (none: with the window), holes,
+  /// For each state of the boundary: the scale where it begins (none: with the window), holes,
   /// components and vertices in it, and holes and components at the scale itself.
   using CountRow = std::tuple<OptionalText, std::array<std::uint32_t, 5>>;
   std::vector<CountRow> state_counts() const;
@@ -55,7 +55,8 @@ class TimelineRows {
   using RingState = std::pair<OptionalText, std::vector<RingRow>>;
 
  private:
-  /// Those of "hole" or "component". Throws BadInput ("unknown-feature") for another word.
+  /// The features of kind "hole" or "component". Throws BadInput ("unknown-feature") for another
+  /// word.
   const std::vector<Feature>& of_kind(const std::string& kind) const;
   bool within(std::uint32_t group) const;
   std::string text(std::uint32_t group) const { return to_string(scale_(group)); }
@@ -75,7 +76,7 @@ nanobind::class_<Class>& bind_of_window(nanobind::class_<Class>& bound) {
                    arg("to_scale") = nanobind::none(), Released());
 }
 
-/// What a class that has followed the boundary through a window says of it.
+/// Binds the answers of a class that has followed the boundary through a window.
 template <typename Class>
 void bind_history(nanobind::class_<Class>& bound) {
   using nanobind::arg;

@@ -35,7 +35,7 @@ std::vector<DiagramRow> diagram_rows(const DiagramEvents& found, std::size_t fir
 /// Three features and a branch.
 using PlaceRow = std::array<std::uint32_t, 4>;
 
-/// Of a set: found, or proven again from what was found before.
+/// The diagram events of a set: found, or proven again from places that were found before.
 DiagramEvents diagram_of(const PolygonSet& P, unsigned threads,
                          const std::optional<std::vector<PlaceRow>>& places);
 
