@@ -1,7 +1,7 @@
 """The Python interface: exact sets, their sums, and what tells two sets apart.
 
 Numbers are texts, `n` or `n/d`, or exact numbers of Python, int and Fraction. An argument of
-another type raises TypeError, which says what is expected. What is refused raises BadInput, with
+another type raises TypeError, which says what is expected. Refused input raises BadInput, with
 the attributes code, problem, mend, source, line, ring, vertices and coordinates. Sets are values:
 made of coordinates, compared by their points, copied and pickled. Source: docs/definitions.md.
 """
@@ -205,11 +205,11 @@ def write_mesh(surface: Polyhedron, format: str, *, triangles: bool = False) -> 
 
 
 def set_memory_limit(bytes: int | None) -> None:
-    """What the process may have in memory while a sum, events or an index are computed: in bytes,
-    or None for nine tenths of what is free when the work begins. Work that needs more raises
-    LimitExceeded with the code `memory-limit`, where it can be told before it begins, else as soon
-    as it has it; what it has made is lost. It holds for all threads, from the next call on. Raises
-    Refusal for a number below one."""
+    """Limits the memory of the process while a sum, events or an index are computed: in bytes, or
+    None for nine tenths of the memory that is free when the work begins. Work that needs more
+    raises LimitExceeded with the code `memory-limit`, before the work begins where the need can be
+    told, else as soon as the limit is passed; unfinished results are lost. The limit holds for all
+    threads, from the next call on. Raises Refusal for a number below one."""
     if bytes is not None and whole("bytes", bytes) < 1:
         what = f"it has to be a number of bytes, or None, not {bytes}"
         raise Refusal(what, "set_memory_limit", "give 4 << 30 for four GiB")

@@ -63,7 +63,7 @@ def number(name: str, value: Any) -> str:
 
 
 def factors(name: str, value: Any) -> tuple[str, str, str]:
-    """Of the three axes: one number for all of them, or three."""
+    """The factors of the three axes, from one number for all of them or from three."""
     axes = value if isinstance(value, tuple | list) and len(value) == 3 else [value] * 3
     x, y, z = (number(name, factor) for factor in axes)
     return x, y, z
@@ -149,7 +149,7 @@ def _checked(
 
 
 def check_methods() -> None:
-    """Of the classes that users have in hand, from now on."""
+    """Makes the methods of the users' classes check their arguments from now on."""
     for owner, methods in _METHODS.items():
         for name, readers in methods.items():
             original = getattr(owner, name)

@@ -1,4 +1,4 @@
-"""What the command line refuses: what is wrong, where, and how to fix it."""
+"""Refusals of the command line: what is wrong, where, and how to fix it."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
 
 
 def choice(word: str, known: Iterable[str]) -> str:
-    """What to write in place of a word that is not one of a few."""
+    """Says which of a few words to write in place of an unknown one."""
     words = list(known)
     return f"{nearest(word, words)}choose one of {', '.join(words)}"
 

@@ -111,7 +111,7 @@ def approximate(number: str) -> float:
 
 
 def _integer(text: str) -> int:
-    """Of any length: int() refuses what has over 4,300 digits."""
+    """Reads an integer of any length: int() refuses more than 4,300 digits."""
     return int(text) if len(text) < 4000 else int(Decimal(text))
 
 

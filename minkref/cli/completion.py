@@ -1,4 +1,4 @@
-"""What a shell offers for words of `minkref verify`. Where nothing matches it offers files."""
+"""Words that a shell offers for `minkref verify`. Where no word matches, the shell offers files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a command gives: one JSON document for programs, or lines and tables for people."""
+"""Output of a command: one JSON document for programs, or lines and tables for people."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What people read of the answers of the paper's own program."""
+"""The answers of the paper's own program in words."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from minkref.output.terminal import console
 
 
 def in_words(found: dict[str, Any]) -> str:
-    """What people read of a comparison."""
+    """A comparison in words."""
     if found["same_structure"]:
         off = found["ulps"]
         return "the same set" if off == 0 else f"the same structure, up to {off:.3g} ulp off"

@@ -27,7 +27,7 @@ class Choices:
         return ", ".join(self.values(name) for name, *_ in self.rows)
 
     def values(self, name: str) -> str:
-        """What may be written for one of them: `solve=printed|corrected`."""
+        """The values that may be written for one name: `solve=printed|corrected`."""
         return f"{name}={'|'.join(self.values_of(name))}"
 
     def values_of(self, name: str) -> list[str]:

@@ -46,7 +46,8 @@ PassedVariables = Annotated[
 def walls_and_limits(
     seconds: float, memory: int, processes: int, isolation: str, passed: list[str] | None
 ) -> tuple[Isolation, Limits]:
-    """Of a command that asks one target. `memory` in MiB. Refuses what is out of range."""
+    """Walls and limits of a command that asks one target. `memory` in MiB. Refuses numbers out of
+    range."""
     check_numbers(0, None, None, seconds, memory, 1, None, call_processes=processes)
     walls = choose(isolation, tuple(passed or ()))
     return walls, Limits(seconds, memory << 20, processes=processes, isolation=walls)

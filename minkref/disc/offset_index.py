@@ -80,9 +80,9 @@ class OffsetIndex:
     def area_and_length(
         self, radius: Number | None = None, squared_radius: Number | None = None
     ) -> tuple[Bounds, Bounds]:
-        """Of the sum and of its boundary, each between two doubles that differ by less than 2^-36
-        of it. O(n) comparisons of whole numbers, and O(k) for k corners, without the boundary;
-        where that is not sharp enough, by the exact boundary."""
+        """Area of the sum and length of its boundary, each between two doubles that differ by less
+        than 2^-36 of the value. O(n) comparisons of whole numbers, and O(k) for k corners, without
+        the boundary; where these bounds are not sharp enough, by the exact boundary."""
         return self._index.measures(square_of(radius, squared_radius, "area_and_length"))
 
     def canonical_json(

@@ -133,6 +133,6 @@ def _neighbours(ring: Ring) -> list[tuple[tuple[Fraction, Fraction], tuple[Fract
 def _crossing(
     radius: Fraction, a: tuple[Fraction, Fraction], b: tuple[Fraction, Fraction]
 ) -> tuple[Fraction, Fraction]:
-    """Of the tangents of a circle at two points of it."""
+    """The crossing of the tangents at two points of a circle."""
     turn = a[0] * b[1] - a[1] * b[0]
     return radius * (b[1] - a[1]) / turn, radius * (a[0] - b[0]) / turn

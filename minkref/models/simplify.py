@@ -88,7 +88,7 @@ def simplify(rings: list[Ring], vertices: int, least: int = 8) -> list[Ring]:
 
 
 def faults(rings: list[Ring]) -> list[str]:
-    """What keeps the rings from bounding one polygon with holes; exact, all pairs of edges."""
+    """Faults that keep the rings from bounding one polygon with holes; exact, all edge pairs."""
     found = []
     edges = [
         (number, k, ring[k], ring[(k + 1) % len(ring)])

@@ -82,13 +82,13 @@ def rod(corners: int, half_length: int) -> Solid:
 
 
 def hull(given: set[Point]) -> Solid:
-    """Of points of a sphere; the vertices in ascending order."""
+    """The convex hull of points of a sphere; its vertices are in ascending order."""
     points = sorted(given)
     return points, facets(points)
 
 
 def flaws(solid: Solid) -> list[str]:
-    """What keeps the faces from being the facets of a convex polyhedron with all the points as
+    """Flaws that keep the faces from being the facets of a convex polyhedron with all the points as
     vertices."""
     points, faces = solid
     edges = [edge for f in faces for edge in zip(f, f[1:] + f[:1], strict=True)]

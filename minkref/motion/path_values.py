@@ -234,7 +234,7 @@ def largest_fit(
     """The scales at which the part, scaled about its origin, lies in the container: with its origin
     at a place (`at`), at some place (neither `at` nor `between`), or at two places and all along
     some way from one to the other (`between`), by translations. `largest` is the scale that is
-    asked for as a rule. Exact. Both sets are validated first. Of polyhedra, `at` alone is answered.
+    asked for as a rule. Exact. Both sets are validated first. For polyhedra only `at` is answered.
     Cost: docs/paths.md. Raises BadInput, Refusal."""
     rule = word_of("contact", contact, CONTACTS)
     if at is not None and between is not None:

@@ -17,8 +17,8 @@ SpacePlace = tuple[Fraction, Fraction, Fraction]
 
 @dataclass(frozen=True)
 class SpaceFeature:
-    """What touches: a "vertex" by its number, an "edge" by its two vertices, or the inside of a
-    "face" by its number."""
+    """A feature that touches: a "vertex" by its number, an "edge" by its two vertices, or the
+    inside of a "face" by its number."""
 
     kind: str
     numbers: tuple[int, ...]

@@ -1,4 +1,4 @@
-"""What a command hands out: one JSON document on standard output, or a file written all at once."""
+"""Results of a command: one JSON document on standard output, or a file written all at once."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ def folder_to_write(name: str, inside: Iterable[str] = ()) -> Path:
 
 
 def _check_folder(path: Path) -> None:
-    """Of those that it is in, the nearest that is there is where it will be made."""
+    """Checks the nearest existing ancestor of the folder: the folder will be created there."""
     for each in (path, *path.absolute().parents):
         if each.is_dir():
             check_writable(each / "ID.json")

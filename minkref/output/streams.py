@@ -28,7 +28,7 @@ class _Output(io.FileIO):
 
 
 class _Errors(io.FileIO):
-    """What standard error cannot take is dropped: there is nowhere left to say so."""
+    """Drops what standard error cannot take: there is nowhere left to say so."""
 
     def write(self, data: object) -> int:
         try:

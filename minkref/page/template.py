@@ -1,5 +1,5 @@
-"""What a page is filled into: a template, styles and scripts of one folder, and the script that all
-pages share, in one file that needs nothing else."""
+"""Fills a page: a template, styles and scripts of one folder, and the script that all pages share,
+in one file that needs nothing else."""
 
 from __future__ import annotations
 

@@ -33,10 +33,10 @@ class Parent:
 
 @dataclass(frozen=True)
 class Event:
-    """What happens at a critical scale, exactly. `rank`: how many different scales of the list lie
-    below. `change`: birth, death, touch, overlap, swap, merge or split. `at`: its place; `to`: the
-    other end where parallel edges share a segment. Of topology events also which feature (hole or
-    component) it is, its numbers before and after, and in how many parts it is at the scale. Terms:
+    """A change at a critical scale, exact. `rank`: how many different scales of the list lie below.
+    `change`: birth, death, touch, overlap, swap, merge or split. `at`: its place; `to`: the other
+    end where parallel edges share a segment. A topology event also names its feature (hole or
+    component), the feature's numbers before and after, and its number of parts at the scale. Terms:
     docs/definitions.md."""
 
     scale: Fraction
@@ -98,12 +98,12 @@ class Events(Sequence[Event]):
 
     @property
     def holes(self) -> list[Life]:
-        """Of topology events: all holes ever, by their numbers."""
+        """All holes ever, by their numbers; for topology events only."""
         return self._lives("holes")
 
     @property
     def components(self) -> list[Life]:
-        """Of topology events: all components ever, by their numbers."""
+        """All components ever, by their numbers; for topology events only."""
         return self._lives("components")
 
     def _lives(self, name: str) -> list[Life]:

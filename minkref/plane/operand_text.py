@@ -40,7 +40,7 @@ def text_and_form(name: str, inline: bool = False) -> tuple[str, str]:
 
 
 def text_of(name: str) -> str:
-    """What is on standard input, whole, where the name is `-`; else the name itself."""
+    """All of standard input if the name is `-`; else the name itself."""
     if name != STANDARD_INPUT:
         return name
     text = decoded(_standard_input(), source_of(name))
@@ -68,7 +68,7 @@ def _standard_input() -> bytes:
 
 
 def source_of(name: str) -> str:
-    """What a message calls it."""
+    """The name of the operand in a message."""
     if name == STANDARD_INPUT:
         return "standard input"
     return name if len(name) <= 60 else f"{name[:57]}..."

@@ -26,13 +26,13 @@ def evenly_spaced(first: str, last: str, count: int) -> list[str]:
 
 
 def read_scales(path: Path) -> list[str]:
-    """The scales in a file, one a line, in its order. What follows a # is a comment; lines may be
-    blank. Refuses by file and line."""
+    """The scales in a file, one a line, in its order. A # begins a comment; lines may be blank.
+    Refuses by file and line."""
     return lines_of_scales(path, read_scale)
 
 
 def lines_of_scales(path: Path, read: Callable[[str, str], S]) -> list[S]:
-    """What `read` makes of each line of such a file."""
+    """The result of `read` for each line of a file of scales."""
     name = escaped(str(path))
     scales: list[S] = []
     for number, line in enumerate(_text(path, name).splitlines(), start=1):

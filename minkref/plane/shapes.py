@@ -21,8 +21,8 @@ from minkref.exact import read_number
 from minkref.plane.operand_text import source_of, text_and_form
 
 Ring = list[tuple[str, str]]
-#: What GeoJSON calls it, or RINGS, which need not be closed; and its rings, of which holes are the
-#: second and later ones.
+#: The GeoJSON type, or RINGS, whose rings need not be closed; and the rings, of which the second
+#: and later ones are holes.
 Part = tuple[str, list[Ring]]
 RINGS = "rings"
 
@@ -38,8 +38,8 @@ _GEOMETRIES = ("Point", "LineString", "Polygon", "MultiPolygon")
 
 
 def set_or_parts(shape: Any) -> _core.PolygonSet | list[Part]:
-    """What the constructor of PolygonSet makes its set of: a set as it is, that of a text as a
-    command reads it (WKT, GeoJSON, plain JSON), or parts. Raises BadInput."""
+    """The material of the constructor of PolygonSet: a set as it is, the set of a text as a command
+    reads texts (WKT, GeoJSON, plain JSON), or parts. Raises BadInput."""
     if isinstance(shape, _core.PolygonSet):
         return shape
     if isinstance(shape, str):
@@ -227,7 +227,7 @@ def _fraction(value: Fraction) -> str:
 
 
 def _digits(value: int) -> str:
-    """Of a number of any length: `str` refuses what has over 4,300 digits."""
+    """Writes a number of any length: `str` refuses more than 4,300 digits."""
     return str(value) if value.bit_length() < 14_000 else format(Decimal(value), "f")
 
 

@@ -42,8 +42,8 @@ class GeneralSum:
         return digest(self.canonical_json())
 
     def mesh(self, triangles: bool = False) -> _core.Polyhedron:
-        """Closed. Of faces as they are, it is not manifold where the set touches itself; of
-        triangles it is, by the numbers of its vertices."""
+        """A closed mesh. Made of faces as they are, the mesh is not manifold where the set touches
+        itself; made of triangles, the mesh is manifold, by the numbers of its vertices."""
         if self.convex is None:
             return self.surface.boundary.mesh(triangles)
         surface = self.convex.surface()

@@ -138,7 +138,7 @@ def _is_polyhedron(name: str) -> bool:
 
 
 def _holds_vertices(path: Path) -> bool:
-    """A JSON object with a member `vertices`. What else is wrong with it the reader says."""
+    """Whether the file is a JSON object with a member `vertices`. The reader tells other faults."""
     try:
         with path.open("rb") as stream:
             document: Any = json.loads(stream.read(LONGEST), parse_int=str, parse_float=str)

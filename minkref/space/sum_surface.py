@@ -43,7 +43,7 @@ class SumSurface:
 def sum_surface(
     found: _core.PolyhedralSet, P: SpaceOperand, Q: SpaceOperand, scaling: Scaling
 ) -> SumSurface:
-    """Of S P ⊕ Q. The parents are numbered as in the operands in canonical form."""
+    """The surface of S P ⊕ Q. Parents are numbered as in the operands in canonical form."""
     boundary = found.surface()
     parents = boundary.parents(P.canonical(), Q.canonical(), scaling)
     facets = [

@@ -1,4 +1,4 @@
-"""What every document says of a sum in space."""
+"""The fields of a sum in space in every document."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ KINDS = ("polygon", "hole", "vertex")
 
 
 def places(draft: Draft, kind: str) -> list[tuple[Operand, Place]]:
-    """What can be left out, the last first: leaving one out moves none of those that follow."""
+    """Places that can be left out, the last first: leaving one out moves no place that follows."""
     found: list[tuple[Operand, Place]] = []
     for name, shape in _operands(draft):
         for i, polygon in enumerate(shape):

@@ -15,7 +15,7 @@ MOSTLY = st.sampled_from((False, True, True))  # shrinks to False
 
 @dataclass(frozen=True)
 class Bounds:
-    """What a drawn set may have."""
+    """Bounds of a drawn set."""
 
     max_vertices: int
     holes: int

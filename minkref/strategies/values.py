@@ -1,4 +1,4 @@
-"""What the strategies draw: plain JSON (docs/formats.md), numbers as texts `n` or `n/d`."""
+"""Values that the strategies draw: plain JSON (docs/formats.md), numbers as texts `n` or `n/d`."""
 
 from __future__ import annotations
 

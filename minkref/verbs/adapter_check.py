@@ -54,7 +54,7 @@ BLOCK = [(x, y, z) for x in range(3) for y in range(3) for z in range(3)]
 
 @dataclass(frozen=True)
 class Trying:
-    """What is asked: P, Q and the scale as a case that names itself."""
+    """A question: P, Q and the scale as a case that names itself."""
 
     title: str
     P: str

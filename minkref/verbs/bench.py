@@ -96,7 +96,7 @@ def _index(table: index.IndexTable) -> dict[str, Any]:
 
 
 def _part(table: Any, head: dict[str, Any], summary: dict[str, Any]) -> dict[str, Any]:
-    """Of the document; the table has rows, notes and what is wrong."""
+    """A part of the document, with the rows, the notes and the wrong results of the table."""
     return {**head, "rows": table.rows, **summary, "notes": table.notes, "wrong": table.wrong}
 
 

@@ -48,7 +48,7 @@ class CertificateFiles:
         raise Refusal("this is not a name for a certificate", str(output), mend)
 
     def refuse(self, files: Sequence[Path]) -> None:
-        """What cannot be written, or would replace one of the files."""
+        """Refuses outputs that cannot be written, or would replace one of the files."""
         for path in (self.output, self.case):
             check_writable(path)
             refuse_overwriting(path, files)

@@ -208,7 +208,7 @@ def _in_space(P: str, Q: str, wish: Wish) -> tuple[list[Path], Make]:
 
 
 def _refuse_thin(operand: SpaceOperand) -> None:
-    """What has no volume has no certificate."""
+    """Refuses an operand without volume, which has no certificate."""
     if not operand.is_solid:
         mend = "give a polyhedron by its faces"
         raise Refusal("the operand has no volume", operand.name, mend, "not-solid")
@@ -216,7 +216,7 @@ def _refuse_thin(operand: SpaceOperand) -> None:
 
 @dataclass(frozen=True)
 class Wish:
-    """What is to be certified, as the options say it."""
+    """The statement to be certified, as the options give it."""
 
     scale: str | None
     event: str | None

@@ -1,4 +1,4 @@
-"""What the producer has made, before the checker that shares nothing with it."""
+"""Puts certificates before the checker that shares nothing with their producer."""
 
 from __future__ import annotations
 

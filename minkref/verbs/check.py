@@ -102,7 +102,7 @@ def command(
 def _proved(
     path: Path, case: Path | None, limits: dict[str, float], claims: list[str]
 ) -> dict[str, Any]:
-    """What the proved checker adds to a row. Its verdict is that of the row."""
+    """The fields that the proved checker adds to a row. Its verdict is that of the row."""
     options = [f"{name}={value!r}" for name, value in limits.items()]
     options += [] if case is None else [f"--case={case}"]
     found = check_proved.follow(path, *options)

@@ -17,7 +17,7 @@ DECLINED = 5
 
 @dataclass(frozen=True)
 class Proof:
-    """What it says of one certificate: a word, why, and what is proved."""
+    """The answer on one certificate: a word, why, and what is proved."""
 
     word: str
     why: str

@@ -309,7 +309,7 @@ def _condition(where: str | None, kind: str) -> _core.EventCondition | None:
 
 
 def _route(kind: str, route: str | None, index: Path | None) -> str | None:
-    """That of boundary and topology events; the others have none."""
+    """The route of boundary and topology events; other kinds have none."""
     if kind in ROUTED_KINDS:
         return chosen_route(index, route, ROUTES)
     if route is not None or index is not None:

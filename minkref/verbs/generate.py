@@ -184,7 +184,7 @@ def command(
 
 @dataclass
 class _Tally:
-    """Of a family."""
+    """The tally of a family."""
 
     cases: int = 0
     _bytes: dict[str, int] = field(default_factory=dict)  # by id
@@ -271,15 +271,15 @@ def _made(tasks: Iterable[Task], jobs: int) -> Generator[Made, None, None]:
 
 
 def _kill(pool: ProcessPoolExecutor, processes: Iterable[BaseProcess]) -> None:
-    """Its processes. Of a result that one had half written the pool would wait for the rest: with
-    its own end of their pipe closed it reads the end instead (CPython has no public way)."""
+    """Kills the pool's processes. The pool would wait for the rest of a half-written result: with
+    its own end of the pipe closed the pool reads the end instead (CPython has no public way)."""
     for process in processes:
         process.kill()
     pool._result_queue._writer.close()  # type: ignore[attr-defined]
 
 
 def _submitted(pool: ProcessPoolExecutor, task: Task) -> Future[Made]:
-    """A process that starts for it is deaf to Ctrl-C from its first instruction on."""
+    """Submits the task; a process that starts is deaf to Ctrl-C from its first instruction on."""
     mask = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT,))
     try:
         return pool.submit(_make, task)

@@ -45,7 +45,7 @@ def asked_program(
 
 
 def told(run: dict[str, Any] | None) -> dict[str, Any]:
-    """What the document of the command says of the run; nulls without one."""
+    """The fields of the run in the document of the command; nulls without a run."""
     if run is None:
         names = ("readings", "steps", "wrong_steps", "first_wrong", "events")
         return {"arithmetic": EXACT, **dict.fromkeys(names)}

@@ -47,9 +47,9 @@ class PaperWalk:
     def events(
         self, most: int | None = None, window: tuple[Fraction, Fraction] | None = None
     ) -> dict[str, Any]:
-        """Of the array of events, how many are right, and what is missed and invented; with `most`
-        the first so many, each with the exact scale of the same event, or the first so many of a
-        window that are missed and invented."""
+        """Counts of right, misplaced, missed and invented events of the array, and the first missed
+        and the first invented event; with `most` also the first so many events, each with the exact
+        scale of the same event, or the first so many of a window that are missed and invented."""
         found = compare_events(
             self._P, self._Q, self._update, self._adjacent, self._bits, most or 0, window, cores()
         )
@@ -82,7 +82,8 @@ class PaperWalk:
         return comparison_fields(compare(self._P, self._Q, scale, answer, self._bits, exact))
 
     def row(self, scale: str) -> tuple[Row, _core.PolygonSet]:
-        """Of a sweep, at its next scale. Refuses what the arithmetic cannot decide."""
+        """The row of a sweep at its next scale, and the sum. Refuses what the arithmetic cannot
+        decide."""
         did = decided(lambda: self.move_to(scale))
         answer = decided(self.sum)
         row: Row = {

@@ -329,7 +329,7 @@ def command(
 
 
 def _ended(done: Run, ledger: Path | None) -> str:
-    """What a run that a signal ended has done, and how to go on."""
+    """Says what a run has done that a signal ended, and how to go on."""
     name = signal.Signals(done.ended or 0).name
     how = "a run with --ledger FILE continues where it ended"
     if ledger is not None:

@@ -1,4 +1,4 @@
-"""What the numbers given to `minkref verify` may be."""
+"""Limits of the numbers given to `minkref verify`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `minkref verify` shows: progress, the table of verdicts, the JSON document."""
+"""Output of `minkref verify`: progress, the table of verdicts, the JSON document."""
 
 from __future__ import annotations
 

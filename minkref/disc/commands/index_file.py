@@ -26,8 +26,8 @@ def disc_index_of(path: Path | None, P: Operand, threads: int | None = None) -> 
 
 
 def from_places(path: Path | None, P: Operand, make: Callable[[Places | None], Found]) -> Found:
-    """What `make` finds, without a file anew. Of a file the places of events are taken, and each is
-    proven again, as is that none is missing: a file that tells lies is refused."""
+    """The result of `make`: without a file anew, else with the file's places of events. Each place
+    is proven again, and also that none is missing: a file that tells lies is refused."""
     if path is None:
         return refusing(P.name, lambda: make(None))
     places = _places(path)

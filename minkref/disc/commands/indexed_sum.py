@@ -10,9 +10,9 @@ from minkref.output.documents import Stopwatch
 
 
 class IndexedSum:
-    """What commands ask of a sum. Read off are the canonical form, components, holes, area and
-    length. Pictures, exact measures, and tight passages, which there are at events only, are those
-    of the static sum, which is made when they are asked for."""
+    """A sum as commands ask for it. Read off are the canonical form, components, holes, area and
+    length. Pictures, exact measures, and tight passages (at events only) come from the static sum,
+    which is made when one of these is asked for."""
 
     def __init__(self, index: _core.DiscIndex, P: _core.PolygonSet, square: str) -> None:
         self._index, self._set, self._square = index, P, square

@@ -107,7 +107,7 @@ def _found(
 
 
 def described(found: _core.Offset | IndexedSum, canonical: str) -> dict[str, Any]:
-    """What a document says of a sum with a disc."""
+    """The fields of a document for a sum with a disc."""
     return {
         "digest": digest(canonical),
         "components": found.components,

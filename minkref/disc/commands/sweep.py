@@ -87,7 +87,7 @@ def sweep_with_disc(
 
 
 def _row(index: _core.DiscIndex, radius: str) -> tuple[Row, tuple[str, str]]:
-    """What is read off at a radius; the radius and the canonical form."""
+    """The row that is read off at a radius; the radius and the canonical form."""
     watch = Stopwatch()
     square = str(Fraction(radius) ** 2)
     canonical = index.canonical_json(square)

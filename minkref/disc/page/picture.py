@@ -1,4 +1,4 @@
-"""What the page of `minkref view P disc` shows, as the JSON document that its scripts read."""
+"""The page of `minkref view P disc` as the JSON document that its scripts read."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def _point(P: _core.PolygonSet, drawing: dict[str, Any]) -> list[float] | None:
 
 
 def counts(data: dict[str, Any]) -> dict[str, Any]:
-    """What the document of the command tells of the page."""
+    """The counts of the page for the document of the command."""
     first, end = data["inside"]
     inside = range(first + 1, end + 1)
     numbers = data["numbers"]

@@ -74,7 +74,7 @@ def proof_document(proof: tuple[Checked, PathCertificate] | None) -> dict[str, A
 
 
 def proof_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
-    """What the terminal is told of it."""
+    """The rows about the certificate for the terminal."""
     told = value.get("certificate")  # none in space
     if told is None:
         return []

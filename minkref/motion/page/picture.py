@@ -1,4 +1,4 @@
-"""What the page of a path shows, as the JSON document that its scripts read."""
+"""The page of a path as the JSON document that its scripts read."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ WITHOUT_BOUNDS = Fraction(2)  # its end where there is none
 
 @dataclass(frozen=True)
 class PathQuestion:
-    """What is asked of a path: for which scales the part passes."""
+    """The question about a path: for which scales the part passes."""
 
     part: _core.PolygonSet
     obstacles: _core.PolygonSet

@@ -1,4 +1,4 @@
-// What the pages in the plane and in space share: elements, counts in words, and the tip at the mouse.
+// Shared by the pages in the plane and in space: elements, counts in words, and the tip at the mouse.
 const element = (id) => document.getElementById(id);
 const counted = (count) => count.toLocaleString("en");
 const several = (count, one, many = `${one}s`) => `${counted(count)} ${count === 1 ? one : many}`;

@@ -45,7 +45,7 @@ def write_parquet(found: _core.PairEvents, path: Path, count: int) -> None:
 
 
 def _edge_columns(found: _core.PairEvents) -> dict[str, Any]:
-    """Of all edges; events take from them."""
+    """The columns of all edges; events take their rows from these columns."""
     import pyarrow as pa
 
     kinds, _, *indices = list(zip(*found.edges(), strict=True)) or [()] * 6

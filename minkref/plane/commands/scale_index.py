@@ -35,7 +35,7 @@ WHOLE = 100
 
 
 def cores() -> int:
-    """That this process may use."""
+    """The number of cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
 
 
@@ -65,7 +65,7 @@ def chosen_route(
 def build_index(
     P: Operand, Q: Operand, first: str | None, last: str | None, threads: int | None = None
 ) -> _core.ScaleIndex:
-    """Of a closed window; open towards 0 or infinity where a bound is None."""
+    """The index of a closed window, which is open towards 0 or infinity where a bound is None."""
     with progress(WHOLE) as line:
         tell = _teller(line)
         return refusing(
@@ -75,7 +75,7 @@ def build_index(
 
 
 def open_index(path: Path, P: Operand, Q: Operand) -> _core.ScaleIndex:
-    """One that was saved, if it is that of these operands."""
+    """Opens a saved index, if it belongs to these operands."""
     index = refusing(str(path), lambda: _core.ScaleIndex.open(str(path)))
     if not index.is_of(P.set, Q.set):
         raise Refusal(

@@ -1,4 +1,4 @@
-"""What every document says of a sum."""
+"""The fields of a sum in every document."""
 
 from __future__ import annotations
 

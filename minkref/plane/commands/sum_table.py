@@ -1,4 +1,4 @@
-"""What `minkref sum` prints for people."""
+"""The output of `minkref sum` for people."""
 
 from __future__ import annotations
 

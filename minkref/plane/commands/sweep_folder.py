@@ -79,7 +79,7 @@ class SweepFolder:
                 )
 
     def name(self, number: int) -> str:
-        """Of the file of a scale; they are numbered from 1."""
+        """The name of the file of a scale; scales are numbered from 1."""
         return f"sum-{number:04}.{self.form}"
 
     def write(self, name: str, text: str | Iterable[str]) -> None:
@@ -132,7 +132,7 @@ class SweepFolder:
 def sweep_folder(
     output: Path | None, form: str | None, formats: Sequence[str], where: str = ""
 ) -> SweepFolder | None:
-    """That of -o and --format. `where`: what to say before the formats that there are."""
+    """The folder of -o and --format. `where`: words before the list of formats in a refusal."""
     if form is not None and form not in formats:
         raise Refusal(f"there is no format {form!r}", "--format", where + choice(form, formats))
     if form is not None and output is None:

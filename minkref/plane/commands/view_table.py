@@ -1,4 +1,4 @@
-"""What `minkref view` counts and prints of the page in the plane."""
+"""The counts and lines that `minkref view` prints about the page in the plane."""
 
 from __future__ import annotations
 

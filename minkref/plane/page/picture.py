@@ -1,4 +1,4 @@
-"""What the page of `minkref view` shows, as the JSON document that its scripts read."""
+"""The page of `minkref view` as the JSON document that its scripts read."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def _states(sums: Sums, window: Window, progress: Progress) -> States:
 
 
 def rings_of(operand: _core.PolygonSet) -> list[list[list[float]]]:
-    """Of each polygon its rings, x, y, x, y, ..."""
+    """The rings of each polygon, as x, y, x, y, ..."""
     rings = [
         [[axis for point in ring for axis in point] for ring in polygon]
         for polygon in operand.approximate_rings()

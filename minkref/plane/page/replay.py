@@ -9,7 +9,7 @@ from minkref.plane.page.ring_changes import Bounds, Change, Row, turned
 
 
 class Replay:
-    """What a reader of the changes has after each of them."""
+    """The state of a reader of the changes after each change."""
 
     def __init__(self) -> None:
         self._lists: dict[int, list[int]] = {}

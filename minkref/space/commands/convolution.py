@@ -42,7 +42,7 @@ def convolution_in_space(
     memory: int | None,
     triangles: bool = False,
 ) -> None:
-    """The command, its options read but not yet checked. Of convex operands nothing has to be
+    """The command, its options read but not yet checked. For convex operands nothing has to be
     culled: the convolution is the boundary of the sum."""
     watch = Stopwatch()
     scaling = read_scaling(scale)

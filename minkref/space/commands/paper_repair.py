@@ -133,7 +133,7 @@ def print_repair(value: dict[str, Any], rows: RowSpool) -> None:
 
 
 def in_words(found: dict[str, Any]) -> str:
-    """What people read of a comparison."""
+    """A comparison in words."""
     if found["same_facets"]:
         off = found["ulps"]
         if off is None:

@@ -1,4 +1,4 @@
-"""What becomes of the mesh of a sum in a program that reads its decimals as doubles."""
+"""The mesh of a sum as a program sees it that reads its decimals as doubles."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from minkref.exact import scientific
 
 
 def rounding_of(mesh: _core.Polyhedron, is_text_exact: bool = False) -> dict[str, Any] | None:
-    """What the core reports of the mesh with each coordinate the nearest double; whether that is
-    closed; and the first rule of a polyhedron that it breaks, its faces cut into triangles. Exact.
-    None where the text is exact and all its numbers are doubles, and where the doubles cannot be
-    looked at: a coordinate is beyond their range, or it takes too many bits to write all over one
-    denominator. O(n log n) where few triangles are close to each other."""
+    """The core's report on the mesh with each coordinate the nearest double; whether this mesh is
+    closed; and the first rule of a polyhedron that the mesh breaks, its faces cut into triangles.
+    Exact. None where the text is exact and all its numbers are doubles, and where the doubles
+    cannot be looked at: a coordinate is beyond their range, or writing all doubles over one
+    denominator takes too many bits. O(n log n) where few triangles are close to each other."""
     try:
         rounded, report = _core.rounded_mesh(mesh)
         if is_text_exact and not report["moved_vertices"]:

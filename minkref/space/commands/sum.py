@@ -88,7 +88,7 @@ def sum_in_space(
 def summed(
     P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str
 ) -> tuple[Callable[[bool], _core.Polyhedron], dict[str, Any]]:
-    """What makes the mesh that is written, of triangles or not, and what the document says of the
+    """The maker of the mesh that is written, of triangles or not, and the document's fields of the
     sum."""
     if route in ROUTES or 0 in (P.surface.vertices, Q.surface.vertices):
         answer = compute(P, Q, scaling, route)

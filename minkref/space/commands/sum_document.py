@@ -1,4 +1,4 @@
-"""What `minkref sum --json` says of a sum in space, by whatever route."""
+"""The document of `minkref sum --json` for a sum in space, by any route."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from minkref.space.sums import sum_fields
 
 
 def of_convex_sum(answer: SpaceSum, P: SpaceOperand, Q: SpaceOperand) -> dict[str, Any]:
-    """Of a route for convex operands."""
+    """The document of a sum by a route for convex operands."""
     fields = sum_fields(answer)
     return {
         "compute_seconds": answer.seconds,
@@ -34,7 +34,7 @@ def of_convex_sum(answer: SpaceSum, P: SpaceOperand, Q: SpaceOperand) -> dict[st
 
 
 def of_general_sum(answer: GeneralSum, P: SpaceOperand, Q: SpaceOperand) -> dict[str, Any]:
-    """Of a route for operands of any shape."""
+    """The document of a sum by a route for operands of any shape."""
     volume = answer.set.volume()
     return {
         "compute_seconds": answer.seconds,

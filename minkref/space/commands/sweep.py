@@ -86,7 +86,7 @@ def sweep_in_space(
 def _steps(
     P: SpaceOperand, Q: SpaceOperand, first: Scaling
 ) -> Callable[[Scaling], tuple[Row, _core.Polyhedron]]:
-    """What makes each row. Beside the empty set, a point or a segment there is nothing to update:
+    """The maker of the rows. Beside the empty set, a point or a segment there is nothing to update:
     all counts are 0."""
     where = f"{P.name} and {Q.name}"
     if P.body is None or Q.body is None:

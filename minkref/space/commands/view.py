@@ -86,8 +86,8 @@ def view_in_space(
 
 
 def _maker(P: SpaceOperand, Q: SpaceOperand, first: Scaling, shapes: tuple[Body, Body]) -> Maker:
-    """What makes a frame: what the document says of it, and the text in the page. Convex sums are
-    got each from the one before."""
+    """The maker of frames: the frame's row in the document, and its text in the page. Each convex
+    sum is got from the sum before."""
     where = f"{P.name} and {Q.name}"
     if P.body is None or Q.body is None:
 
@@ -110,7 +110,7 @@ def _maker(P: SpaceOperand, Q: SpaceOperand, first: Scaling, shapes: tuple[Body,
 
 
 def _window(first: str | None, last: str | None) -> tuple[str, str] | None:
-    """Of events."""
+    """The window of events."""
     if first is None and last is None:
         return None
     if first is None or last is None:

@@ -29,7 +29,7 @@ def frames_of(window: tuple[str, str]) -> list[Scaling]:
 def events_text(
     P: SpaceOperand, Q: SpaceOperand, window: tuple[str, str], scalings: list[Scaling], threads: int
 ) -> tuple[str, dict[str, int]]:
-    """What the page has of the events, and how many there are of each kind."""
+    """The data of the events for the page, and the number of events of each kind."""
     for scaling in scalings:
         if len(set(scaling)) > 1:
             mend = "leave out --from and --to, or give scales with one factor for all axes"

@@ -17,7 +17,7 @@ GENERAL_KINDS = (*KINDS, "several")
 
 
 def general_row(answer: GeneralSum) -> dict[str, Any]:
-    """What both the document and the page say of a frame."""
+    """The row of a frame for both the document and the page."""
     found = Counter(_kind(facet.parents) for facet in answer.surface.facets)
     volume = answer.set.volume()
     return {

@@ -75,7 +75,7 @@ class FrameBox:
 
 
 def frame_row(scaling: Scaling, answer: SpaceSum, did: dict[str, Any]) -> dict[str, Any]:
-    """What both the document and the page say of a frame."""
+    """The row of a frame for both the document and the page."""
     found = Counter(kind_of(*parents) for parents in answer.facet_parents)
     return {
         "scale": list(scaling),
@@ -86,7 +86,7 @@ def frame_row(scaling: Scaling, answer: SpaceSum, did: dict[str, Any]) -> dict[s
 
 
 def kind_of(P: list[int], Q: list[int]) -> str:
-    """Of a facet that is the sum of these faces, given by their vertices."""
+    """The kind of a facet that is the sum of these faces, given by their vertices."""
     return _FACES[min(len(P), 3), min(len(Q), 3)]
 
 

@@ -1,4 +1,4 @@
-// What the page knows: P, the outer Voronoi diagram, its events and holes.
+// The data of the page: P, the outer Voronoi diagram, its events and holes.
 const data = JSON.parse(element("data").textContent);
 const [windowFirst, windowLast] = data.window.map(([, about]) => about);
 data.about = data.radii;
@@ -19,7 +19,7 @@ for (let event = eventCount - 1; event >= 0; --event) firstEvents[data.numbers[e
 firstEvents.push(eventCount);
 const radiusOf = (event) => data.numbers[event] - 1;
 
-// What an event does to holes and components.
+// The changes of holes and components at each event.
 const changes = new Map();
 function note(event, change) {
   if (event === null) return;

@@ -4,7 +4,7 @@ const drawing = {
   view: { x: 0, y: 0, unit: 1 },
   holes: [],  // {id, path} in screen coordinates
 
-  // That of P, moved outwards.
+  // The box of P, moved outwards by the radius.
   box(radius) {
     const box = new Box();
     if (!boxOfP.empty) {

@@ -21,7 +21,7 @@ const boundary = {
   },
 };
 
-// What is left of the diagram beyond a radius falls into parts, one for each hole.
+// The rest of the diagram, beyond a radius, falls into parts, one for each hole.
 function holesOfNodes(gap) {
   const outside = data.numbers.length, roots = Int32Array.from({ length: outside + 1 }, (_, node) => node);
   const root = (node) => {

@@ -38,7 +38,7 @@ function previousRadius() {
   return number;
 }
 
-// Of the sum at the radius of events at which the page stands.
+// The tight passages of the sum, if the page stands at a radius of events.
 const passagesHere = () => (at >= 0 ? data.passages?.[at] ?? [] : []);
 
 function tellSituation() {

@@ -1,4 +1,4 @@
-// What the page knows: part, obstacles and path, the bad polygons, the valid scales and their bounds.
+// The data of the page: part, obstacles and path, the bad polygons, the valid scales and their bounds.
 const data = JSON.parse(element("data").textContent);
 const [windowFirst, windowLast] = data.window.map(([, about]) => about);
 const clampScale = (s) => Math.min(Math.max(s, windowFirst), windowLast);

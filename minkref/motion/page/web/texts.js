@@ -14,7 +14,7 @@ function rangeText(range) {
   return `${range.from_in ? "[" : "("}${range.from}, ${range.to ?? "infinity"}${range.to_in ? "]" : ")"}`;
 }
 
-// What a bound is: the lines of the box below the diagram.
+// A bound in words: the lines of the box below the diagram.
 function boundLines(bound) {
   const { at, about } = bound;
   return [

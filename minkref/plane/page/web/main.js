@@ -22,7 +22,7 @@ function previousEvent() {
   return event;
 }
 
-// Of the sum at the event at which the page stands.
+// The tight passages of the sum, if the page stands at an event.
 const passagesHere = () => (atEvent >= 0 ? data.passages?.[atEvent] ?? [] : []);
 
 function tellSituation() {

@@ -39,7 +39,7 @@ const paper = {
     context.fill();
   },
 
-  // What is added, as far as it is within a size of the exact sum: far from it nothing else would be seen.
+  // Widens the box by the added polygons, within one size of the exact sum: farther off nothing else would be seen.
   widen(box, s) {
     const step = this.run && this.run.steps[this.stepAt(s)];
     if (!step || box.empty) return;

@@ -10,7 +10,7 @@ function between(a, b, cut) {
 // The same for the two triangles at an edge.
 const crossing = (points, v, w, cut) => (v < w ? between(points[v], points[w], cut) : between(points[w], points[v], cut));
 
-// What is left of a triangle: its corners.
+// The rest of a triangle after the cut: its corners.
 function leftOf(points, triangle, cut) {
   if (!cut) return triangle.map((v) => points[v]);
   return triangle.flatMap((v, k) => {
@@ -19,7 +19,7 @@ function leftOf(points, triangle, cut) {
   });
 }
 
-// What is left of a segment; null for nothing.
+// The rest of a segment after the cut; null for nothing.
 function partLeft([a, b], cut) {
   if (!cut) return [a, b];
   const here = isLeft(a, cut), there = isLeft(b, cut);

@@ -113,7 +113,7 @@ function face() {
   turn({ ...home, up, eye: { x, y, z } });
 }
 
-// All pictures look the same way; `from` already does. What comes while they are turned is done after.
+// All pictures look the same way; `from` already does. A turn asked for meanwhile is done after.
 async function turn(camera, from = null) {
   state.camera = camera;
   wanted = from;

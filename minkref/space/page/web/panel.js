@@ -1,4 +1,4 @@
-// What stands beside the picture: the legend with its counts, exact facts, the update, what is chosen.
+// The panel beside the picture: the legend with its counts, exact facts, the update, what is chosen.
 function node(name, attributes = {}, ...children) {
   const made = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);

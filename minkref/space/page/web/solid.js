@@ -42,9 +42,9 @@ function edgesOf(count, outlines) {
   return edges;
 }
 
-// A body in the unit of its picture: { points, outlines, triangles, kinds, normals, edges, outward, sides }. Of each facet
-// `outlines` has the rings, the outer one first. `outward` are the directions in which vertices stand off the surface; edges
-// are [a, b, facet, facet].
+// A body in the unit of its picture: { points, outlines, triangles, kinds, normals, edges, outward, sides }.
+// `outlines`: the rings of each facet, the outer one first. `outward`: the directions in which vertices stand off the
+// surface. Edges are [a, b, facet, facet].
 function solid(points, outlines, triangles, kindOf, sides) {
   const normals = outlines.map(([ring]) => normalOf(points, ring));
   const outward = points.map(() => [0, 0, 0]);

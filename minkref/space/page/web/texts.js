@@ -39,7 +39,7 @@ function captionText(frame) {
     `${parts.join(", ")}. ${frame.pairs ? "" : `${shapeText(frame)}. `}Volume ${volumeText(frame)}. SHA-256 ${frame.digest.slice(0, 12)}…`;
 }
 
-// What the pointer is told of a facet or vertex of a picture.
+// The text at the pointer for a facet or vertex of a picture.
 function tipText(name, picture, frame, what, number) {
   const corners = what === "facet" ? several(cornersOf(picture, number), "corner") : "";
   if (name === "sum") {
