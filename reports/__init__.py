@@ -1,1 +1,1 @@
-"""What people look at: the conformance report and the evidence."""
+"""Pages for people: the conformance report and the evidence."""

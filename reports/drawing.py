@@ -108,7 +108,7 @@ def picture(
 
 
 def _cover(area: Box, width: int, height: float) -> str:
-    """Of all that is outside of the area."""
+    """A cover of everything outside of the area."""
     x0, y0, x1, y1 = area
     inner = f"M{x0:.2f} {y0:.2f}H{x1:.2f}V{y1:.2f}H{x0:.2f}Z"
     return f'<path class="cover" fill-rule="evenodd" d="M0 0H{width}V{height:.0f}H0Z{inner}"/>'

@@ -27,8 +27,8 @@ def offset_picture(
 ) -> str:
     """An SVG document: the region with its boundary as segments and arcs, and on it the `operand`
     that has been moved by the disc and the tight `passages`. The longer side of the region's box is
-    WIDTH - 2 PAD; each coordinate is rounded to a thousandth of a unit of the picture. Of any size,
-    near to the origin or far from it."""
+    WIDTH - 2 PAD; each coordinate is rounded to a thousandth of a unit of the picture. The region
+    may have any size, and lie near to the origin or far from it."""
     origin, factor, radius = offset.drawing_frame()
     components = offset.drawn_rings(origin, factor)
     box = _box([piece for rings in components for ring in rings for piece in ring], radius)

@@ -1,4 +1,4 @@
-"""What all pages share: templates that escape, a frame, a style."""
+"""Shared by all pages: templates that escape, a frame, a style."""
 
 from __future__ import annotations
 

@@ -91,7 +91,7 @@ def common_frame(boxes: Sequence[ExactBox | None]) -> tuple[Fraction, tuple[floa
 
 
 def pane(layers: list[Layer], room: tuple[float, float], caption: str) -> str:
-    """What is drawn in the middle of the room; a speck gets a mark."""
+    """A picture of the layers in the middle of the room; a speck gets a mark."""
     left, bottom, right, top = bounds(layers)
     x, y = (left + right) / 2, (bottom + top) / 2
     if layers and max(right - left, top - bottom) < SPECK:

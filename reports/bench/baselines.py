@@ -1,4 +1,4 @@
-"""What the dynamic update is timed against: the same found afresh at each scale."""
+"""Baselines of the dynamic update: the same found afresh at each scale."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def baselines(pair: Pair, oracle: CgalOracle | None) -> list[Baseline]:
 
 
 def by_cgal(oracle: CgalOracle, pair: Pair, scale: str) -> float:
-    """Of the call alone, from parsed operands."""
+    """Seconds of the call alone, from parsed operands."""
     answer = oracle.sum(pair.P.set.scaled(scale).to_json(), pair.Q.set.to_json())
     if answer.status != "result" or answer.seconds is None:
         raise NoTimeError(f"{answer.status}: {answer.reason}")

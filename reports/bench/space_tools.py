@@ -1,5 +1,5 @@
-"""What can sum polyhedra of any shape, timed: each in a child process that is warm, the call alone,
-from operands in the form of the tool to its own result."""
+"""Tools that sum polyhedra of any shape, timed: each in a child process that is warm, the call
+alone, from operands in the form of the tool to its own result."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def _seconds_of_others() -> float:
 
 
 def _processor_seconds() -> float:
-    """Of all children, those that have ended too."""
+    """Processor seconds of all children, ended ones too."""
     ended = resource.getrusage(resource.RUSAGE_CHILDREN)
     return tree_seconds(os.getpid()) + ended.ru_utime + ended.ru_stime
 

@@ -17,7 +17,7 @@ class Spread:
 
 
 def spread(values: Sequence[float]) -> Spread:
-    """Of at least one value."""
+    """The spread of at least one value."""
     ordered = sorted(values)
     if len(ordered) == 1:
         return Spread(1, ordered[0], ordered[0], ordered[0], ordered[0])

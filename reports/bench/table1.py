@@ -44,11 +44,11 @@ class Table1:
     wrong: list[str] = field(default_factory=list)  # sums that differ from the static ones
 
     def mean_ratio(self, baseline: str) -> float | None:
-        """Of the ratios of mean times, over the small pairs, all of which must have been timed."""
+        """The mean of the ratios of mean times over the small pairs, if all were timed."""
         return self._mean(baseline, lambda row: float(row["ratio"]))
 
     def mean_of_ratios(self, baseline: str) -> float | None:
-        """The same of the mean ratios of single re-scalings."""
+        """The mean of the mean ratios of single re-scalings, over the same pairs."""
         return self._mean(baseline, lambda row: float(row["ratios"]["mean"]))
 
     def _mean(self, baseline: str, value: Callable[[Row], float]) -> float | None:
@@ -201,7 +201,7 @@ def _break_even(preprocessing: float, ours: Spread, theirs: Spread) -> int | Non
 
 
 def _check(table: Table1, pair: Pair, moving: _core.DynamicSum, scales: list[str]) -> None:
-    """What was timed is right: sums after the update are the static ones, at some scales."""
+    """Checks the timed sums: after the update they are the static ones, at some scales."""
     for scale in scales[:3]:
         moving.update(scale)
         got = moving.sum().region.canonical_json()

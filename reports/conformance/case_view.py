@@ -1,4 +1,4 @@
-"""What is shown of one case of a finding: drawn, in words, as text, and as a program."""
+"""The view of one case of a finding: drawn, in words, as text, and as a program."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class CaseView:
 
     @property
     def refusal(self) -> str:
-        """What is wrong with the operands, and where."""
+        """Says what is wrong with the operands, and where."""
         witness = self.outcome.witness
         at = f", at {point_text(witness.point)}" if witness else ""
         what = escaped(cut(self.outcome.message))
@@ -88,12 +88,12 @@ class CaseView:
 
     @property
     def question(self) -> list[str]:
-        """What is asked of the operands, a line each."""
+        """The question about the operands, a line each."""
         return path_question(self.case.path) if self.case.path else [f"scale: {self.case.scale}"]
 
     @property
     def claim(self) -> str:
-        """Of the witness, whose argument follows."""
+        """The claim of the witness, whose argument follows."""
         witness = self.outcome.witness
         if witness is None or witness.contact is not None:
             return ""
@@ -111,7 +111,7 @@ class CaseView:
 
 
 def case_views(group: Group, name: str, boundary: bool) -> list[CaseView]:
-    """Of each shrunk case; of the smallest finding where nothing was shrunk."""
+    """A view of each shrunk case; of the smallest finding where nothing was shrunk."""
     if not group.small:
         finding = group.example
         title = f"The smallest found, not made smaller: {finding.case.size[0]:,} vertices"

@@ -35,7 +35,7 @@ def close_up(difference: ExactPolygons, whole: ExactBox, witness: Exact | None) 
 
 
 def clipped(polygons: ExactPolygons, window: ExactBox) -> ExactPolygons:
-    """What lies in a window that is larger by half on each side, so that the cuts are not seen.
+    """The polygons in a window that is larger by half on each side, so that the cuts are not seen.
     Rings may run along its border more than once: for drawing."""
     half = [(window[k + 2] - window[k]) / 2 for k in (0, 1)]
     found = []
@@ -90,7 +90,7 @@ def _span(polygon: ExactPolygon, place: Exact, k: int) -> Fraction:
 
 
 def _pieces(polygon: ExactPolygon, level: Fraction, k: int) -> list[tuple[Fraction, Fraction]]:
-    """Of the line along axis k at this level, those inside the polygon."""
+    """The pieces inside the polygon of the line along axis k at this level."""
     met = []
     for ring in polygon:
         for a, b in pairwise([*ring, ring[0]]):

@@ -1,4 +1,4 @@
-"""What the report shows of one kind of finding."""
+"""The page of one kind of finding."""
 
 from __future__ import annotations
 
@@ -58,12 +58,12 @@ class FindingPage:
 
     @property
     def baseline(self) -> str:
-        """What the baseline says of a known fault."""
+        """The text of the baseline on a known fault."""
         return escaped(self.outcome.message) if self.outcome.verdict is Verdict.KNOWN else ""
 
     @property
     def message(self) -> str:
-        """What was said by or of the target."""
+        """The message by or about the target."""
         known = self.outcome.verdict is Verdict.KNOWN
         return "" if known else escaped(cut(self.outcome.message))
 

@@ -74,7 +74,7 @@ def _shared(
     findings: list[FindingPage],
     again: str,
 ) -> dict[str, Any]:
-    """What every page may use."""
+    """The values that every page may use."""
     absent: dict[str, list[str]] = {}
     for row in value["absent"]:
         absent.setdefault(escaped(row["reason"] or "not found"), []).append(row["name"])

@@ -1,5 +1,4 @@
-"""What a run has shown, in words and lines: as its report, its tables and its files of results have
-it."""
+"""The outcome of a run in words and lines, for its report, its tables and its files of results."""
 
 from __future__ import annotations
 

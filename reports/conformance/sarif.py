@@ -23,7 +23,7 @@ Kinds = tuple[str, ...]
 
 
 def sarif(groups: list[Group], value: dict[str, Any]) -> str:
-    """What the baseline knows is a note that is suppressed."""
+    """The SARIF text of the findings; a finding that the baseline knows is a suppressed note."""
     rules = sorted({group.example.outcome.kinds for group in groups})
     run = {
         "tool": {

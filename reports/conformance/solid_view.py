@@ -78,8 +78,7 @@ def _faces(solid: Sequence[PlaneFaces]) -> list[Seen]:
 def _front(
     faces: Sequence[Seen], left: float, top: float, unit: float, width: int
 ) -> list[list[int]]:
-    """Of each point of the grid, row by row from the top, the number of the face in front, or
-    -1."""
+    """The number of the face in front at each point of the grid, row by row from the top, or -1."""
     numbers = [[-1] * width for _ in range(width)]
     depths = [[-math.inf] * width for _ in range(width)]
     for number, face in enumerate(faces):

@@ -1,4 +1,4 @@
-"""What the report shows of one target: its declaration, verdicts by family, skips, findings."""
+"""The page of one target: its declaration, verdicts by family, skips, findings."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def target_pages(run: Run, value: dict[str, Any], findings: list[FindingPage]) -
 
 
 def facts_of(row: dict[str, Any] | None) -> list[tuple[str, str]]:
-    """What a target declares, in words."""
+    """The declaration of a target in words."""
     if row is None:
         return [("declaration", "not among the chosen targets: it was found wrong on the way")]
     sums = {

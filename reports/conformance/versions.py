@@ -15,7 +15,7 @@ MOST_CASES = 3
 
 @dataclass(frozen=True)
 class Presence:
-    """What another version of the library says to the cases of a finding."""
+    """The answer of another version of the library to the cases of a finding."""
 
     target: str
     version: str

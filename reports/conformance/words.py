@@ -1,4 +1,4 @@
-"""What verdicts and reasons mean, in a few words each."""
+"""The meaning of verdicts and reasons, in a few words each."""
 
 from __future__ import annotations
 
@@ -54,14 +54,14 @@ SIGNS = {
 
 
 def meaning(kind: str) -> str:
-    """Of a reason, or of a verdict that has none."""
+    """The meaning of a reason, or of a verdict without a reason."""
     reasons = {str(reason): text for reason, text in REASONS.items()}
     verdicts = {str(verdict): text for verdict, text in VERDICTS.items()}
     return reasons.get(kind) or verdicts.get(kind) or kind
 
 
 def ending(code: int) -> str:
-    """What an exit code says of the run."""
+    """The meaning of an exit code."""
     return {
         0: "Nothing is wrong, except what the baseline lists.",
         1: "Something is proven wrong.",

@@ -68,8 +68,8 @@ def _read_operands(path: Path) -> None:
 
 
 def _validator() -> jsonschema.Draft202012Validator:
-    """Of what pages are made of: a case as its schema has it, with its degeneracy and siblings. The
-    reader of operands has seen to P and Q; what is not shown may be large."""
+    """A validator of the parts that pages show: a case as its schema has it, with degeneracy and
+    siblings. The reader of operands has seen to P and Q; parts that are not shown may be large."""
     schema = json.loads((lint.ROOM / "schema" / "case-v1.json").read_text(encoding="utf-8"))
     schema["required"] += ["scales", "degeneracy"]
     kinds = schema["$defs"]

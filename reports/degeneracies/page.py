@@ -171,7 +171,7 @@ def case_paths_of_report(corpus: Path) -> list[Path]:
 
 
 def _makes(name: str) -> Callable[[str, list[Path], Callable[[str], None]], FamilyPage]:
-    """What makes the page of a family."""
+    """The function that makes the page of a family."""
     if name in DISC_FAMILIES:
         return _family_with_disc
     return _family_of_paths if name in PATH_FAMILIES else _family

@@ -26,7 +26,7 @@ class Drawn:
 
 
 def case_pictures(value: dict[str, Any]) -> list[Drawn]:
-    """Of a case-v1 with its siblings: P and Q each by itself, the three sums in one frame."""
+    """Pictures of a case-v1 with siblings: P and Q each by itself, the three sums in one frame."""
     P, Q = (_rings(value[name]) for name in "PQ")
     scales = value["scales"]
     beside = (len(scales) - 1) // 2

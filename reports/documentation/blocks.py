@@ -96,7 +96,7 @@ def _kind(info: str, text: str) -> str:
 
 
 def json_values(text: str) -> list[object]:
-    """Of a document, or of several after one another. Raises ValueError."""
+    """The values of a document, or of several after one another. Raises ValueError."""
     decoder, values = json.JSONDecoder(), []
     text = text.strip()
     while text:

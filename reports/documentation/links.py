@@ -50,7 +50,7 @@ def _links(tokens: list[Token], line: int = 1) -> Iterator[tuple[int, str]]:
 
 @cache
 def anchors(page: Path) -> set[str]:
-    """Of the headings, as a code host makes them, and of `<a id="...">`."""
+    """The anchors of the headings, as a code host makes them, and of `<a id="...">`."""
     text = page.read_text(encoding="utf-8")
     found = set(IDENTIFIER.findall(text))
     tokens = parsed(page.parent, Path(page.name))

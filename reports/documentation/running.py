@@ -32,13 +32,13 @@ class Failure:
 
 
 def environment() -> dict[str, str]:
-    """Of the commands: MINKREF is the checkout, its command is found first."""
+    """The environment of the commands: MINKREF is the checkout, whose command is found first."""
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     return {**os.environ, "PATH": path, "COLUMNS": "100", "MINKREF": str(ROOT), "NO_COLOR": "1"}
 
 
 def run_page(page: Path, folder: Path) -> list[Failure]:
-    """Whatever of it is wrong; a page goes on after a failure."""
+    """The failures of the page, which goes on after each failure."""
     failures: list[Failure] = []
     printed = ""
     for block in blocks(ROOT, page):
@@ -51,7 +51,7 @@ def run_page(page: Path, folder: Path) -> list[Failure]:
 
 
 def _run(block: Block, folder: Path, printed: str) -> str:
-    """What the block prints. Raises AssertionError."""
+    """The output of the block. Raises AssertionError."""
     for command in block.all_of("first"):
         _shell(command, folder)
     codes = (0,) if block.told("finds") is None else (0, 1)

@@ -90,8 +90,8 @@ def end_if_interrupted() -> None:
 
 
 def write_summary(every: list[Step], size: Size) -> None:
-    """Of all steps. Where there is no result here, as in a fresh clone, what the summary says that
-    is there is kept, and what it rests on."""
+    """Writes the summary of all steps. For a step without a result here, as in a fresh clone, the
+    summary keeps its present entry, and the files that the entry rests on."""
     quick = size is Size.QUICK
     path = places.FOLDER / "summary-quick.md" if quick else places.ROOM / store.SUMMARY
     before = path.read_text(encoding="utf-8") if path.exists() and not quick else ""
@@ -109,13 +109,13 @@ def write_summary(every: list[Step], size: Size) -> None:
 
 
 def standing_now(document: store.Document) -> store.Document:
-    """Of this commit, if the files that it rests on are as they were when it ran."""
+    """The document, of this commit if the files that it rests on are as they were when it ran."""
     commit = store.commit_of(document["files"]) if store.is_current(document) else ""
     return document | {"commit": commit or document["commit"]}
 
 
 def resting(every: list[Step], documents: list[store.Document]) -> dict[str, set[str]]:
-    """Files by row: of results that are here, and of others what was known."""
+    """Files by row: of results that are here, and for other steps the files known before."""
     here = {document["step"]: document for document in documents}
     known, found = stale.read(stale.path()), dict[str, set[str]]()
     for name in {step.row for step in every}:
@@ -153,7 +153,7 @@ def changed_since_told(chosen: list[Step], every: list[Step]) -> list[Step]:
 
 
 def stale_rows(every: list[Step]) -> dict[str, str]:
-    """Of SUMMARY.md as it is, and why."""
+    """The stale rows of SUMMARY.md as it is, each with the reason."""
     summary = summary_here()
     rests_on = stale.read(stale.path())
     return stale.stale(summary, rests_on, {step.name: step.row for step in every})

@@ -40,7 +40,7 @@ def figure_3() -> tuple[list[Picture], list[Claim]]:
 
 
 def crossing(a: Edge, b: Edge, scale: Fraction) -> Point:
-    """Of the lines of two edges that are not parallel."""
+    """The crossing of the lines of two edges that are not parallel."""
     (a0, a1), (b0, b1) = ends(a, scale), ends(b, scale)
     v, w = minus(a1, a0), minus(b1, b0)
     r = Fraction(cross(minus(b0, a0), w)) / cross(v, w)

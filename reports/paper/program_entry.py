@@ -94,7 +94,7 @@ def _shares(runs: Runs) -> Table:
 
 
 def _times(runs: Runs) -> Table:
-    """Of each arithmetic, and of the pair with most edges in it."""
+    """The times of each arithmetic, and of the pair with most pairs of edges in this arithmetic."""
     rows = []
     for arithmetic in (RATIONAL, *ROUNDING):
         found = runs.of(CORRECTED, arithmetic)

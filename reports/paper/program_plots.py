@@ -62,8 +62,8 @@ def precision_plot(runs: Runs) -> str:
 
 
 def pairs_plot(runs: Runs) -> str:
-    """Of each pair and arithmetic whether the sum was right after each number of re-scalings, for
-    the program with all formulas corrected, and with the solve as printed."""
+    """Plots by pair and arithmetic whether the sum was right after each number of re-scalings,
+    for the program with all formulas corrected, and with the solve as printed."""
     arithmetics = (RATIONAL, *ROUNDING)
     names = runs.names()
     with style():
@@ -121,7 +121,7 @@ def _ticks(axes: Axes, names: Sequence[str]) -> None:
 
 
 def time_plot(runs: Runs) -> str:
-    """Of each pair of operands the processor time for a pair of edges, all formulas corrected."""
+    """Plots each operand pair's processor time for a pair of edges, all formulas corrected."""
     arithmetics = (RATIONAL, *ROUNDING)
     with style():
         figure = Figure(figsize=(5.4, 3.4), layout="constrained")

@@ -76,10 +76,10 @@ def read(text: str) -> Runs:
 
 
 def committed() -> Runs:
-    """Of the last full run."""
+    """The runs of the last full run."""
     return read((resources.files(__package__) / FILE).read_text(encoding="utf-8"))
 
 
 def share(runs: Sequence[Run], k: int) -> float:
-    """Of the runs, how many were right after the re-scalings of this number, in percent."""
+    """The share of the runs that were right after the re-scalings of this number, in percent."""
     return 100 * sum(run.right[k] for run in runs) / len(runs) if runs else 0.0

@@ -39,8 +39,9 @@ NORMAL, START = (1, 2), 1
 
 
 def degree(v: int) -> tuple[int, int]:
-    """Of a vertex of the ring: the most that a neighbour is above the line through it with the
-    normal of the face, and that neighbour. At most 0 where the two are compatible."""
+    """How far the higher neighbour of a vertex of the ring is above the line through the vertex
+    with the normal of the face, and that neighbour. At most 0 where vertex and face are
+    compatible."""
     near = ((v - 1) % len(RING), (v + 1) % len(RING))
     return max((dot(NORMAL, minus(RING[w], RING[v])), w) for w in near)
 

@@ -27,12 +27,12 @@ def is_disc(pair: str) -> bool:
 
 
 def _names(pair: str) -> tuple[str, str]:
-    """What the paper calls the pair."""
+    """The paper's names of the pair."""
     return ("neuron", "disc") if is_disc(pair) else ("monkey", "bird")
 
 
 def figure(pair: Pair, runs: Sequence[Speedups], absent: str) -> Entry:
-    """Of one pair in one or several arithmetics."""
+    """The entry of one pair in one or several arithmetics."""
     of_disc = is_disc(pair.name)
     about = ". ".join(_told(found) for found in runs)
     why = (

@@ -41,7 +41,7 @@ class Rescaling:
 
     @property
     def seconds(self) -> list[float]:
-        """Of the update in each repetition, sorted."""
+        """Seconds of the update in each repetition, sorted."""
         return sorted(self.ours)
 
     @property
@@ -50,7 +50,7 @@ class Rescaling:
 
     @property
     def ratios(self) -> list[float]:
-        """Of each repetition, sorted."""
+        """The ratio of each repetition, sorted."""
         return sorted(b / a for a, b in zip(self.ours, self.theirs, strict=True))
 
     @property
@@ -60,8 +60,8 @@ class Rescaling:
 
 @dataclass(frozen=True)
 class Speedups:
-    """Of one pair in one arithmetic. `pairs` of edges are looked at. `preprocessing`: seconds in
-    which the critical regions of all pairs are found and their events sorted."""
+    """Speed-ups of one pair in one arithmetic. `pairs` of edges are looked at. `preprocessing`:
+    seconds in which the critical regions of all pairs are found and their events sorted."""
 
     pair: str
     arithmetic: str
@@ -72,7 +72,7 @@ class Speedups:
     def correlation_of(
         self, value: Callable[[Rescaling], float], other: Callable[[Rescaling], float]
     ) -> float:
-        """Of the ranks of two things (Spearman)."""
+        """The correlation of the ranks of two values (Spearman)."""
         return correlation(*(_ranks([what(one) for one in self.rescalings])
                              for what in (value, other)))  # fmt: skip
 

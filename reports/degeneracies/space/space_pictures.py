@@ -1,5 +1,5 @@
 """A degenerate case in space drawn: both bodies, and the sum below, at and above its scaling, in
-parallel projection without what looks away. What faces the eye is decided in exact numbers, and
+parallel projection without the faces that look away. Exact numbers decide which faces these are;
 coordinates are brought to a frame of size one before they become doubles."""
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Shown:
 
 
 def space_case_pictures(P: Polyhedron, Q: Polyhedron, value: dict[str, Any]) -> list[Drawn]:
-    """Of a case-v1 in space: P and Q each by itself, the sums in one frame."""
+    """Pictures of a case-v1 in space: P and Q each by itself, the sums in one frame."""
     rows = value["degeneracy"]["coincidences"]
     drawn = []
     for name, solid in (("P", P), ("Q", Q)):
@@ -112,7 +112,7 @@ def _sum(found: _core.ConvexSum) -> Shown:
 
 
 def _layers(shown: Shown, style: str, frame: Frame) -> list[Layer]:
-    """What faces the eye, a layer a face, in one of three shades."""
+    """The faces towards the eye, a layer a face, in one of three shades."""
     solid = shown.solid
     places = [_place(vertex, frame) for vertex in solid.vertices]
     layers = []

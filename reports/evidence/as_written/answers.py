@@ -1,4 +1,4 @@
-"""What the command answers, in this process: texts of standard output, documents, files.
+"""Answers of the command, in this process: texts of standard output, documents, files.
 
 `Answers` with another `change` is a command with a fault: what it writes is changed on the way to
 the judge.
@@ -37,7 +37,7 @@ class BrokenDown(Exception):
 
 @contextmanager
 def captured(number: int) -> Iterator[Any]:
-    """What is written to a descriptor meanwhile, as a file that can be read."""
+    """Text that is written to a descriptor meanwhile, as a file that can be read."""
     sys.stdout.flush()
     sys.stderr.flush()
     kept = os.dup(number)

@@ -86,7 +86,7 @@ def _between(v: Vertex, w: Vertex) -> Row:
 
 
 def _in_front(edge: Edge, vertex: Vertex) -> Row:
-    """Of an edge and one of its ends: the normal there (their distances agree on all of it)."""
+    """The normal of an edge at one of its ends, on which both distances agree; else zeros."""
     if vertex in (edge.start, edge.end):
         return edge.across(vertex)
     return gmpy2.mpq(0), gmpy2.mpq(0), gmpy2.mpq(0), gmpy2.mpq(0)

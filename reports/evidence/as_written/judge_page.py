@@ -1,4 +1,4 @@
-"""What the page of two sets in the plane holds, and the pictures of a sweep, against exact
+"""Judges the data of the page of two sets in the plane, and the pictures of a sweep, against exact
 numbers."""
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def _tracks(tally: Tally, data: Document, every: list[Any]) -> None:
 
 
 def _pictures(tally: Tally, answers: Answers, words: tuple[object, ...]) -> None:
-    """Of each scale the same sum, exactly and drawn."""
+    """Judges the same sum at each scale, exact and drawn."""
     exactly, drawn = answers.folder / "exactly", answers.folder / "drawn"
     for folder in (exactly, drawn):
         shutil.rmtree(folder, ignore_errors=True)

@@ -118,7 +118,7 @@ def _picture(tally: Tally, text: str, polygons: Polygons) -> None:
 
 
 def picture(tally: Tally, writer: str, rings: list[list[Step]], polygons: Polygons) -> None:
-    """Of each corner of the sum the place in its picture, by the map that takes box to box."""
+    """Looks for each corner of the sum at its place in the picture, by the map from box to box."""
     places = [(exact(x), exact(y)) for one in polygons for ring in one for x, y in ring]
     xs, ys = zip(*places, strict=True)
     drawn = [(float(s.x), float(s.y)) for ring in rings for s in ring]

@@ -120,7 +120,7 @@ def _triangles(tally: Tally, writer: str, found: Mesh, true: list[Any]) -> None:
 
 
 def _order(found: Mesh, true: list[Any]) -> list[int]:
-    """Of each corner that is written the number of the vertex next to it."""
+    """The number of the vertex nearest to each written corner."""
     known: dict[Corner, int] = {}
     for corner in found[0]:
         if corner not in known:

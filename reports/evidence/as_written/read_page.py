@@ -11,7 +11,7 @@ DATA = re.compile(r'<script id="data" type="application/json">(.*?)</script>', r
 
 
 def page_data(answers: Answers, *words: object) -> Document:
-    """What the page of a command holds. ValueError where it holds nothing."""
+    """The data of the page of a command. ValueError where the page has none."""
     path = answers.folder / "page.html"
     path.unlink(missing_ok=True)
     answers.table(*words, "-o", path)

@@ -21,7 +21,7 @@ class Step:
 
 
 def paths(text: str) -> dict[str, list[list[Step]]]:
-    """Of each class of paths its closed rings. Other elements are passed over."""
+    """The closed rings of each class of paths. Other elements are passed over."""
     found: dict[str, list[list[Step]]] = {}
     for element in ET.fromstring(text).iter("{http://www.w3.org/2000/svg}path"):
         rings = found.setdefault(element.get("class", ""), [])

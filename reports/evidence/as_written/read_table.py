@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def boxed(text: str) -> list[dict[str, str]]:
-    """Of a table in a box of lines; a row that takes several lines is put together again."""
+    """The rows of a table in a box of lines; a row over several lines is put together again."""
     names: list[str] = []
     rows: list[dict[str, str]] = []
     for line in text.splitlines():

@@ -87,7 +87,7 @@ WRITERS = {
 
 
 def judged(setting: str, indices: range, change: Change | None = None) -> Tally:
-    """What the judge finds on these cases of a setting; answers are changed on the way."""
+    """The judge's tally of these cases of a setting; answers are changed on the way."""
     use_bits()
     tally = Tally()
     with tempfile.TemporaryDirectory() as folder:

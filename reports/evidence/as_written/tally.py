@@ -1,4 +1,4 @@
-"""What was compared, by writer, and what was found wrong, with an example of each kind."""
+"""Counts of comparisons, by writer, and of faults found, with an example of each kind."""
 
 from __future__ import annotations
 

@@ -22,8 +22,8 @@ SMALL = 60
 
 
 def cases(seed: int, families: tuple[str, ...] = tuple(FAMILIES)) -> Iterator[Case]:
-    """Of each family in turn, without end: those that are not refused, one operand a region or
-    empty."""
+    """Cases of each family in turn, without end: those that are not refused, with an operand that
+    is a region or empty."""
     index = 0
     while True:
         for family in families:

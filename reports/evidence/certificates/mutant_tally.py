@@ -1,4 +1,4 @@
-"""What the checkers make of a certificate's mutants: refused, or verified, and then confirmed."""
+"""Verdicts of the checkers on a certificate's mutants: refused, or verified, and then confirmed."""
 
 from __future__ import annotations
 

@@ -31,8 +31,8 @@ class Mutant:
 
 
 def mutants(value: Any, each: int, dice: random.Random) -> Iterator[Mutant]:
-    """Of each field of each step and claim (and of the case, and of the lists themselves), in each
-    way that fits, `each` at places drawn; fewer where there are no more."""
+    """Mutants of each field of each step and claim (and of the case, and of the lists themselves),
+    in each way that fits: `each` at places drawn, or fewer where there are no more."""
     fields: dict[str, list[Path]] = {}
     for path in places(value):
         if path[0] not in NO_TRUTH:

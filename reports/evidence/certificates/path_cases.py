@@ -14,7 +14,7 @@ from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.certify.plane.certificate import NoProof
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, timed, verdicts
 
-#: What one size or time of a set of certificates is: the sum, or the worst.
+#: Figures of a set of certificates: of each size or time the sum, or the worst.
 Figures = dict[str, float]
 
 
@@ -68,7 +68,7 @@ def figures(several: Sequence[Made]) -> Figures:
 
 
 def joined(first: Figures, second: Figures) -> Figures:
-    """Of two sets of certificates."""
+    """The figures of two sets of certificates together."""
     return {
         name: value + second[name] if name == "certificates" else max(value, second[name])
         for name, value in first.items()

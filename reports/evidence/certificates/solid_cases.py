@@ -11,7 +11,7 @@ from minkref.fuzz.space.general_pairs import GeneralPair, general_pair
 
 
 def solid_pairs(seed: int) -> Iterator[GeneralPair]:
-    """Of each family in turn, without end; both operands have a volume."""
+    """Pairs of each family in turn, without end; both operands have a volume."""
     index = 0
     while True:
         pair = general_pair(seed, index)

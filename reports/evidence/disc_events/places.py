@@ -69,7 +69,7 @@ def run(findings: Findings, size: Size) -> None:
 
 
 def _members(count: int) -> list[str]:
-    """Of the families that are made to show what may go wrong."""
+    """Faults in members of the families that are made to show what may go wrong."""
     faults = []
     for name in FAMILIES:
         for index in range(count):

@@ -44,8 +44,8 @@ class Browser(Chrome):
         self.get(page.resolve().as_uri())
 
     def run(self, script: str, *arguments: Any) -> Any:
-        """The value that the body of a function returns in the page. What it throws is raised as a
-        JavascriptException."""
+        """The value that the body of a function returns in the page. An exception there is raised
+        as a JavascriptException."""
         return self.execute_script(script, *arguments)
 
     def prefer(self, colours: str) -> None:
@@ -59,7 +59,7 @@ class Browser(Chrome):
         self.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
 
     def messages(self) -> list[str]:
-        """What the page said on the console since the last call: errors, if anything."""
+        """Messages of the page on the console since the last call: errors, if anything."""
         entries = self.get_log("browser")  # type: ignore[no-untyped-call]
         return [entry["message"] for entry in entries]
 

@@ -81,7 +81,7 @@ def _end_session(child: subprocess.Popen[bytes]) -> None:
 
 
 def run_here(name: str, size: Size) -> int:
-    """What the child does: run, write the result, tell by the exit code whether it broke down."""
+    """The work of the child: run, write the result, tell by the exit code whether it broke down."""
     step = declared(name)
     assert step is not None
     findings, began = Findings(), time.monotonic()

@@ -52,13 +52,13 @@ class Clone:
 
 
 def git(folder: Path, *words: str) -> str:
-    """What it prints."""
+    """The output of a git command."""
     command = ["git", "-C", str(folder), *words]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     return done.stdout.strip()
 
 
 def processor_seconds() -> float:
-    """Of all children that have ended."""
+    """Processor seconds of all children that have ended."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime

@@ -43,7 +43,7 @@ def reached(files: Iterable[str], root: Path) -> set[str]:
 
 
 def names_used(text: str) -> set[str]:
-    """Of the extension module, in a Python text."""
+    """The names of the extension module in a Python text."""
     imported = " ".join(IMPORTED.findall(text))
     quoted = re.findall(r'"(\w+)"', text) if "getattr(_core" in text else ()
     return {*USED.findall(text), *re.findall(r"\w+", imported), *quoted}

@@ -1,4 +1,4 @@
-"""What a step of the evidence is given and fills: its size, and its findings."""
+"""A step of the evidence: the size that it is given, and the findings that it fills."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ EVERYTHING = ("./",)  # for RESTS_ON: of what no process tells what it reads
 
 
 class Counts(NamedTuple, Generic[Count]):
-    """Of anything, by size."""
+    """Counts of anything, by size."""
 
     quick: Count
     whole: Count

@@ -1,4 +1,4 @@
-"""What the processes of a step read and started, as files of the repository."""
+"""Files of the repository that the processes of a step read and started."""
 
 from __future__ import annotations
 

@@ -35,8 +35,8 @@ def hashes(names: Iterable[str]) -> dict[str, str]:
 
 
 def bookkeeping() -> frozenset[str]:
-    """What starts steps, and keeps and tells their results, and the summary, which the site shows:
-    every step reads some of it, and no result rests on it."""
+    """The files that start steps, and keep and tell their results, and the summary, which the site
+    shows: every step reads some of these files, and no result rests on them."""
     if not places.ROOM.is_relative_to(places.ROOT):
         return frozenset()
     room = places.ROOM.relative_to(places.ROOT)
@@ -46,7 +46,8 @@ def bookkeeping() -> frozenset[str]:
 
 @cache
 def hash_of(name: str) -> str:
-    """Of a file, or over all files of a folder (`oracle/cgal/`) but prose; empty without it."""
+    """The hash of a file, or of all files of a folder (`oracle/cgal/`) but prose; empty without the
+    file."""
     if name.endswith("/"):
         rows = "".join(f"{one} {hash_of(one)}\n" for one in sorted(files_below(name)))
         return hashlib.sha256(rows.encode()).hexdigest()[:16]
@@ -143,6 +144,6 @@ def kept(step: str, size: Size) -> Document | None:
 
 
 def latest(step: str, size: Size) -> Document | None:
-    """What is told of a step: what is kept, or the last result of this size or a larger one."""
+    """The result to tell of a step: the kept one, or the last of this size or a larger one."""
     found = [document for each in Size if each >= size and (document := read(step, each))]
     return kept(step, size) or max(found, key=lambda one: str(one["date"]), default=None)

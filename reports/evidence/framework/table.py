@@ -26,7 +26,7 @@ TOLD = re.compile(
 
 @dataclass(frozen=True)
 class Entry:
-    """What the summary says of a step."""
+    """The entry of a step in the summary."""
 
     step: str
     status: str
@@ -47,7 +47,7 @@ class Entry:
 
 
 def entries_of(text: str) -> dict[str, Entry]:
-    """Of a summary, by step."""
+    """The entries of a summary, by step."""
     found = {}
     for step, status, size, minutes, date, commit, seed, models, body in TOLD.findall(text):
         body = f"{body.rstrip()}\n"
@@ -79,13 +79,13 @@ def entry_of(document: Document) -> Entry:
 
 
 def one_of(values: Iterable[str], otherwise: str) -> str:
-    """Theirs, if it is the same."""
+    """The value, if all are the same; else `otherwise`."""
     found = set(values)
     return found.pop() if len(found) == 1 else otherwise
 
 
 def row(name: str, steps: int, entries: list[Entry]) -> str:
-    """Of a part or a step. The worst status, the smallest size, the oldest date, all minutes."""
+    """The row of a part or a step: the worst status, smallest size, oldest date, all minutes."""
     if not entries:
         return f"| {name} | not run | | | | | |"
     order = [str(status) for status in Status]
@@ -139,7 +139,7 @@ def markdown(
 
 
 def short(document: Document) -> str:
-    """What was reached: the checks that were missed, or how many were met."""
+    """The checks that were missed, or else what the first checks reached."""
     if document.get("error"):
         return str(document["error"])
     bad = [check for check in document["checks"] if not check["met"]]

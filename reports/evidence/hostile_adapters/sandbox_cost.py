@@ -1,4 +1,4 @@
-"""What the walls around an adapter cost: its start, and each case of one that is kept."""
+"""The cost of the walls around an adapter: its start, and each case of an adapter that is kept."""
 
 from __future__ import annotations
 

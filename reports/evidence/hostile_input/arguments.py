@@ -117,7 +117,7 @@ def drawn(dice: random.Random, kind: str, made: list[Any]) -> Any:
 
 
 def outcomes(batch: list[tuple[str, Callable[..., Any], list[Any]]]) -> list[str]:
-    """Of each call in a process of its own: ok, or the name of an exception; last a signal."""
+    """Outcomes of the calls, in a child process: ok, or the name of an exception; last a signal."""
     reader, writer = os.pipe()
     child = os.fork()
     if child == 0:

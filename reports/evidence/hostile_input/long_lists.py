@@ -1,4 +1,4 @@
-"""What long lists cost: millions of events found, searched and written, and long sweeps."""
+"""The cost of long lists: millions of events found, searched and written, and long sweeps."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def _sweeps(findings: Findings) -> None:
 
 
 def _cost(*arguments: str) -> Cost:
-    """Of the command line with these arguments; its output goes nowhere."""
+    """The cost of the command with these arguments; its output goes nowhere."""
     command = [sys.executable, "-m", "minkref", *arguments]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
         _, status, usage = os.wait4(process.pid, 0)

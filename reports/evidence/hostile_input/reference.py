@@ -27,7 +27,7 @@ FLAGS = (
     "-timeout=60",
     "-rss_limit_mb=3000",
 )
-# Of an input: a case file; for the targets on convex bodies, bytes, of which more are not read.
+# Bytes of an input: of a case file; of the bytes that the targets on convex bodies read at most.
 MOST_BYTES, MOST_BYTES_OF_BODIES = 8192, 256
 AT_ONCE = 2
 VALID_SHARE = 0.9

@@ -29,7 +29,7 @@ ENVIRONMENT = {
 
 @dataclass(frozen=True)
 class Tests:
-    """What a preset's tests gave. `reports` are those of the sanitizers, by the first line."""
+    """Results of a preset's tests. `reports` come from the sanitizers, each by its first line."""
 
     ran: int
     failed: list[str]
@@ -62,7 +62,7 @@ def run_tests(preset: str) -> Tests:
 
 
 def read(results: Path, seconds: float) -> Tests:
-    """Of the JUnit file of ctest, which holds what each test said."""
+    """Reads the JUnit file of ctest, which holds the output of each test."""
     cases = ElementTree.parse(results).getroot().findall("testcase")
     by_status: dict[str, list[str]] = {}
     reports = []

@@ -17,7 +17,7 @@ MINUTES = Minutes(None, 0.5, 40)
 
 
 def call(findings: Findings, title: str, *command: str | Path) -> str | None:
-    """Runs a command, its log in build/evidence. What it prints; None where it fails."""
+    """Runs a command, its log in build/evidence. Returns its output; None where it fails."""
     log = FOLDER / f"packages {title}.log".replace(" ", "-")
     done = subprocess.run(
         [str(word) for word in command], cwd=ROOT, capture_output=True, text=True, check=False

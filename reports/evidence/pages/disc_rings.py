@@ -13,7 +13,7 @@ Piece = tuple[Point | None, Point, Point]  # the centre of an arc, where it star
 
 
 def true_rings(P: _core.PolygonSet, radius: float) -> list[list[Piece]]:
-    """Of the sum with a disc of exactly this radius."""
+    """The rings of the sum with a disc of exactly this radius."""
     drawn = _core.offset(P, str(Fraction(radius) ** 2)).drawn_rings()
     return [
         [

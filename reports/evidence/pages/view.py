@@ -113,7 +113,7 @@ def _look(
 
 
 def true_polygons(P: _core.PolygonSet, Q: _core.PolygonSet, scale: float) -> Polygons:
-    """Of `minkref sum` at exactly this double."""
+    """The polygons of `minkref sum` at exactly this double."""
     text = _core.minkowski_sum(P, Q, str(Fraction(scale))).region.canonical_json()
     return [
         [[(float(x), float(y)) for x, y in ring] for ring in polygon]

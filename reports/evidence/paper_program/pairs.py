@@ -116,7 +116,7 @@ def tasks(chosen: list[Pair], size: Size) -> tuple[list[Task], list[str]]:
 
 
 def _plan(count: int, size: Size) -> dict[str, tuple[str, ...]]:
-    """Of each program the arithmetics that are tried where there are so many pairs of edges."""
+    """The arithmetics in which each program is tried with so many pairs of edges."""
     if count > HUGE:  # as printed the solve leaves so many regions that memory does not suffice
         return {ALL_CORRECTED: tuple(reversed(ROUNDING))}
     if count > MOST:
@@ -181,7 +181,7 @@ def in_rational_numbers(rows: list[Row], findings: Findings) -> None:
 
 
 def _renewed(runs: list[Run], paper_models: bool) -> str:
-    """What is committed, with these runs in the place of those of the same pairs."""
+    """The committed runs, with these runs in place of the runs of the same pairs."""
     names = {run.name for run in runs}
     others = [run for run in committed().runs if run.name not in names]
     today = datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d")

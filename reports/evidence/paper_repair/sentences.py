@@ -34,7 +34,7 @@ BITS = {"double": 53, "mpfr:200": 200}
 CORRECTED = {name: corrected for name, _, corrected, _ in _core.repair_readings()}
 PRINTED = {name: values[0] for name, values, *_ in _core.repair_readings()}
 WRONG = [name for name in CORRECTED if CORRECTED[name] != PRINTED[name]]
-# What starts at errors of facets, and looks nowhere else.
+# Variants that start at errors of facets, and look nowhere else.
 FROM_ERRORS = {
     "chains from errors of facets of both bodies": CORRECTED | {"search": "beside-errors"},
     "chains from errors of facets of P": CORRECTED
@@ -113,7 +113,7 @@ class Task:
 
 @dataclass
 class Found:
-    """Of some pairs of a family, each after one scaling from the exact sum at scale 1."""
+    """Findings on some pairs of a family, each after one scaling from the exact sum at scale 1."""
 
     family: str
     right: Counter[str]  # by variant

@@ -50,7 +50,7 @@ def run(findings: Findings, size: Size) -> None:
 
 @dataclass
 class Table:
-    """What was found, by all workers."""
+    """The findings of all workers."""
 
     counts: Counter[str] = field(default_factory=Counter)
     wrong: list[str] = field(default_factory=list)
@@ -149,8 +149,8 @@ def work(pipe: Connection) -> None:
 
 
 def judged(name: str, sampled: SampledEvents) -> Told:
-    """Of one pair: counts, disagreements with the judge, intervals certified although they have an
-    event."""
+    """Judges one pair: counts, disagreements with the judge, intervals certified although they have
+    an event."""
     began = time.perf_counter()
     case = load_in_plane(CaseName(name, "lattice"))
     counts = Counter({"judged": 1}) + _shape(case)

@@ -1,4 +1,4 @@
-"""What a step of the dynamic sum calls, and what it counts."""
+"""Calls and counts of a step of the dynamic sum."""
 
 from __future__ import annotations
 

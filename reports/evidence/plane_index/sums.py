@@ -209,7 +209,7 @@ def run(findings: Findings, size: Size) -> None:
 
 
 def _certificates(findings: Findings, tasks: list[Task]) -> None:
-    """Of the sum at an event where there is one: its digest is that of the index."""
+    """Certifies the sum at an event, if there is an event: the digest is that of the index."""
     with tempfile.TemporaryDirectory() as folder:
         files, other = [], []
         for number, (name, P_text, Q_text, window, _) in enumerate(tasks):

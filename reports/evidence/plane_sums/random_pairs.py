@@ -28,7 +28,7 @@ BATCH = 50
 
 
 def shape(case: Case) -> dict[str, int]:
-    """What the pair is made of: holes, the most vertices of an outer ring, the extent."""
+    """The make-up of the pair: holes, the most vertices of an outer ring, the extent."""
     polygons = [p for text in (case.P_json, case.Q_json) for p in json.loads(text)["polygons"]]
     outers = [polygon["outer"] for polygon in polygons]
     sides = [

@@ -31,7 +31,7 @@ REFUSED = 2  # the exit code
 
 @dataclass
 class Told:
-    """What the commands said to the members of one family."""
+    """Answers of the commands to the members of one family."""
 
     family: str
     different: int = 0

@@ -1,4 +1,4 @@
-"""What an update of a convex sum costs, against errors mended and against size."""
+"""The cost of an update of a convex sum, against errors mended and against size."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ def look(pair: TimedPair, tools: Tools, limit: float, findings: Findings) -> dic
     for seconds, and Nef's for Nef's."""
     P, Q = pair.solids()
     ours, nef, manifold = tools.exact(P, Q), tools.nef(P, Q), tools.manifold(P, Q)
-    # Of a call that was ended its own processor time is not told, and looks like that of others.
+    # A call that was ended does not tell its own processor time, which looks like that of others.
     others = max(ours.others, nef.others if nef.seconds is not None else 0.0)
     busy = others > BUSY
     ratio, bound = ratio_of(ours, nef, limit, busy)
@@ -91,7 +91,7 @@ def ratio_of(ours: Timed, nef: Timed, limit: float, busy: bool) -> tuple[float |
 
 
 def difference(ours: Timed, manifold: Timed) -> float | None:
-    """Of Manifold's volume from the exact one, to it."""
+    """The difference of Manifold's volume from the exact volume, relative to the exact volume."""
     if ours.volume is None or manifold.volume is None:
         return None
     exact = Fraction(ours.volume)

@@ -74,8 +74,8 @@ def judge(task: Task) -> dict[str, Any]:
 
 
 def triangle_faults(found: _core.PolyhedralSet) -> list[str]:
-    """What is wrong with the mesh of triangles in any format. Where its text is exact it also
-    encloses the volume of the set."""
+    """Faults of the mesh of triangles in any format. A mesh whose text is exact must also enclose
+    the volume of the set."""
     surface = found.mesh("triangles")
     faults = []
     for form in FORMS:
@@ -92,7 +92,7 @@ def triangle_faults(found: _core.PolyhedralSet) -> list[str]:
 
 
 def polycube_faults(index: int) -> list[str]:
-    """Of random cells, which touch along edges and in vertices."""
+    """Faults in a sum with random cells, which touch along edges and in vertices."""
     dice = random.Random(f"minkref polycube {SEED} {index}")
     share = dice.choice((0.3, 0.5, 0.7))
     cells = [(x, y, z) for x in range(3) for y in range(3) for z in range(3)
