@@ -35,7 +35,7 @@ class Header:
 
 
 def headers(root: Path) -> list[Header]:
-    """Of all headers that are installed, those that declare something. Runs doxygen."""
+    """The installed headers that declare something. Runs doxygen."""
     found: dict[str, Header] = {}
     for path in sorted((root / "reference").rglob("*.hpp")):
         name = str(path.relative_to(root))

@@ -157,7 +157,7 @@ def _dot(a: Vector, b: Vector) -> float:
 
 
 def _normal(corners: list[Vector]) -> Vector:
-    """Of length one, by the area vector."""
+    """The normal, of length one, by the area vector."""
     total = [0.0, 0.0, 0.0]
     for (a, b, c), (d, e, f) in zip(corners, [*corners[1:], corners[0]], strict=True):
         total = [total[0] + b * f - c * e, total[1] + c * d - a * f, total[2] + a * e - b * d]
