@@ -1,4 +1,4 @@
-# What every target of ours is compiled with.
+# The settings with which every target of ours is compiled.
 include_guard(GLOBAL)
 
 if(PROJECT_IS_TOP_LEVEL)
@@ -9,7 +9,7 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_CXX_FLAGS_RELEASE "-O2")
   find_program(CCACHE_PROGRAM ccache)
   if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    # What the cache may overlook lets it work with a precompiled header.
+    # By overlooking the following, the cache works with a precompiled header.
     set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
         "CCACHE_SLOPPINESS=pch_defines,time_macros"
         # Paths in the checkout count as relative ones. (Grouped sources hold absolute paths: another clone

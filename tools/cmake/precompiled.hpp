@@ -1,5 +1,5 @@
-// What nearly every translation unit of ours parses first: multiple precision and the standard
-// library. Compiled once; no file relies on it (the option MINKREF_PCH leaves it out).
+// Headers that nearly every translation unit of ours parses first: multiple precision and the
+// standard library. Compiled once; no file relies on this (the option MINKREF_PCH leaves it out).
 #pragma once
 
 #include <gmp.h>

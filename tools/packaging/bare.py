@@ -87,7 +87,7 @@ class BareMachine:
         )
 
     def replace_gmp(self) -> None:
-        """What the LGPL asks for: another GMP takes the place of that in the wheel, and is used."""
+        """Replaces the GMP in the wheel by another, as the LGPL asks: the wheel has to use it."""
         (inside,) = self.environment.glob("lib/python*/site-packages/minkref.libs/libgmp-*")
         kept = inside.read_bytes()
         began, faults = time.monotonic(), []

@@ -33,9 +33,9 @@ FEW = ("--pairs", "5", "--no-models", "--family", "random")
 
 @dataclass(frozen=True)
 class Step:
-    """What is typed after `minkref`; the exit code; words that it says; files that it leaves.
-    A slow one is left out by --quick. `extra`: of the package, without which it is refused, or
-    does less where that is `optional`."""
+    """The words after `minkref`; the exit code; words that the command says; files that it leaves.
+    A slow step is left out by --quick. `extra`: the extra of the package without which the
+    command is refused, or does less where the extra is `optional`."""
 
     words: tuple[str, ...]
     says: str = ""

@@ -20,7 +20,7 @@ print(json.dumps({
     "modules": sysconfig.get_config_var("DESTSHARED"),
 }))
 """
-# What a wheel for manylinux may take from the system: the C library's own, and C++'s.
+# Libraries that a wheel for manylinux may take from the system: the C library's own, and C++'s.
 OF_THE_SYSTEM = (
     "libc.so.6", "libm.so.6", "libdl.so.2", "librt.so.1", "libpthread.so.0", "libutil.so.1",
     "libgcc_s.so.1", "libstdc++.so.6",
@@ -92,7 +92,7 @@ class BareRoot:
 
 
 def shared_libraries(binaries: list[Path]) -> set[Path]:
-    """Of these binaries, and what a wheel for manylinux expects of any system."""
+    """Libraries of these binaries, and those that a wheel for manylinux expects of any system."""
     found: set[Path] = set()
     for binary in binaries:
         said = subprocess.run(["ldd", binary], capture_output=True, text=True).stdout

@@ -1,7 +1,8 @@
 """Says in wheels the licences of all that is inside: licence.py FOLDER, for the wheels there.
 
-pyproject.toml says those of the sources. What is compiled in, and what auditwheel brings, is said
-here, once a wheel is repaired. LICENSES/THIRD_PARTY.md says what is where.
+pyproject.toml says the licences of the sources. Licences of code that is compiled in, or that
+auditwheel brings, are said here, once a wheel is repaired. LICENSES/THIRD_PARTY.md says what is
+where.
 """
 
 from __future__ import annotations

@@ -141,7 +141,7 @@ def imports(tree: ast.AST) -> Iterator[tuple[int, str, int]]:
 
 
 def floor_of(place: str) -> int:
-    """Of a path from the root, or a module of the package as one; -1 of what has no floor."""
+    """The floor of a path from the root, or of a module given as a path; -1 if there is none."""
     found = -1
     for floor, rooms in enumerate(FLOORS):
         if any(place == room or place.startswith(f"{room}/") for room in rooms):

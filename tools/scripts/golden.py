@@ -109,7 +109,7 @@ def _become(
 
 
 def program() -> Any:
-    """What the command `minkref` calls, wherever it is."""
+    """The function that the command `minkref` calls, wherever it is."""
     told = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     module, _, name = told["project"]["scripts"]["minkref"].partition(":")
     return getattr(import_module(module), name)
@@ -189,7 +189,7 @@ def schemas() -> Iterator[Question]:
 
 
 def sums() -> Iterator[Question]:
-    """Of all cases by all routes."""
+    """Questions for the sums of all cases by all routes."""
     for name, case in cases():
         files = tuple((f"{k}.json", json.dumps(case[k])) for k in "PQ")
         for scale in case["scales"][:SCALES]:
@@ -200,7 +200,7 @@ def sums() -> Iterator[Question]:
 
 
 def events() -> Iterator[Question]:
-    """Of one case of each family, and the convolution."""
+    """Questions for the events and the convolution of one case of each family."""
     seen = set()
     for name, case in cases():
         if case["dimension"] == 2 and (family := name.partition("/")[0]) not in seen:

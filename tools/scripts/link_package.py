@@ -54,7 +54,7 @@ def set_package(folder: Path, rooms: Iterable[str], build: Path) -> None:
 
 
 def write_metadata(site: Path, project: dict[str, object]) -> None:
-    """What importlib.metadata reads of an installed distribution."""
+    """Writes the files that importlib.metadata reads of an installed distribution."""
     for old in site.glob("minkref-*.dist-info"):
         shutil.rmtree(old)
     info = site / f"minkref-{project['version']}.dist-info"

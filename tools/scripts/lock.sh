@@ -5,7 +5,7 @@
 # for; its address is not written.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-# What the site shares with the checkout has one version in both.
+# Packages that the site shares with the checkout have one version in both.
 for source in requirements.in docs/site/requirements.in fuzz/libraries/*/requirements.in tools/packaging/*.requirements.in; do
   lock=${source%.in}.txt
   shared=()

@@ -1,8 +1,8 @@
 #!/bin/bash
 # verify_in_ci.sh: the step of action.yml. Reads TARGETS, SECONDS_GIVEN, SEED, BASELINE, ARGUMENTS and REPORT; writes the
 # report, JUnit XML and SARIF to the folder REPORT, and the summary to GITHUB_STEP_SUMMARY where that is set.
-# TARGETS and ARGUMENTS are split at spaces and ends of lines. What is empty is that of the settings (minkref.toml, or [tool.minkref] of
-# pyproject.toml), the targets too. Exits as `minkref verify` does.
+# TARGETS and ARGUMENTS are split at spaces and ends of lines. An empty variable, TARGETS too, leaves its value to the
+# settings (minkref.toml, or [tool.minkref] of pyproject.toml). Exits as `minkref verify` does.
 set -uo pipefail
 
 report=${REPORT:-minkref-report}
