@@ -56,6 +56,7 @@ lint: setup
 	MYPYPATH=docs/site .venv/bin/mypy docs/site/*.py
 	.venv/bin/python tools/scripts/check_includes.py
 	.venv/bin/lint-imports --no-cache pyproject.toml
+	.venv/bin/python tools/scripts/check_counts.py
 
 format: environment
 	.venv/bin/clang-format -i $(CXX_SOURCES)

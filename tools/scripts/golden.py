@@ -5,6 +5,7 @@ is seen to change no answer.
 golden.py record FOLDER [PART...]: asks, and writes a file for each part into the folder.
 golden.py compare FOLDER [PART...]: asks again, prints what differs, and exits with 1 if something
 does. Only commands are called, and nothing is known of modules: those may move between the two.
+Console blocks of the docs are tests: tests/docs compares them with what commands print.
 
 What depends on time and machine is left out: seconds, memory, versions, names of folders.
 """
@@ -36,13 +37,19 @@ SEEDS, PAIRS = (1, 2, 3, 4, 5), 200
 JUDGED = ("minkref", "minkref:paper", "minkref:winding", "minkref:definition")
 CHANGES = 12  # of each certificate of the corpus
 CHANGED = 40  # certificates
+CERTIFIED = 50  # cases whose certificate is made
+CHECKERS = {  # programs that need nothing of the package
+    "minkref-check": ("build/release/oracle/checker/minkref-check",),
+    "check.py": (sys.executable, "oracle/checker/check.py"),
+    "minkref-check-proved": ("build/proved/minkref-check-proved",),
+}
 VARIES = re.compile(r"second|peak|memory|version|commit|date$|machine|^ms$|_ms$|milli|micro")
 IN_TEXT = re.compile(r"\d[\d.,]* ?(?:s|ms|µs|ns|[KMG]i?B)\b|0\.\d+\.\d+\S*")
 
 
 @dataclass(frozen=True)
 class Question:
-    """A command in an empty folder, with these files in it."""
+    """A command of minkref, or a program by its whole path, in an empty folder with these files."""
 
     key: str
     words: tuple[str, ...]
@@ -94,6 +101,8 @@ def _become(
         os.chdir(folder)
         os.environ.update(COLUMNS="100", TERM="dumb", NO_COLOR="1")
         os.environ.pop("MINKREF_MODELS", None)
+        if os.path.isabs(words[0]):
+            os.execv(words[0], words)
         sys.argv[:] = ["minkref", *words]
         sys.stdout, sys.stderr = (open(n, "w", encoding="utf-8", closefd=False) for n in (1, 2))
         program()()
@@ -219,6 +228,28 @@ def made() -> Iterator[Question]:
         yield Question(family, words)
 
 
+def certificates() -> Iterator[Question]:
+    """Certificates of sums of cases, byte for byte."""
+    every = list(cases())
+    for name, case in every[:: max(1, len(every) // CERTIFIED)]:
+        files = tuple((f"{k}.json", json.dumps(case[k])) for k in "PQ")
+        scale = case["scales"][0]
+        scale = scale if isinstance(scale, str) else ",".join(scale)
+        words = ("certify", "P.json", "Q.json", "--scale", scale, "-o", "c.cert.json")
+        yield Question(f"{name} {scale}", words, files)
+
+
+def programs() -> Iterator[Question]:
+    """The certificates of `checks` for each checker that is built, by itself."""
+    for name, (program, *rest) in CHECKERS.items():
+        words = [str(ROOT / word) for word in (program, *rest)]
+        if not all(Path(word).exists() for word in words):
+            print(f"not built, not asked: {name}", file=sys.stderr)
+            continue
+        for question in checks():
+            yield Question(f"{name} {question.key}", (*words, "c.cert.json"), question.files)
+
+
 def checks() -> Iterator[Question]:
     """Certificates of the corpus, and the same with one digit changed."""
     every = sorted(CORPUS.glob("*/*.cert.json"))
@@ -244,12 +275,14 @@ def verdicts() -> Iterator[Question]:
         yield Question(f"seed {seed}", (*words, *more))
 
 
-PARTS = {part.__name__: part for part in (helps, schemas, sums, events, made, checks, verdicts)}
+ALL = (helps, schemas, sums, events, made, certificates, checks, programs, verdicts)
+PARTS = {part.__name__: part for part in ALL}
 
 
 def ask(part: str) -> dict[str, str]:
     questions = list(PARTS[part]())
-    load(questions[-1])
+    if not os.path.isabs(questions[-1].words[0]):
+        load(questions[-1])
     context = multiprocessing.get_context("fork")
     with ProcessPoolExecutor(os.cpu_count(), context) as pool:  # whose children may have children
         found: dict[str, str] = {}
