@@ -39,9 +39,19 @@ class Sentence(NamedTuple):
 
 def tracked() -> list[str]:
     """Tracked files that exist, without the corpus and what commands write."""
-    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True)
-    made = ("degeneracies/corpus/", "docs/audit/", "tests/fuzzing/corpus/", "LICENSES/", "CHANGELOG")
-    return [f for f in listed.stdout.splitlines() if not f.startswith(made) and (ROOT / f).is_file()]
+    listed = subprocess.run(
+        ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    made = (
+        "degeneracies/corpus/",
+        "docs/audit/",
+        "tests/fuzzing/corpus/",
+        "LICENSES/",
+        "CHANGELOG",
+    )
+    return [
+        f for f in listed.stdout.splitlines() if not f.startswith(made) and (ROOT / f).is_file()
+    ]
 
 
 def text_of(file: str) -> str:
@@ -54,7 +64,10 @@ def comments(file: str) -> Iterator[tuple[int, str]]:
     if file.endswith(".py"):
         blocks = re.finditer(r'"""(.*?)"""|((?:^[ \t]*# .*\n)+)', text, re.S | re.M)
         for found in blocks:
-            yield text.count("\n", 0, found.start()) + 1, re.sub(r"(?m)^\s*# ", "", found[1] or found[2])
+            yield (
+                text.count("\n", 0, found.start()) + 1,
+                re.sub(r"(?m)^\s*# ", "", found[1] or found[2]),
+            )
     elif file.endswith(".md"):
         plain = re.sub(r"```.*?```", lambda block: "\n" * block[0].count("\n"), text, flags=re.S)
         for found in re.finditer(r"(?:^(?!\||#).+\n?)+", plain, re.M):
