@@ -1,4 +1,4 @@
-// The vector area of a face: normal to it, of any kind of integers.
+// A face's vector area, normal to the face, for any kind of integers.
 #pragma once
 
 #include <type_traits>

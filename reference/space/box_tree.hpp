@@ -11,8 +11,8 @@
 
 namespace minkref::inline space {
 
-/// In doubles that certainly enclose what it stands for. Closed: boxes that only touch overlap. As
-/// made, nothing is inside.
+/// A box with double bounds that certainly encloses the object. Boxes are closed: touching boxes
+/// overlap. A new box encloses nothing.
 struct SpaceBox {
   static constexpr std::size_t dimensions = 3;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ struct SpaceBox {
     return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
            other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
   }
-  /// 0 where it is unbounded both ways.
+  /// The middle along an axis; 0 for an interval unbounded both ways.
   double centre(std::size_t axis) const {
     const double middle = low[axis] / 2 + high[axis] / 2;
     return std::isnan(middle) ? 0 : middle;

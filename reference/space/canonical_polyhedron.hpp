@@ -1,4 +1,4 @@
-// The canonical form of a convex polyhedron as text: two are equal iff their texts are.
+// A convex polyhedron's canonical form as text: two polyhedra are equal iff their texts are equal.
 #pragma once
 
 #include <string>

@@ -12,14 +12,14 @@
 
 namespace minkref::inline space {
 
-/// An edge of a face, in the direction of that face.
+/// An edge of a face, along the face's direction.
 struct FaceEdge {
   std::uint32_t from, to, face;
   std::pair<std::uint32_t, std::uint32_t> ends() const { return std::minmax(from, to); }
 };
 
-/// The edges of all faces, those between the same two vertices next to each other in the order of
-/// their faces. O(n log n).
+/// Lists all faces' edges; edges between the same two vertices stand next to each other, ordered by
+/// face. O(n log n).
 inline std::vector<FaceEdge> sorted_edges(const std::vector<Face>& faces) {
   std::vector<FaceEdge> edges;
   for (std::uint32_t f = 0; f < faces.size(); ++f) {

@@ -20,7 +20,8 @@ class EarCutter {
 
   std::optional<std::vector<TriangleCorners>> run() {
     std::vector<TriangleCorners> triangles;
-    // The ear about the second vertex first: what is convex is cut as a fan from its first vertex.
+    // The ear about the second vertex comes first: a convex face becomes a fan from the first
+    // vertex.
     std::size_t at = 1;
     while (left_.size() > 3) {
       std::size_t tried = 0;
@@ -45,8 +46,8 @@ class EarCutter {
     return flat_.turn(left_[before(k)], left_[k], left_[after(k)]) > 0;
   }
 
-  /// An ear holds no other vertex. If a triangle holds others, the one farthest from its diagonal
-  /// is not convex: only vertices that are not convex have to be looked at.
+  /// An ear holds no other vertex. If a triangle holds any, the vertex farthest from the diagonal
+  /// is not convex: only vertices that are not convex need a look.
   bool is_ear(std::size_t k) const {
     if (!convex_[k]) return false;
     const TriangleCorners triangle = corner(k);

@@ -10,7 +10,7 @@
 
 namespace minkref::inline space {
 
-/// The numbers of its vertices.
+/// A triangle's vertex numbers.
 using TriangleCorners = std::array<std::uint32_t, 3>;
 
 /// Cuts a planar simple face of at least three vertices into triangles of positive area along

@@ -9,7 +9,7 @@
 
 namespace minkref::inline space {
 
-/// Along the axis in which the normal of the face is longest: there it is seen as it is.
+/// Views the face along its normal's longest axis, which shows the face faithfully.
 class FlatFace {
  public:
   /// Keeps a reference to the signs.
@@ -24,8 +24,8 @@ class FlatFace {
     return signs_.turn(a, b, c, axis_) * side_;
   }
 
-  /// An order of points of the plane along a line, ties across it; the face runs counter-clockwise
-  /// where this is from left to right, ties upwards. Exact.
+  /// Orders points of the plane along a line, ties across the line; seen with this order from left
+  /// to right and ties upwards, the face runs counter-clockwise. Exact.
   bool is_before(std::uint32_t a, std::uint32_t b) const {
     const IntegerVector &p = signs_.points()[a], &q = signs_.points()[b];
     const std::size_t i = (axis_ + 1) % 3, j = (axis_ + 2) % 3;
@@ -33,8 +33,7 @@ class FlatFace {
     return along != 0 ? along * side_ < 0 : p[j] < q[j];
   }
 
-  /// Twice the area that a triangle of the plane has where it is seen, positive where it turns as
-  /// the face does.
+  /// Twice a triangle's area as seen, positive if the triangle turns as the face does.
   Integer seen_area(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const std::vector<IntegerVector>& p = signs_.points();
     const std::size_t i = (axis_ + 1) % 3, j = (axis_ + 2) % 3;

@@ -1,4 +1,4 @@
-// The vertices of a polyhedron over one denominator, and vectors of integers.
+// A polyhedron's vertices over one denominator, and integer vectors.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ inline Integer dot(const IntegerVector& a, const IntegerVector& b) {
 inline IntegerVector cross(const IntegerVector& a, const IntegerVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// The least exponent of two above its magnitude.
+/// The least k with |value| below 2^k.
 inline long bits(const Integer& value) {
   return value.is_zero() ? 0 : static_cast<long>(msb(abs(value))) + 1;
 }
@@ -30,8 +30,8 @@ inline bool is_zero(const IntegerVector& a) {
   return a[0].is_zero() && a[1].is_zero() && a[2].is_zero();
 }
 
-/// The axis along which a vector is longest, the first of them; a plane with this normal is seen as
-/// it is along it.
+/// The first among the axes along which a vector is longest; a view along this axis shows a plane
+/// with this normal faithfully.
 template <class Vector>
 std::size_t longest_axis(const Vector& vector) {
   using Number = typename Vector::value_type;
@@ -48,7 +48,7 @@ std::size_t longest_axis(const Vector& vector) {
 /// The shortest integer vector in the same direction; the zero vector stays.
 IntegerVector primitive(const IntegerVector& vector);
 
-/// A vertex is its point over the denominator, the least common one of all coordinates.
+/// The vertices as integer points over the least common denominator of all coordinates.
 struct IntegerPoints {
   Integer denominator = 1;
   std::vector<IntegerVector> points;

@@ -15,7 +15,7 @@ namespace {
 
 using Corner = std::uint32_t;  // its place in the face
 
-/// A face by its corners: from left to right, counter-clockwise.
+/// A face as a ring of corners: ordered from left to right, turning counter-clockwise.
 class CornerRing {
  public:
   CornerRing(const Face& face, const VertexSigns& signs) : face_(face), flat_(face, signs) {}
@@ -35,8 +35,8 @@ class CornerRing {
   FlatFace flat_;
 };
 
-/// Edges that run to the right, named by their first corners, from below upwards; and points among
-/// them.
+/// Orders edges that run to the right, named after the first corner, from below upwards; and places
+/// points among them.
 struct BelowEachOther {
   const CornerRing* ring;
   struct Place {
@@ -58,14 +58,14 @@ struct BelowEachOther {
   bool operator()(Place p, Corner a) const { return ring->turn(a, ring->after(a), p.corner) < 0; }
 };
 
-/// The sweep. A region between two edges is named by the lower one; its helper is the last corner
-/// seen in it.
+/// The sweep. The lower edge names a region between two edges; the region's helper is the last
+/// corner seen there.
 class MonotoneCutting {
  public:
   explicit MonotoneCutting(const CornerRing& ring)
       : ring_(ring), edges_(BelowEachOther{&ring}), helper_(ring.size()), merges_(ring.size()) {}
 
-  /// False where the face is found not to be simple.
+  /// Returns false if the face proves not to be simple.
   bool run() {
     std::vector<Corner> order(ring_.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -90,7 +90,7 @@ class MonotoneCutting {
     const bool is_tip = comes != goes_on;  // both edges on one side
     if (goes_on && !comes && is_convex) return open(v);
     if (is_tip && is_convex) return true;
-    // A corner of the region above the next lower edge, unless that is its own.
+    // The corner borders the region above the next lower edge, unless the corner starts that edge.
     if (comes && goes_on) return open(v);
     const auto above = edges_.lower_bound(BelowEachOther::Place{v});
     if (above == edges_.begin()) return false;
@@ -116,8 +116,8 @@ class MonotoneCutting {
   std::vector<bool> merges_;  ///< corners at which two regions become one
 };
 
-/// The pieces between the diagonals. At each corner the edge to the next one and the diagonals are
-/// its spokes, counter-clockwise.
+/// The pieces between the diagonals. At each corner the spokes are the edge to the next corner and
+/// the diagonals, counter-clockwise.
 class DiagonalPieces {
  public:
   using Diagonals = std::vector<std::pair<Corner, Corner>>;
@@ -183,13 +183,13 @@ class DiagonalPieces {
   std::vector<std::size_t> places_;  ///< of each end of a diagonal, among the spokes there
 };
 
-/// Cuts monotone pieces, from left to right, by a stack of corners that wait for one that sees
-/// them.
+/// Cuts monotone pieces, from left to right, with a stack of corners that wait until a later corner
+/// sees them.
 class PieceCutter {
  public:
   explicit PieceCutter(const CornerRing& ring) : ring_(ring) {}
 
-  /// False where a triangle is not of positive area.
+  /// Returns false if a triangle's area is not positive.
   bool cut(const std::vector<Corner>& piece) {
     struct Step {
       Corner corner;

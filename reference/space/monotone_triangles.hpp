@@ -8,9 +8,9 @@
 
 namespace minkref::inline space {
 
-/// The triangles of `face_triangles`, by a sweep that cuts the face into monotone pieces (Garey,
-/// Johnson, Preparata and Tarjan 1978). Exact. O(n log n). None where the face is not planar and
-/// simple, and only there.
+/// Returns triangles as `face_triangles` does, by a sweep that cuts the face into monotone pieces
+/// (Garey, Johnson, Preparata and Tarjan 1978). Exact. O(n log n). Empty if the face is not planar
+/// and simple, and only then.
 std::optional<std::vector<TriangleCorners>> monotone_triangles(const Face& face,
                                                                const VertexSigns& signs);
 

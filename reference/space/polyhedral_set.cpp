@@ -38,7 +38,7 @@ Point seen(const SpacePoint& point, std::size_t axis) {
 }
 
 bool is_mirrored(const OrientedPlane& plane) {
-  // Seen from its positive end the second axis is mirrored.
+  // A view from the second axis's positive end mirrors the plane.
   const std::size_t axis = viewing_axis(plane.normal);
   return (plane.normal[axis].sign() > 0) == (axis == 1);
 }

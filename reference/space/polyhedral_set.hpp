@@ -1,4 +1,4 @@
-// A sum in space: a regular closed polyhedral set, given by what is exposed in each plane.
+// A sum in space: a regular closed polyhedral set, given as the exposed part for each plane.
 #pragma once
 
 #include <string>
@@ -16,20 +16,20 @@ struct OrientedPlane {
   Rational offset;
   friend bool operator==(const OrientedPlane&, const OrientedPlane&) = default;
 };
-/// By the normal, coordinate by coordinate, then the offset.
+/// Compares the normals, coordinate after coordinate, then the offsets.
 bool operator<(const OrientedPlane& a, const OrientedPlane& b);
 
-/// The first axis along which the normal is not zero; a plane is seen along it as it is, though
-/// perhaps mirrored.
+/// The first axis with a nonzero normal coordinate; a view along this axis shows the plane
+/// faithfully, though perhaps mirrored.
 std::size_t viewing_axis(const IntegerVector& normal);
-/// The two other coordinates, in the order of their axes.
+/// The two remaining coordinates, ordered by axis.
 Point seen(const SpacePoint& point, std::size_t axis);
-/// Whether what turns counter-clockwise seen from outside turns clockwise as it is seen here.
+/// Whether a turn counter-clockwise as seen from outside runs clockwise in this view.
 bool is_mirrored(const OrientedPlane& plane);
-/// The point of the plane that is seen there.
+/// The plane's point that the view shows at `point`.
 SpacePoint lifted(const Point& point, const OrientedPlane& plane);
 
-/// The part of the boundary that lies in one plane with the set below it.
+/// The boundary's part within one plane, with the set below.
 struct PlaneRegion {
   OrientedPlane plane;
   PolygonSet region;  ///< seen along the viewing axis, in canonical form; not empty
@@ -37,7 +37,8 @@ struct PlaneRegion {
 };
 
 /// A regular closed polyhedral set, bounded (docs/definitions.md, "Polyhedron"). It may be
-/// non-manifold along edges and at vertices. Planes ascend: two sets are equal iff these are.
+/// non-manifold along edges and at vertices. Planes ascend: two sets are equal iff their faces are
+/// equal.
 struct PolyhedralSet {
   std::vector<PlaneRegion> faces;
   bool empty() const { return faces.empty(); }
@@ -51,7 +52,7 @@ std::string canonical_json(const PolyhedralSet& set);
 /// Exact. Linear.
 Rational volume(const PolyhedralSet& set);
 
-/// The set that a valid polyhedron bounds: faces in one plane are united. Exact. O(n log n).
+/// The set that a valid polyhedron bounds, with coplanar faces united. Exact. O(n log n).
 PolyhedralSet polyhedral_set(const Polyhedron& surface);
 
 }  // namespace minkref::inline space

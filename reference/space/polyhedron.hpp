@@ -35,18 +35,18 @@ struct Polyhedron {
 /// One factor for each axis, each positive.
 using Scaling = std::array<Rational, 3>;
 
-/// Refuses what is no polyhedron (docs/definitions.md): the first fault in this order. Throws
-/// BadInput that names face, vertices and coordinates, or two faces and a point, and LimitExceeded
-/// as integer_points does. Codes: those of `validate_mesh`, then "self-intersection" (the surface
-/// passes through itself), "overlapping-faces" (two faces share an area), "wrong-orientation" (the
-/// volume is negative, or a shell inside out hollows out nothing) and "shell-nesting" (a shell in
-/// the material of another). Exact. Near-linear where few triangles of the faces are close to
-/// each other without being neighbours, also where all of them are slivers (self_crossing.hpp),
+/// Refuses anything but a polyhedron (docs/definitions.md): reports the first fault, in this order.
+/// Throws BadInput that names face, vertices and coordinates, or two faces and a point, and
+/// LimitExceeded as integer_points does. Codes: the `validate_mesh` codes, then "self-intersection"
+/// (the surface passes through itself), "overlapping-faces" (two faces share an area),
+/// "wrong-orientation" (the volume is negative, or a shell inside out hollows out nothing) and
+/// "shell-nesting" (a shell in the material of another). Exact. Near-linear if few face triangles
+/// are close to each other without being neighbours, also if all are slivers (self_crossing.hpp),
 /// O(n^2) at worst; beside cutting the faces into triangles (face_triangles.hpp).
 void validate(const Polyhedron& polyhedron);
 
-/// Checks all that `validate` checks except how faces lie to each other: refuses what is no closed
-/// 2-manifold of planar simple faces. Codes: "index-out-of-range", "too-few-vertices",
+/// Checks everything that `validate` checks except the faces' mutual position: refuses anything but
+/// a closed 2-manifold with planar simple faces. Codes: "index-out-of-range", "too-few-vertices",
 /// "too-few-faces", "repeated-vertex" (a face visits a vertex twice), "unused-vertex",
 /// "zero-length-edge", "zero-area", "non-planar-face", "face-not-simple", "wrong-orientation" (two
 /// faces run along an edge the same way), "open-mesh" (an edge with one face), "non-manifold-edge"
@@ -57,22 +57,21 @@ void validate_mesh(const Polyhedron& polyhedron);
 /// vertices. Exact. O(n log n) for a polygon.
 void validate_summand(const Polyhedron& polyhedron);
 
-/// Checks the part of `validate` that all other functions take for granted: refuses a face that
-/// names no vertex of the polyhedron, or has fewer than three. Linear.
+/// Checks the part of `validate` that all other functions presume: refuses a face that names a
+/// nonexistent vertex, or has fewer than three. Linear.
 void validate_faces(const Polyhedron& polyhedron);
 
 /// Six times the volume, signed. Exact.
 Rational sextuple_volume(const Polyhedron& polyhedron);
 
-/// The same surface with one vertex for all that have the same coordinates, numbered in the order
-/// of their first use by a face; vertices of no face are dropped, unless there is no face at all.
-/// Exact. O(n log n).
+/// The same surface with equal vertices merged, numbered by first use within a face; drops vertices
+/// without a face, unless the polyhedron has no face at all. Exact. O(n log n).
 Polyhedron with_shared_vertices(const Polyhedron& polyhedron);
 
-/// Throws BadInput ("bad-scale") for a factor that is not positive.
+/// Throws BadInput ("bad-scale") unless every factor is positive.
 void require_positive(const Scaling& scaling);
 
-/// Every coordinate times the factor of its axis, which has to be positive.
+/// Multiplies every coordinate by the axis's factor, which has to be positive.
 Polyhedron scaled(const Polyhedron& polyhedron, const Scaling& by);
 Polyhedron translated(const Polyhedron& polyhedron, const SpacePoint& by);
 

@@ -1,4 +1,4 @@
-// Where in a polyhedron a refusal applies.
+// The place at which a refusal applies to a polyhedron.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace minkref::inline space {
 
-/// "(x, y, z)"; a coordinate of thousands of digits, which would drown a message, is shortened.
+/// Writes "(x, y, z)"; shortens a coordinate with thousands of digits, which would drown a message.
 std::string short_text(const SpacePoint& point);
 
-/// Names a face and vertices, with the coordinates of those that exist, shortened.
+/// Names a face and vertices, with the coordinates of existing vertices, shortened.
 Place place_in(const Polyhedron& polyhedron, std::optional<std::uint32_t> face,
                const std::vector<std::uint32_t>& vertices);
 

@@ -36,7 +36,8 @@ namespace {
                  std::move(place));
 }
 
-/// The vertices about the first one, in the unit of `signs`; equal ones are one.
+/// The vertices relative to the first vertex, measured with the unit of `signs`; equal vertices
+/// share a number.
 struct NearVertices {
   std::vector<NearPoint> points;
   std::vector<std::uint32_t> number;  ///< of each vertex
@@ -91,7 +92,7 @@ void refuse_crossing_faces(const SearchedSurface& surface) {
     return false;
   });
   if (!are_left) return;
-  // Faces cross along segments, and cover each other in areas: never in one point.
+  // Faces cross along segments, and cover each other on areas: never at a single point.
   auto [points, number] = near_vertices(surface.signs);
   std::vector<NearItem> items;
   items.reserve(triangles.size());

@@ -1,5 +1,5 @@
-// Conditions on the faces of a polyhedron together: none crosses or covers another, and shells lie
-// in and beside each other as the boundary of one set.
+// Conditions on all faces of a polyhedron together: none crosses or covers another, and shells nest
+// as the boundary of one set.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// On which side of the others each shell of a surface lies: one ray from each, exact.
+// Each shell's side relative to the other shells: by one exact ray from each shell.
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -13,13 +13,13 @@
 namespace minkref::inline space {
 namespace {
 
-/// A shell around a point, so many times; one of its triangles.
+/// How often a shell surrounds a point, and one triangle of the shell.
 struct Around {
   int times = 0;
   std::uint32_t triangle = 0;
 };
 
-/// A ray that leaves a triangle from a point inside it, on its outer side, along an axis.
+/// A ray along an axis that leaves a triangle from an inner point, on the outer side.
 class OutwardRay {
  public:
   /// The point is a + b t + c t^2 over 1 + t + t^2, of the corners a, b, c.
@@ -32,8 +32,8 @@ class OutwardRay {
     way_ = normal[axis_].sign();
   }
 
-  /// The shells that have the start of the ray, just off the triangle, inside of them; none where
-  /// the ray meets an edge, or starts on another triangle.
+  /// The shells around the ray's start, just off the triangle; empty if the ray meets an edge, or
+  /// starts on another triangle.
   std::optional<std::map<std::uint32_t, Around>> shells() const {
     std::map<std::uint32_t, Around> result;
     const bool unclear = surface_.tree.query(box(), [&](std::uint32_t t) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t no_shell = UINT32_MAX;
 
-/// The side of a triangle on an edge of the surface, or on a diagonal of a face.
+/// A triangle's side on an edge of the surface, or on a face's diagonal.
 struct TriangleSide {
   std::uint32_t least, most;
   std::uint32_t diagonal_of;  ///< face + 1, or 0 for an edge

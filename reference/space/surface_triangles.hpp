@@ -20,12 +20,12 @@ struct SurfaceTriangle {
   std::uint32_t shell;  ///< triangles from which one comes to each other over edges, from 0
 };
 
-/// Those of all faces of a closed 2-manifold of planar simple faces, face by face. Exact.
-/// O(n log n) beside cutting the faces.
+/// Triangulates all faces of a closed 2-manifold with planar simple faces, face by face. Exact. O(n
+/// log n) beside cutting the faces.
 std::vector<SurfaceTriangle> surface_triangles(const std::vector<Face>& faces,
                                                const VertexSigns& signs);
 
-/// A box around each triangle, in the order of the triangles.
+/// Boxes around the triangles, in triangle order.
 SpaceBoxTree box_tree(const std::vector<SurfaceTriangle>& triangles, const VertexSigns& signs);
 
 }  // namespace minkref::inline space

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t corner_after(std::size_t k) { return (k + 1) % 3; }
 
-/// A triangle against the plane of another one.
+/// A triangle against another triangle's plane.
 struct PlaneSides {
   std::array<int, 3> of;  ///< of its corners
   bool lies_in() const { return of[0] == 0 && of[1] == 0 && of[2] == 0; }
@@ -18,7 +18,8 @@ struct PlaneSides {
     const auto [least, most] = std::minmax({of[0], of[1], of[2]});
     return least < 0 && most > 0;
   }
-  /// The edge, by its first corner, along which it meets the plane, the third corner being off it.
+  /// The edge, named after its first corner, along which the triangle meets the plane, with the
+  /// third corner off the plane.
   std::optional<std::size_t> edge() const {
     for (std::size_t k = 0; k < 3; ++k) {
       if (of[k] == 0 && of[corner_after(k)] == 0 && of[corner_after(corner_after(k))] != 0)
@@ -26,14 +27,14 @@ struct PlaneSides {
     }
     return std::nullopt;
   }
-  /// The corner that is alone on its side; of a triangle that is cut.
+  /// The corner alone on its side, for a cut triangle.
   std::size_t alone() const {
     const int side = std::count(of.begin(), of.end(), 1) == 1 ? 1 : -1;
     return static_cast<std::size_t>(std::find(of.begin(), of.end(), side) - of.begin());
   }
 };
 
-/// Two triangles whose planes meet in a line, or that lie in one plane.
+/// Two triangles whose planes meet along a line or coincide.
 class TrianglePair {
  public:
   TrianglePair(const std::vector<SurfaceTriangle>& triangles, const VertexSigns& signs,
@@ -68,7 +69,7 @@ class TrianglePair {
     return result;
   }
 
-  /// An axis along which a triangle is seen as it is, and which way it turns there.
+  /// An axis that shows a triangle faithfully, and the triangle's turn as seen.
   struct View {
     std::size_t axis;
     int turn;
@@ -81,7 +82,8 @@ class TrianglePair {
     return {2, signs_.turn(corner(which, 0), corner(which, 1), corner(which, 2), 2)};
   }
 
-  /// In one plane. Convex sets lie apart iff the line of an edge of one has the other beyond it.
+  /// For coplanar triangles: convex sets lie apart iff some edge's line has the other set beyond
+  /// it.
   bool overlap() const {
     const std::size_t axis = view(0).axis;
     for (std::size_t which = 0; which < 2; ++which) {
@@ -97,12 +99,12 @@ class TrianglePair {
     return true;
   }
 
-  /// Both triangles meet the line of their planes in a segment; its ends are on the two edges at
-  /// the corner that is alone. With D the cross product of the normals, q the other end of such an
-  /// edge from the corner p of the first triangle on the side s of the second, and q', p', s'
-  /// likewise, det(q - p, p' - p, q' - p) has s s' times the sign of the way along D from the one
-  /// point to the other. The later end of a segment is on the edge after the corner if the corner
-  /// lies above, in the first triangle; in the second, on the edge before.
+  /// Both triangles meet their planes' common line along a segment, with ends on the two edges at
+  /// the lone corner. With D the cross product of the normals, q the other end of such an edge from
+  /// the corner p of the first triangle on the side s of the second, and q', p', s' likewise, det(q
+  /// - p, p' - p, q' - p) has s s' times the sign of the way along D from the one point to the
+  /// other. The later end of a segment is on the edge after the corner if the corner lies above, in
+  /// the first triangle; in the second, on the edge before.
   bool insides_meet(const PlaneSides& t, const PlaneSides& u) const {
     const std::size_t p = t.alone(), q = u.alone();
     const int above = t.of[p], other = u.of[q];
@@ -116,8 +118,8 @@ class TrianglePair {
     return way(early, other_late) > 0 && way(late, other_early) < 0;
   }
 
-  /// The edge k of one triangle lies in the plane of the other: whether it passes through the
-  /// inside of that, and the surface with it.
+  /// Whether edge k of one triangle, which lies along the other triangle's plane, passes through
+  /// the other triangle's inside, and the surface with the edge.
   bool pierces(std::size_t which, std::size_t k, std::size_t through) const {
     const std::uint32_t a = corner(which, k), b = corner(which, k + 1);
     const View seen = view(through);
@@ -165,8 +167,8 @@ class TrianglePair {
     return low < other_high && other_low < high;
   }
 
-  /// Around the line from a to b: 1 where v lies in the turn from `from` to `to`, -1 where it lies
-  /// in the rest, 0 where it lies in one of those two half-planes.
+  /// Around the line from a to b: 1 if v lies within the turn from `from` to `to`, -1 if v lies
+  /// within the rest, 0 if v lies on either half-plane.
   int in_sector(std::uint32_t a, std::uint32_t b, std::uint32_t from, std::uint32_t to,
                 std::uint32_t v) const {
     const int whole = signs_.orientation(a, b, from, to);
@@ -187,7 +189,7 @@ class TrianglePair {
 
 using ExactVector = std::array<Rational, 3>;
 
-/// The part of a convex polygon where a linear function is at least 0.
+/// A convex polygon's part where a linear function is at least 0.
 template <class Function>
 std::vector<ExactVector> clipped(const std::vector<ExactVector>& polygon, Function&& value) {
   std::vector<ExactVector> result;

@@ -15,16 +15,16 @@ enum class TriangleContact {
   overlap,   ///< they share an area
 };
 
-/// The contact of two triangles of different faces. The surface crosses itself along a line of
-/// contact where the half-planes at which one sheet meets the line lie on different sides of the
-/// other sheet: a sheet is the inside of a triangle, or two triangles at their common edge. Where
+/// The contact between two triangles from different faces. The surface crosses itself along a line
+/// of contact if the half-planes at which one sheet meets the line lie on different sides of the
+/// other sheet: a sheet is the inside of a triangle, or two triangles at their common edge. If
 /// half-planes of both sheets coincide, their triangles overlap, and the given pair may be called
 /// none. Exact. O(1).
 TriangleContact contact_of(const std::vector<SurfaceTriangle>& triangles, const VertexSigns& signs,
                            std::uint32_t first, std::uint32_t second);
 
-/// A point inside of what two triangles have in common: the middle of a segment, say. They have to
-/// meet. Exact; in the unit of the points of `signs`.
+/// A point inside two triangles' common part: the middle of a segment, say. The triangles have to
+/// meet. Exact; measured with the unit of the points of `signs`.
 std::array<Rational, 3> common_point(const SurfaceTriangle& first, const SurfaceTriangle& second,
                                      const VertexSigns& signs);
 

@@ -111,7 +111,7 @@ class PolyhedronValidator {
       }
     }
     IntegerVector normal = area_vector(points, face);
-    // The parts of a face that crosses itself may cancel: it has a plane all the same.
+    // The parts of a self-crossing face may cancel: the face has a plane all the same.
     if (is_zero(normal)) normal = normal_of_corners(face);
     if (is_zero(normal)) {
       throw BadInput("zero-area", "all vertices of a face lie on one line",
@@ -127,7 +127,8 @@ class PolyhedronValidator {
     if (face.size() > 3) check_simple(f, normal);
   }
 
-  /// The normal of the first three consecutive vertices on no line; zero where there are none.
+  /// The normal from the first three consecutive vertices not on a line; zero if no such vertices
+  /// exist.
   IntegerVector normal_of_corners(const Face& face) const {
     for (std::size_t a = 0; a + 2 < face.size(); ++a) {
       const IntegerVector normal =
@@ -137,7 +138,7 @@ class PolyhedronValidator {
     return {};
   }
 
-  /// Along the axis in which the normal is longest the face is seen as it is.
+  /// Looks along the normal's longest axis, which shows the face faithfully.
   void check_simple(std::uint32_t f, const IntegerVector& normal) const {
     const std::size_t axis = longest_axis(normal);
     Ring ring;
@@ -152,7 +153,7 @@ class PolyhedronValidator {
     } catch (const BadInput& fault) {
       std::vector<std::uint32_t> at;
       const std::size_t count = faces()[f].size();
-      // A ring whose area is zero has not been turned.
+      // A ring with zero area has not been turned.
       const bool turned = normal[axis] < 0 && !is_zero(area_vector(integers_.points, faces()[f]));
       for (const std::size_t k : fault.place().vertices) {
         at.push_back(faces()[f][turned && k > 0 ? count - k : k]);
@@ -186,7 +187,7 @@ class PolyhedronValidator {
     }
   }
 
-  /// Around every vertex the faces are one fan.
+  /// Requires a single fan of faces around every vertex.
   void check_fans() const {
     struct Corner {
       std::uint32_t vertex, after, before, face;

@@ -9,8 +9,8 @@ namespace minkref::inline space {
 namespace {
 
 constexpr long most_bits_in_units = 300;
-/// Above it, what products lose below the range of doubles does not count: with a factor of 2^300
-/// less than 2^-760.
+/// Above this value, losses of products below the doubles' range do not count: with a factor of
+/// 2^300 less than 2^-760.
 constexpr double least_settled = 0x1p-700;
 
 using RoundedDifference = std::array<double, 3>;
@@ -38,8 +38,8 @@ VertexSigns::VertexSigns(const std::vector<IntegerVector>& points)
       most = std::max({most, std::fabs(low), std::fabs(high)});
     }
   }
-  // A lower bound is at most 2^-52 of the magnitude below its coordinate; the difference of two is
-  // rounded once more, by at most 2^-53 of twice the magnitude.
+  // A lower bound lies at most 2^-52 of the magnitude below its coordinate; the difference of two
+  // bounds is rounded once more, by at most 2^-53 of twice the magnitude.
   doubt_ = 0x1p-50 * most;
 }
 

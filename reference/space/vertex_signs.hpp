@@ -12,9 +12,8 @@
 
 namespace minkref::inline space {
 
-/// Vertices are named by their numbers. Signs are taken in machine words where coordinates are
-/// short, else in doubles with a bound on what rounding may have done, and where this does not
-/// settle it in integers.
+/// Numbers name the vertices. Machine words decide signs for short coordinates, else doubles with a
+/// bound on rounding errors, and integers if doubles do not settle a sign.
 class VertexSigns {
  public:
   /// Keeps a reference to the points.
@@ -22,15 +21,15 @@ class VertexSigns {
 
   const std::vector<IntegerVector>& points() const { return points_; }
 
-  /// The sign of det(b - a, c - a, d - a): 1 where d lies above the plane of a, b, c, that is, sees
-  /// them counter-clockwise. Exact.
+  /// The sign of det(b - a, c - a, d - a): 1 if d lies above the plane through a, b, c, that is,
+  /// sees them counter-clockwise. Exact.
   int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
-  /// The sign of that coordinate of (b - a) x (c - a). Exact.
+  /// The sign of (b - a) x (c - a) along `axis`. Exact.
   int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t axis) const;
 
-  /// Holds the vertex, in the unit of this object.
+  /// A box around the vertex, measured with this object's unit.
   const SpaceBox& box(std::uint32_t vertex) const { return boxes_[vertex]; }
-  /// Holds the coordinate x / over, in that unit.
+  /// Bounds for the coordinate x / over, measured with this object's unit.
   std::array<double, 2> enclosed(const Integer& x, const Integer& over = 1) const;
 
  private:

@@ -15,7 +15,7 @@ Doubles rounded(const WideVector& v) {
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-/// The greatest magnitude of a coordinate.
+/// The greatest coordinate magnitude.
 template <class Vector>
 auto extent(const Vector& v) {
   const auto& longest = v[longest_axis(v)];
@@ -50,7 +50,7 @@ std::optional<std::vector<WordVector>> in_words(const std::vector<IntegerVector>
 }
 
 int dot_sign(const WideVector& normal, const WordVector& along) {
-  // A coordinate of the normal is high * 2^64 + low: both sums stay below 2^126.
+  // A normal coordinate is high * 2^64 + low: both sums stay below 2^126.
   Int128 high = 0, low = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     high += (normal[k] >> 64) * along[k];

@@ -14,22 +14,22 @@
 namespace minkref::inline space {
 
 using WordVector = std::array<std::int64_t, 3>;
-/// The cross product of two differences of points, or a sum of such.
+/// The cross product of two point differences, or a sum of cross products.
 using WideVector = std::array<Int128, 3>;
 
-/// The type that `area_vector` gives for faces of such points.
+/// The `area_vector` type for faces on such points.
 template <class Point>
 using AreaVector = std::conditional_t<std::is_same_v<Point, WordVector>, WideVector, IntegerVector>;
 
-/// Coordinates of points lie below 2^54 in magnitude, those of vectors below 2^60, and faces have
-/// at most 512 corners: vector areas and cross products lie below 2^122.
+/// Point coordinates lie below 2^54 in magnitude, vector coordinates below 2^60, and faces have at
+/// most 512 corners: vector areas and cross products lie below 2^122.
 constexpr long most_word_bits = 54;
 constexpr std::size_t most_word_corners = 512;
 
-/// Whether vector areas of these faces can be had in words.
+/// Whether words can hold these faces' vector areas.
 bool fit_in_words(const std::vector<Face>& faces);
 bool fit_in_words(const std::vector<WordVector>& points);
-/// The points in words, where all are short enough.
+/// The points as words, if all are short enough.
 std::optional<std::vector<WordVector>> in_words(const std::vector<IntegerVector>& points);
 
 inline IntegerVector to_integers(const WordVector& v) { return {v[0], v[1], v[2]}; }
@@ -51,17 +51,17 @@ inline WideVector operator+(const WideVector& a, const WideVector& b) {
 }
 inline bool is_zero(const WideVector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 
-/// The sign of the scalar product of a vector area and a difference of points.
+/// The sign of the scalar product of a vector area and a point difference.
 int dot_sign(const WideVector& normal, const WordVector& along);
 inline int dot_sign(const IntegerVector& normal, const IntegerVector& along) {
   return dot(normal, along).sign();
 }
 
-/// The sign of (a x b) · along: doubles where they settle it.
+/// The sign of (a x b) · along, by doubles if they settle the sign.
 int turn_sign(const WideVector& a, const WideVector& b, const WordVector& along);
 int turn_sign(const IntegerVector& a, const IntegerVector& b, const IntegerVector& along);
 
-/// The direction of a vector that is not zero.
+/// The direction of a nonzero vector.
 struct WordDirection {
   WideVector vector;
   Int128 longest;                 ///< of the magnitudes of its coordinates
@@ -76,8 +76,8 @@ struct IntegerDirection {
 inline WordDirection direction(const WideVector& v) { return WordDirection(v); }
 inline IntegerDirection direction(const IntegerVector& v) { return IntegerDirection(v); }
 
-/// An order of directions: negative, 0 for the same direction, or positive. Doubles where they
-/// settle it.
+/// An order of directions: negative, 0 for the same direction, or positive. Doubles decide if they
+/// can.
 int compare(const WordDirection& a, const WordDirection& b);
 int compare(const IntegerDirection& a, const IntegerDirection& b);
 

@@ -109,8 +109,8 @@ void walk_chain(const FacetContact& across_Q, std::uint32_t edge, std::uint32_t 
   const auto fail = [] {
     throw std::logic_error("a chain of edges is not that of an arc: its ends are wrong");
   };
-  // The region's facets, counter-clockwise, are on the positive side of the great circle in one
-  // run: the arc by which it leaves comes just before the run. Left and right of the arc:
+  // The region's facets, counter-clockwise, lie on the great circle's positive side in one run: the
+  // great circle leaves by the arc just before the run. Left and right of the arc:
   std::uint32_t h = Q.first(from);
   Side left = look_left_of(h), right{};
   if (left.rises) {

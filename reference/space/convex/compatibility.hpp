@@ -1,4 +1,4 @@
-// The pairs of which the sum of two convex polyhedra is made: the overlay of their Gaussian maps.
+// The pairs that make up the sum of two convex polyhedra: the overlay of their Gaussian maps.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace minkref::inline space {
 
-/// For S P and Q in generic position (contact.hpp: P moved by an infinitesimal linear map).
+/// For S P and Q in generic position (facet_contact.hpp: P moved by an infinitesimal linear map).
 ///
-/// - fv-pairs: each facet of P and the one vertex of Q that is farthest along its normal;
-/// - vf-pairs: each facet of Q and the one vertex of P;
-/// - ee-pairs: each edge of P and the edges of Q whose arcs cross its arc in the Gaussian map, from
-///   the facet on the left of `half_edge(edge)` to that on its right. They are half-edges of Q that
-///   form a chain: each starts where the one before ends, the first at the vertex of the left
-///   facet.
+/// - fv-pairs: each facet of P with the vertex of Q farthest along the facet's normal;
+/// - vf-pairs: each facet of Q with P's vertex, likewise;
+/// - ee-pairs: each edge of P with the edges of Q whose arcs cross the edge's arc in the Gaussian
+///   map, from the facet on the left of `half_edge(edge)` to the facet on the right. These
+///   half-edges of Q form a chain: each starts where the previous one ends, the first at the left
+///   facet's vertex.
 struct Compatibility {
   std::vector<std::uint32_t> vertex_of_Q;          ///< by facet of P
   std::vector<std::uint32_t> vertex_of_P;          ///< by facet of Q
@@ -23,7 +23,7 @@ struct Compatibility {
   friend bool operator==(const Compatibility&, const Compatibility&) = default;
 };
 
-/// The predicates of one pair at one scaling.
+/// The predicates for one pair at one scaling.
 struct Contacts {
   FacetContact across_P, across_Q;  ///< normals of P and edges of Q; normals of Q and edges of P
 
@@ -53,33 +53,33 @@ struct Climb {
 /// From a vertex along the witness of the incompatibility, the edge that rises most, until no edge
 /// rises (Sec. 6). Always ends at the vertex farthest along the normal: the edges at a vertex of a
 /// convex polyhedron span its cone, so a vertex without a rising edge is farthest, and the height
-/// grows with every step. Which edge rises most is decided by doubles: it changes the way, never
+/// grows with every step. Doubles decide which edge rises most: this choice changes the way, never
 /// the end.
 Climb climb(const FacetContact& contact, std::uint32_t facet, std::uint32_t vertex);
 
-/// The same; where an edge rises at `vertex` and `other` is estimated to be higher, from there.
-/// `walked` is given the half-edges of the way.
+/// The same climb; if an edge rises at `vertex` and an estimate puts `other` higher, the climb
+/// starts from `other`. `walked` receives the half-edges along the way.
 Climb climb(const FacetContact& contact, std::uint32_t facet, std::uint32_t vertex,
             std::uint32_t other, std::vector<std::uint32_t>& walked);
 
-/// The chain of an edge of P between the vertices of the facets on its two sides: from the region
-/// of the first, each time through the arc by which the great circle of the edge leaves the region.
-/// The great circle meets each region, which is convex, in one piece, so the walk is the arc's way.
-/// `slacks`: of each of its edges, as `examine_link` has it. std::logic_error where it finds that
-/// the ends are not those of the edge.
+/// Walks the chain of P's edge between the vertices for the facets on both sides: from the first
+/// vertex's region, each time through the arc by which the edge's great circle leaves the region.
+/// The great circle meets each convex region in one piece, so the walk follows the arc. `slacks`
+/// receives each chain edge's slack, as `examine_link` gives it. Throws std::logic_error if the
+/// walk shows that the given ends do not belong to the edge.
 void walk_chain(const FacetContact& across_Q, std::uint32_t edge, std::uint32_t from,
                 std::uint32_t to, std::vector<std::uint32_t>& chain, std::vector<double>& slacks);
 
 /// Whether the great circle of the edge runs through the arc of a half-edge of Q, and how far the
-/// scaling may drift with that certainly so. A chain of such, whose ends are the vertices of the
-/// two facets, is the right one.
+/// scaling may drift with the answer certainly kept. A chain is right if all links are right and
+/// the chain ends at the two facets' vertices.
 struct LinkState {
   bool right;
   double slack;
 };
 LinkState examine_link(const FacetContact& across_Q, std::uint32_t edge, std::uint32_t half_edge);
 
-/// The vertices of a facet in the order of its ring.
+/// Visits a facet's vertices in ring order.
 template <class Visit>
 void for_vertices_of(const ConvexPolyhedron& body, std::uint32_t facet, Visit visit) {
   const std::uint32_t start = body.start(facet);

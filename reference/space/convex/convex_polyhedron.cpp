@@ -25,7 +25,7 @@ long most_bits(const std::vector<IntegerVector>& vectors) {
   return most;
 }
 
-/// By how many bits the coordinates that are not zero differ in length.
+/// The difference in bits between the longest and the shortest nonzero coordinate.
 long spread(const std::vector<IntegerVector>& vectors) {
   long least = LONG_MAX;
   for (const IntegerVector& v : vectors) {
@@ -72,7 +72,7 @@ ConvexPolyhedron::ConvexPolyhedron(const Polyhedron& surface) {
   IntegerPoints given = integer_points(surface.vertices);
   const std::vector<Face> facets = convex_facets(surface, given.points);
 
-  // Vertices in lexicographic order, facets by their rings, which start at their least vertex.
+  // Vertices come in lexicographic order, facets by their rings, which start at the least vertex.
   std::vector<bool> kept(given.points.size());
   for (const Face& facet : facets) {
     for (const std::uint32_t v : facet) kept[v] = true;
@@ -145,8 +145,8 @@ void ConvexPolyhedron::link(const std::vector<Face>& rings) {
     return static_cast<std::uint32_t>(
         std::lower_bound(corners.begin(), corners.end(), wanted, less) - corners.begin());
   };
-  // Counter-clockwise around a vertex the facet on the left of a half-edge comes next, whose other
-  // edge at the vertex is the one before in its ring.
+  // Counter-clockwise around a vertex, the facet on a half-edge's left comes next; this facet's
+  // other edge at the vertex precedes the half-edge in the ring.
   std::vector<std::uint32_t> place(corners.size());
   std::uint32_t at = 0;
   for (std::uint32_t k = 0; k < corners.size();) {
@@ -180,7 +180,7 @@ void ConvexPolyhedron::link(const std::vector<Face>& rings) {
   }
 }
 
-/// Breadth first: neighbours in the list are near each other.
+/// Breadth first: neighbours in the list lie near each other.
 void ConvexPolyhedron::traverse() {
   std::vector<bool> met(start_.size());
   traversal_.push_back({0, 0});

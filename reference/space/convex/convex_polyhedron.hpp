@@ -13,9 +13,9 @@ namespace minkref::inline space {
 
 using DoubleVector = std::array<double, 3>;
 
-/// Coplanar faces are one facet, and there is no vertex inside a facet or an edge. Half-edges are
-/// numbered so that those that leave a vertex are consecutive, counter-clockwise around it seen
-/// from outside; the facet of a half-edge is on its left.
+/// Coplanar faces form one facet, and no vertex lies inside a facet or an edge. The half-edges that
+/// leave a vertex have consecutive numbers, counter-clockwise around the vertex seen from outside;
+/// a half-edge's facet lies on the left.
 class ConvexPolyhedron {
  public:
   /// Validates, merges coplanar faces, drops flat vertices and certifies convexity. Throws BadInput
@@ -30,9 +30,9 @@ class ConvexPolyhedron {
   /// A vertex is `point(v)` over `denominator()`.
   const Integer& denominator() const { return denominator_; }
   const IntegerVector& point(std::uint32_t vertex) const { return points_[vertex]; }
-  /// All coordinates of points lie below 2^point_bits() in magnitude.
+  /// All point coordinates lie below 2^point_bits() in magnitude.
   long point_bits() const { return point_bits_; }
-  /// The points in words, where point_bits() is less than 64; else empty.
+  /// The points as words, if point_bits() is less than 64; else empty.
   const std::vector<std::array<std::int64_t, 3>>& words() const { return words_; }
   /// Outward, primitive.
   const IntegerVector& normal(std::uint32_t facet) const { return normals_[facet]; }
@@ -48,11 +48,11 @@ class ConvexPolyhedron {
   std::uint32_t right(std::uint32_t half_edge) const { return facet_[twin_[half_edge]]; }
   /// The next half-edge around the facet on its left.
   std::uint32_t next(std::uint32_t half_edge) const { return next_[half_edge]; }
-  /// The half-edge of the facet that leaves its least vertex.
+  /// The facet's half-edge that leaves the facet's least vertex.
   std::uint32_t start(std::uint32_t facet) const { return start_[facet]; }
-  /// The number of corners of the facet that has the most.
+  /// The largest corner count among the facets.
   std::size_t most_corners() const { return most_corners_; }
-  /// Edges are numbered in the order of their half-edges that leave the lesser vertex.
+  /// Edge numbers follow the order of the half-edges that leave the lesser vertex.
   std::uint32_t edges() const { return static_cast<std::uint32_t>(edge_half_.size()); }
   std::uint32_t edge(std::uint32_t half_edge) const { return edge_[half_edge]; }
   /// From the lesser vertex to the greater.
@@ -68,11 +68,11 @@ class ConvexPolyhedron {
     return half_edge == first_[v] ? first_[v + 1] - 1 : half_edge - 1;
   }
 
-  /// Nearest doubles of `vector` and `normal`, each scaled by a power of two that is the same for
-  /// all of them, so that the largest lies in [1/2, 1).
+  /// Nearest doubles of `vector` and `normal`, each kind scaled by one common power of two that
+  /// puts the largest coordinate into [1/2, 1).
   const DoubleVector& rounded_vector(std::uint32_t half_edge) const { return vectors_[half_edge]; }
   const DoubleVector& rounded_normal(std::uint32_t facet) const { return rounded_normals_[facet]; }
-  /// A coordinate of these is at least 2^-201 in magnitude, or 0 where the exact one is.
+  /// Whether every nonzero coordinate gives a double of at least 2^-201 in magnitude above.
   bool moderate() const { return moderate_; }
 
   /// Nearest doubles of the points over the same power of two as the vectors; for estimates.

@@ -1,4 +1,4 @@
-// Whether a sum in space is convex: then it has the canonical form of a convex polyhedron.
+// Whether a sum in space is convex: a convex sum has the canonical form for convex polyhedra.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,10 @@
 
 namespace minkref::inline space {
 
-/// The set as a convex polyhedron, where it is convex and not empty. Each face of a convex set is
-/// one convex polygon, and the corners of these are its vertices; what they are put together to is
-/// certified to be convex. Exact. O(n log n) for a convex set; others are mostly told by a face.
+/// Returns the set as a convex polyhedron if the set is convex and not empty. Each face of a convex
+/// set is one convex polygon, and the polygons' corners are the set's vertices; convexity of the
+/// assembled polyhedron is certified. Exact. O(n log n) for a convex set; a single face mostly
+/// rules out other sets.
 std::optional<ConvexPolyhedron> convex_polyhedron(const PolyhedralSet& set);
 
 }  // namespace minkref::inline space

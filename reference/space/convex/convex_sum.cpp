@@ -13,7 +13,7 @@ namespace {
 
 using Pair = SumVertices::Pair;
 
-/// The numbers of all pairs.
+/// Numbers all pairs.
 class PairNumbers {
  public:
   PairNumbers(const ConvexPolyhedron& P, const std::vector<Pair>& pairs)
@@ -24,7 +24,7 @@ class PairNumbers {
     for (std::uint32_t k = 0; k < pairs.size(); ++k) at_P_[next[pairs[k].p]++] = {pairs[k].q, k};
   }
 
-  /// Few vertices of Q belong to one of P.
+  /// A vertex of P has few partners among Q's vertices.
   std::uint32_t operator()(std::uint32_t p, std::uint32_t q) const {
     std::uint32_t k = first_[p];
     while (at_P_[k].q != q) ++k;
@@ -39,7 +39,7 @@ class PairNumbers {
   std::vector<Numbered> at_P_;  // first_[p] .. first_[p + 1] - 1 belong to p
 };
 
-/// The facets of all compatible pairs.
+/// Unites the facets from all compatible pairs.
 template <class Point>
 ConvexSum united_pairs(const ConvexPolyhedron& P, const ConvexPolyhedron& Q,
                        const Compatibility& compatibility, const SumVertices& vertices,

@@ -1,4 +1,5 @@
-// The sum as a polyhedron: facets in one plane are one, with the faces of P and Q whose sum it is.
+// The sum as a polyhedron: coplanar facets become one facet, with the summed faces of P and Q as
+// parents.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@ struct FacetParents {
   friend bool operator==(const FacetParents&, const FacetParents&) = default;
 };
 
-/// Vertices are in lexicographic order, facets are strictly convex rings that start at their least
+/// Vertices come in lexicographic order, facets as strictly convex rings that start at the least
 /// vertex, in ascending order: the canonical form (docs/definitions.md).
 struct ConvexSum {
   Polyhedron surface;
@@ -23,9 +24,9 @@ struct ConvexSum {
   std::vector<FacetParents> facet_parents;
 };
 
-/// The polyhedron of the pairs that are compatible at this scaling. The result is certified: valid,
-/// closed, convex, no two facets in one plane, no flat vertex (convexity.hpp); std::logic_error
-/// where it is not. Exact. O(k log k).
+/// Builds the polyhedron from the pairs compatible at this scaling. The result is certified: valid,
+/// closed, convex, no two coplanar facets, no flat vertex (convexity.hpp); a failure throws
+/// std::logic_error. Exact. O(k log k).
 ConvexSum surface_of(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& scaling,
                      const Compatibility& compatibility);
 

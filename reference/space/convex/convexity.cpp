@@ -32,7 +32,7 @@ class Surface {
     is_closed_ = edges.size() % 2 == 0 && are_edges_twice();
   }
 
-  /// Faces in one plane become one facet.
+  /// Merges coplanar faces into one facet.
   std::vector<Face> certified_facets() {
     merge();
     std::vector<Face> result = boundaries();
@@ -41,7 +41,7 @@ class Surface {
     return result;
   }
 
-  /// Each face is a facet as it is.
+  /// Takes each face as a facet.
   void require_strict() {
     if (!is_closed_) refuse("the surface is not closed", 0, {});
     const std::vector<Face>& faces = polyhedron_.faces;
@@ -175,7 +175,7 @@ class Surface {
     }
   }
 
-  /// Where it is not strict, faces in one plane may meet at an edge.
+  /// Without `is_strict`, coplanar faces may meet at an edge.
   void check_ridges(bool is_strict) const {
     for (const auto& [a, b] : pairs_) {
       look_for_interrupt();
@@ -199,7 +199,8 @@ class Surface {
   }
 
   void check_winding(const std::vector<Face>& facets) const {
-    // 28 times: o is the mean of the first triangle and a point below it, x is inside the triangle.
+    // Scaled by 28: o is the mean of the first triangle and a point below, and x lies inside the
+    // triangle.
     const Point &a = points_[facets[0][0]], &b = points_[facets[0][1]], &c = points_[facets[0][2]];
     const Point o = combination(7, combination(1, a, 1, b, 1, c), 7, below(facets[0], a), 0, a);
     const Point ray = combination(4, a, 8, b, 16, c) - o;

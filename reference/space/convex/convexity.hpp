@@ -1,4 +1,4 @@
-// The facets of a convex surface, and the proof that it is one.
+// A convex surface's facets, and the convexity proof.
 #pragma once
 
 #include <vector>
@@ -9,23 +9,23 @@
 
 namespace minkref::inline space {
 
-/// The rings of the facets of a valid surface, its coplanar faces merged and its flat vertices
-/// dropped: those inside a facet and those inside an edge. `points` are its vertices over one
-/// denominator. Throws BadInput ("not-convex"), which names a face and a vertex above its plane
-/// where there is one. Exact. O(n log n).
+/// Returns a valid surface's facets as rings: coplanar faces merged, and flat vertices (inside a
+/// facet or an edge) dropped. `points` holds the vertices over one denominator. Throws BadInput
+/// ("not-convex"), which names a face and, if one exists, a vertex above the face's plane. Exact.
+/// O(n log n).
 ///
-/// Why it is convex: neighbours of a facet lie strictly below its plane; a point o is strictly
-/// below all planes; and a ray from o through the inside of one triangle of one facet meets no
-/// other. So the surface, which lies around o facing outwards everywhere, lies around it once, and
-/// a locally convex surface that does is the boundary of a convex set (Mehlhorn et al., "Checking
-/// geometric programs", 1999, Sec. 2).
+/// Why the surface is convex: neighbours of a facet lie strictly below its plane; a point o is
+/// strictly below all planes; and a ray from o through the inside of one triangle of one facet
+/// meets no other. So the surface, which lies around o facing outwards everywhere, lies around it
+/// once, and a locally convex surface that does is the boundary of a convex set (Mehlhorn et al.,
+/// "Checking geometric programs", 1999, Sec. 2).
 std::vector<Face> certified_convex_facets(const Polyhedron& surface,
                                           const std::vector<IntegerVector>& points);
 
-/// Whether any surface is the boundary of a convex body with each facet one face and no flat
-/// vertex: closed, planar, strictly convex at all vertices of all faces and at all edges, and the
-/// above. `points` are its vertices, each axis over a denominator of its own. Throws BadInput where
-/// it is not. Exact. O(n log n).
+/// Certifies that any surface bounds a convex body with each facet one face and no flat vertex:
+/// closed, planar, strictly convex at all vertices of all faces and at all edges, and as proven
+/// above. `points` holds the vertices, each axis over a separate denominator. Throws BadInput for
+/// any other surface. Exact. O(n log n).
 void require_strictly_convex(const Polyhedron& surface, const std::vector<IntegerVector>& points);
 void require_strictly_convex(const Polyhedron& surface, const std::vector<WordVector>& points);
 

@@ -74,8 +74,8 @@ UpdateCounts DynamicConvexSum::update(const Scaling& to) {
   return counts;
 }
 
-/// Below 8 the last place of the sum is far below what `drift` adds for rounding; beyond, or where
-/// the drift is not known, all is examined anew.
+/// Below 8 the sum's last place lies far below the amount that `drift` adds for rounding; beyond 8,
+/// or with an unknown drift, everything is examined anew.
 void DynamicConvexSum::add_drift(double step) {
   drift_ += step;
   if (drift_ < 8) return;  // false for NaN
@@ -86,7 +86,7 @@ void DynamicConvexSum::add_drift(double step) {
   for (auto& deadlines : deadline_links_) std::fill(deadlines.begin(), deadlines.end(), 0);
 }
 
-/// fv-errors, and beside each the edges of its facet.
+/// Finds fv-errors, and beside each the facet's edges.
 void DynamicConvexSum::mend_facets_of_P(UpdateCounts& counts) {
   const ConvexPolyhedron& body = P();
   for (const auto& [f, before] : body.traversal()) {
@@ -145,7 +145,7 @@ void DynamicConvexSum::mend_chains(UpdateCounts& counts) {
   suspects_.clear();
 }
 
-/// Looks at those of its links that may have become wrong; its ends are right.
+/// Examines only links that may have become wrong; the chain's ends are right.
 bool DynamicConvexSum::is_chain_right(std::uint32_t edge) {
   double least = std::numeric_limits<double>::infinity();
   std::vector<double>& deadlines = deadline_links_[edge];

@@ -12,21 +12,21 @@
 
 namespace minkref::inline space {
 
-/// Counts of one update: what it found and did (Behar & Lien 2012, Sec. 6).
+/// Counts for one update: errors found and work done (Behar & Lien 2012, Sec. 6).
 struct UpdateCounts {
   std::uint64_t fv_errors = 0;  ///< facets of P whose vertex of Q changed
   std::uint64_t vf_errors = 0;  ///< facets of Q whose vertex of P changed
-  /// Edges walked to the new vertices: from the old ones, or, where that of a neighbouring facet is
-  /// higher, from there.
+  /// Edges walked to the new vertices: from the old vertex, or from a neighbouring facet's vertex
+  /// if that vertex is higher.
   std::uint64_t descent_steps = 0;
   std::uint64_t ee_errors = 0;  ///< ee-pairs that are no more
   std::uint64_t ee_pairs_added = 0;
   std::uint64_t chains_walked = 0;
-  /// Chains found wrong by the proof and not by an error: those beside no facet of P, and along no
-  /// way of a facet of Q, that changed its vertex.
+  /// Chains that the proof, not an error, found wrong: beside no facet of P, and along no way of a
+  /// facet of Q, that changed its vertex.
   std::uint64_t chains_mended_by_proof = 0;
-  /// Chains mended by proof that neither lost nor gained an edge of a facet of Q that changed its
-  /// vertex. Theorem 1, with the facets of both operands, says that there are no such chains.
+  /// Chains mended by proof that neither lost nor gained an edge from a facet of Q with a changed
+  /// vertex. Theorem 1, with both operands' facets, excludes such chains.
   std::uint64_t chains_without_error = 0;
   std::uint64_t facets_examined = 0;  ///< those whose slack was used up
   std::uint64_t chains_examined = 0;
@@ -36,14 +36,14 @@ struct UpdateCounts {
   UpdateCounts& operator+=(const UpdateCounts& other);
 };
 
-/// `S P ⊕ Q` for S that changes, as the pairs of its facets and its vertices, in generic position
+/// `S P ⊕ Q` for changing S, as pairs of facets and vertices, in generic position
 /// (compatibility.hpp); surface_of (convex_sum.hpp) gives the polyhedron. P and Q have to outlive
-/// it.
+/// the object.
 ///
 /// The state after any sequence of updates is a function of the last scaling alone. Every update
-/// proves what it keeps: a facet's vertex is right where no edge at it rises, a chain where its
-/// ends are right and all its signs are. A check is left out only where the scaling has drifted
-/// less since the last one than every product that it looked at allows.
+/// proves the pairs that it keeps: a facet's vertex is right if no edge there rises, a chain is
+/// right if both ends and all signs are right. An update skips a check only if the scaling's drift
+/// since the last check stays below the limit that every examined product allows.
 class DynamicConvexSum {
  public:
   /// From scratch by `traversal` (static_convex_sum.hpp). Throws BadInput ("bad-scale"). The last
@@ -51,15 +51,15 @@ class DynamicConvexSum {
   DynamicConvexSum(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& at,
                    const FloatEnvironment& standard = {});
 
-  /// Mends what the new scaling makes wrong. Throws BadInput ("bad-scale"), and the state is as it
-  /// was; std::logic_error would be a fault of ours, and the state is of no use then.
+  /// Mends the pairs that the new scaling makes wrong. Throws BadInput ("bad-scale") and keeps the
+  /// state; std::logic_error would be a fault of ours and leave the state useless.
   UpdateCounts update(const Scaling& to);
 
   const ConvexPolyhedron& P() const { return contacts_.P(); }
   const ConvexPolyhedron& Q() const { return contacts_.Q(); }
   const Scaling& scaling() const { return scaling_.exact; }
   const Compatibility& compatibility() const { return state_; }
-  /// All pairs (p, q) whose sum is a corner of a facet.
+  /// All pairs (p, q) that sum to a facet's corner.
   const SumVertices& vertices() const { return vertices_; }
   std::uint64_t ee_pairs() const { return ee_pairs_; }
 
@@ -82,11 +82,11 @@ class DynamicConvexSum {
   Compatibility state_;
   SumVertices vertices_;
   std::uint64_t ee_pairs_ = 0;
-  // A facet or chain is right as long as `drift_` is below its deadline.
+  // A facet or chain stays right while `drift_` is below the deadline.
   double drift_ = 0;
   std::vector<double> deadline_P_, deadline_Q_, deadline_chain_;
   std::vector<std::vector<double>> deadline_links_;  // of a chain, whose own is the least of these
-  // State of the update under way.
+  // State during an update.
   IndexSet suspects_;                     // edges of P beside an error
   IndexSet moved_;                        // facets of Q with one
   IndexSet changed_at_P_, changed_at_Q_;  // vertices

@@ -5,7 +5,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// Positive integers in the ratio of the weights, without a common divisor.
+/// Positive integers proportional to the weights, without a common divisor.
 IntegerVector in_lowest_terms(const Scaling& weights) {
   using boost::multiprecision::denominator;
   using boost::multiprecision::numerator;
@@ -39,7 +39,7 @@ void FacetContact::rescale(const RoundedScaling& scaling) {
   scaling_ = scaling.exact;
   exact_weights_known_ = false;
   const std::optional<DoubleVector>& factors = scaling.factors;
-  // Ratios of weights above 2^-200, of coordinates above 2^-201: terms are above 2^-602.
+  // Weight ratios exceed 2^-200 and coordinates 2^-201: terms exceed 2^-602.
   no_underflow_ = factors && normals_->moderate() && edges_->moderate();
   if (!factors) {
     const IntegerVector& exact = exact_weights();
@@ -75,7 +75,7 @@ int FacetContact::exact_sign(std::uint32_t facet, std::uint32_t half_edge) const
   Integer sum = 0;
   bool evaluated = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Edges that lie in a facet's plane for every scaling are common, and settled here.
+    // Edges that lie along a facet's plane for every scaling occur often; this test settles them.
     if (n[axis].is_zero() || a[axis] == b[axis]) continue;
     sum += n[axis] * exact_weights()[axis] * (b[axis] - a[axis]);
     evaluated = true;

@@ -1,4 +1,4 @@
-// The predicate of Sec. 6: does an edge of one polyhedron rise above a facet of the other?
+// The predicate of Sec. 6: does an edge of one polyhedron rise above the other polyhedron's facet?
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace minkref::inline space {
 
-/// A scaling and its nearest doubles, where all of these lie well within their range.
+/// A scaling, and the nearest doubles if all three lie well within their range.
 struct RoundedScaling {
   Scaling exact{1, 1, 1};
   std::optional<DoubleVector> factors = DoubleVector{1, 1, 1};
@@ -20,15 +20,15 @@ struct RoundedScaling {
   explicit RoundedScaling(const Scaling& scaling);
 };
 
-/// The signs of n' · d for the facet normals n of one polyhedron and the edge vectors d of the
-/// other, where n' is n with every coordinate times a positive weight. With the weights 1/s_i the
-/// normals are those of S P, and the edges are Q's; with the weights s_i the normals are Q's and n'
-/// · d is the product with an edge of S P (docs/convex-polyhedra.md).
+/// The signs of n' · d for one polyhedron's facet normals n and the other's edge vectors d, where
+/// n' is n with every coordinate times a positive weight. With the weights 1/s_i the normals belong
+/// to S P and the edges to Q; with the weights s_i the normals belong to Q, and n' · d is the
+/// product with an edge of S P (docs/convex-polyhedra.md).
 ///
-/// `rises` never ties: where n' · d = 0 it answers as if P were moved by the
-/// linear map I + E, E a matrix of nine infinitesimals each far smaller than the one before and all
-/// of one order: S P is then generic, for every S, and all signs are those of one and the same P.
-/// To first order n' · d changes by ± the sum of n_i E_ij d_j.
+/// `rises` never ties: for n' · d = 0 the answer moves P by the linear map I + E, where E is a
+/// matrix of nine infinitesimals, each far smaller than the one before and all of one order: S P is
+/// then generic for every S, and all signs belong to one and the same P. To first order n' · d
+/// changes by ± the sum of n_i E_ij d_j.
 class FacetContact {
  public:
   enum class Operand : std::uint8_t { normals_of_P, normals_of_Q };
@@ -55,8 +55,8 @@ class FacetContact {
     return rises(weighted(facet), half_edge);
   }
 
-  /// n' · d in doubles, and the sum of the magnitudes of its three terms. The value is off by less
-  /// than 16 roundings of the sum and, where terms underflow, by less than 2^-1000.
+  /// n' · d in doubles, and the sum of its terms' three magnitudes. The value's error stays below
+  /// 16 roundings of the sum and, if terms underflow, below 2^-1000.
   struct Product {
     double value, magnitude;
     bool certain() const {
@@ -70,7 +70,7 @@ class FacetContact {
    public:
     explicit Slack(const FacetContact& contact) : zeros_stay_(contact.no_underflow_) {}
     void include(const Product& product) {
-      // Every term is zero where the sum of their magnitudes is, for all weights.
+      // A zero sum of magnitudes means that every term vanishes for all weights.
       const bool stays = product.magnitude == 0 && zeros_stay_;
       // From this magnitude on, the products below do not underflow, but for ratios below 2^-200.
       const bool tiny = product.magnitude < 0x1p-400;
@@ -97,7 +97,7 @@ class FacetContact {
     return {x + y + z, std::fabs(x) + std::fabs(y) + std::fabs(z)};
   }
 
-  /// The same for a product that is at hand.
+  /// The same for a product already computed.
   bool rises(const Weighted& facet, std::uint32_t half_edge, const Product& product) const {
     if (product.certain()) return product.value > 0;
     if (product.magnitude == 0 && no_underflow_) {
@@ -109,12 +109,12 @@ class FacetContact {
   const ConvexPolyhedron& normals() const { return *normals_; }
   const ConvexPolyhedron& edges() const { return *edges_; }
 
-  /// Signs asked for since construction, and those among them that doubles did not settle.
+  /// Signs requested since construction, and how many doubles left open.
   std::uint64_t evaluations() const { return evaluations_; }
   std::uint64_t exact_evaluations() const { return exact_evaluations_; }
 
  private:
-  /// The sign to first order where n' · d = 0: that of the first n_i d_j that is not zero.
+  /// The sign to first order for n' · d = 0: from the first nonzero n_i d_j.
   template <class Vector>
   bool tie_rises(const Vector& normal, const Vector& edge) const {
     for (const auto& across : normal) {
@@ -141,8 +141,8 @@ class FacetContact {
 };
 
 /// Half the spread of the logarithms of the factors by which weights changed, rounded up: a factor
-/// common to all axes changes no sign. The same for the weights s_i and 1/s_i. Infinite where a
-/// factor is beyond 2^±100.
+/// common to all axes changes no sign. The same for the weights s_i and 1/s_i. Infinite if a factor
+/// lies beyond 2^±100.
 double drift(const RoundedScaling& from, const RoundedScaling& to);
 
 }  // namespace minkref::inline space

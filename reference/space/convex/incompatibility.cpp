@@ -15,7 +15,7 @@ RationalVector normal_of(const ConvexPolyhedron& P, std::uint32_t facet, const S
   return {n[0] / scaling[0], n[1] / scaling[1], n[2] / scaling[2]};
 }
 
-/// The normal times the half-edge: positive where it rises.
+/// The normal times the half-edge: positive for a rising half-edge.
 Rational rise(const RationalVector& normal, const ConvexPolyhedron& Q, std::uint32_t half_edge) {
   const IntegerVector d = Q.vector(half_edge);
   return (normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2]) / Q.denominator();

@@ -1,4 +1,4 @@
-// Some of the numbers 0 to n - 1, in the order in which they came.
+// A subset of the numbers 0 to n - 1, kept in insertion order.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,7 @@ namespace {
 
 using Pair = SumVertices::Pair;
 
-/// The corners of the convex hull of points in a plane, counter-clockwise seen against its normal.
+/// The convex hull's corners for coplanar points, counter-clockwise seen against the normal.
 template <class Point>
 Face corners_of_hull(const std::vector<Point>& points, const AreaVector<Point>& normal,
                      Face among) {
@@ -61,7 +61,7 @@ FacetParents parents_of(const std::vector<Pair>& pairs, const Face& corners) {
   return result;
 }
 
-/// One ring for each plane, and the parents of each.
+/// Merges each plane's rings into one, and their parents.
 template <class Point>
 std::pair<std::vector<Face>, std::vector<FacetParents>> merged(const Pieces<Point>& pieces) {
   const std::vector<Face>& rings = pieces.rings;
@@ -90,7 +90,7 @@ std::pair<std::vector<Face>, std::vector<FacetParents>> merged(const Pieces<Poin
   return result;
 }
 
-/// Numbers the vertices that are used in lexicographic order, and sorts the facets.
+/// Numbers the used vertices lexicographically and sorts the facets.
 template <class Point>
 void make_canonical(ConvexSum& sum, std::vector<Face> rings, std::vector<FacetParents> parents,
                     const Pieces<Point>& pieces, std::vector<Point>& points) {
@@ -125,7 +125,7 @@ void make_canonical(ConvexSum& sum, std::vector<Face> rings, std::vector<FacetPa
   }
 }
 
-/// Scaling an axis keeps what is asked here, so the points may be those over the denominators.
+/// Scaling an axis keeps every property asked here, so the points may stay over their denominators.
 template <class Point>
 void certify(const Polyhedron& surface, const std::vector<Point>& points) {
   try {

@@ -1,4 +1,4 @@
-// A convex sum as pieces that may lie in one plane, and how they become facets.
+// A convex sum as pieces, some perhaps coplanar, and how the pieces become facets.
 #pragma once
 
 #include <utility>
@@ -9,8 +9,8 @@
 
 namespace minkref::inline space {
 
-/// Convex pieces that tile the boundary of a sum. Points, WordVector or IntegerVector, are over one
-/// denominator for each axis: planes stay planes, and convex is convex.
+/// Convex pieces that tile a sum's boundary. Points, WordVector or IntegerVector, have one
+/// denominator for each axis: planes stay planes, and convex pieces stay convex.
 template <class Point>
 struct Pieces {
   std::vector<SumVertices::Pair> pairs;
@@ -19,7 +19,8 @@ struct Pieces {
   std::vector<Face> rings;  ///< of pairs, counter-clockwise seen from outside
   std::vector<AreaVector<Point>> normals;
 
-  /// A ring without area, of two parallel edges, lies in an edge of the sum and is left out.
+  /// Adds a ring; a ring without area, between parallel edges, lies along an edge of the sum and
+  /// adds nothing.
   void add(Face ring) {
     const auto normal = area_vector(points, ring);
     if (is_zero(normal)) return;
@@ -28,7 +29,7 @@ struct Pieces {
   }
 };
 
-/// The sum in canonical form, certified as surface_of is. Exact. O(k log k).
+/// The sum as canonical form, certified like surface_of. Exact. O(k log k).
 ConvexSum united(const Pieces<WordVector>& pieces);
 ConvexSum united(const Pieces<IntegerVector>& pieces);
 

@@ -7,7 +7,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// Vertex v of P at the end k of the segment is the point 2 v + k.
+/// P's vertex v at the segment's end k is the point 2 v + k.
 std::uint32_t number(std::uint32_t vertex, bool at_b) { return 2 * vertex + (at_b ? 1U : 0U); }
 
 /// For each facet whether the segment rises above it.

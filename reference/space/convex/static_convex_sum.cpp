@@ -9,7 +9,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// For each facet its vertex of the other body, from neighbour to neighbour.
+/// Finds each facet's vertex on the other body, from neighbour to neighbour.
 std::vector<std::uint32_t> vertices_by_traversal(const FacetContact& contact) {
   std::vector<std::uint32_t> vertex(contact.normals().facets());
   for (const auto& [facet, before] : contact.normals().traversal()) {
@@ -68,13 +68,13 @@ Compatibility by_brute_force(const Contacts& contacts) {
     std::vector<std::uint32_t> crossed;
     for (std::uint32_t d = 0; d < Q.half_edges(); ++d) {
       look_for_interrupt();
-      // The arc of h runs from its left facet to its right one, and so does that of d.
+      // The arcs of h and d both run from the left facet to the right one.
       if (!contacts.across_P.rises(P.left(h), d) && contacts.across_P.rises(P.right(h), d) &&
           contacts.across_Q.rises(Q.left(d), h) && !contacts.across_Q.rises(Q.right(d), h)) {
         crossed.push_back(d);
       }
     }
-    // In the order of the arc: each starts where the one before ends.
+    // Along the arc each edge starts where the previous one ends.
     std::vector<std::uint32_t>& chain = result.chains[e];
     std::uint32_t at = result.vertex_of_Q[P.left(h)];
     while (chain.size() < crossed.size()) {

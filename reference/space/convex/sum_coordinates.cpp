@@ -83,7 +83,7 @@ void sum_coordinates(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const
     width = std::max({width, bits(factors[axis].of_P) + P.point_bits(),
                       bits(factors[axis].of_Q) + Q.point_bits()});
   }
-  // Each of the two terms is below 2^width.
+  // Both terms lie below 2^width.
   const bool words = P.point_bits() < 64 && Q.point_bits() < 64;
   if (words && width <= 62) {
     add_pairs<std::int64_t>(P, Q, factors, vertices, points.numerators);

@@ -1,4 +1,4 @@
-// The exact coordinates of sums of vertices, over one denominator for each axis.
+// The exact coordinates of vertex sums, over one denominator for each axis.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace minkref::inline space {
 
-/// Numerators in the narrowest integers that hold all of them: 64 bits, 128 bits, or any.
+/// Numerators as the narrowest integers that hold them all: 64 bits, 128 bits, or unlimited.
 using Numerators =
     std::variant<std::vector<WordVector>, std::vector<WideVector>, std::vector<IntegerVector>>;
 
@@ -24,12 +24,12 @@ struct HomogeneousPoints {
   Numerators numerators;
 };
 
-/// s_i p_i + q_i for all pairs, in their order. Exact. Writes into `points`, whose memory is used
-/// again. O(m + n + k).
+/// Computes s_i p_i + q_i for all pairs, in order. Exact. Writes into `points` and reuses the
+/// memory there. O(m + n + k).
 void sum_coordinates(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& scaling,
                      const SumVertices& vertices, HomogeneousPoints& points);
 
-/// The numerators as word vectors, where all are short enough.
+/// The numerators as word vectors, if all are short enough.
 std::optional<std::vector<WordVector>> in_words(const HomogeneousPoints& points);
 std::vector<IntegerVector> in_integers(const HomogeneousPoints& points);
 std::size_t count(const HomogeneousPoints& points);

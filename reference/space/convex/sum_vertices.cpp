@@ -22,8 +22,8 @@ void SumVertices::renew_at_P(std::uint32_t p, const Compatibility& compatibility
     met.push_back(q);
   };
   for (std::uint32_t h = P_->first(p); h < P_->first(p + 1); ++h) {
-    // Every region that the arc runs through but its last is where an edge of the chain begins; the
-    // facet on the left of a half-edge is an end of the arc.
+    // Every region along the arc but the last starts an edge of the chain; the facet on a
+    // half-edge's left is an end of the arc.
     add(compatibility.vertex_of_Q[P_->left(h)]);
     for (const std::uint32_t d : compatibility.chains[P_->edge(h)]) {
       add(Q_->origin(d));

@@ -1,4 +1,4 @@
-// The vertices of the sum: pairs of a vertex of P and a vertex of Q.
+// The sum's vertices: pairs of a P vertex and a Q vertex.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,9 @@ namespace minkref::inline space {
 
 struct Compatibility;
 
-/// All pairs (p, q) whose regions of the two Gaussian maps overlap: their sums are the corners of
-/// the facets of the sum, in generic position. Either an arc of P at the region of p runs through
-/// the region of q, or the whole region of q lies in that of p: then all facets at q are compatible
-/// with p.
+/// All pairs (p, q) whose regions in the two Gaussian maps overlap: their sums are the corners of
+/// the sum's facets, in generic position. Either an arc of P at p's region runs through q's region,
+/// or q's whole region lies within p's: then all facets at q are compatible with p.
 class SumVertices {
  public:
   struct Pair {
@@ -27,7 +26,7 @@ class SumVertices {
 
   /// After the chain of an edge at p changed.
   void renew_at_P(std::uint32_t p, const Compatibility& compatibility);
-  /// After a facet at q changed its vertex of P.
+  /// Renews after a facet at q changed its vertex of P.
   void renew_at_Q(std::uint32_t q, const Compatibility& compatibility);
 
   std::size_t size() const { return met_count_ + whole_count_; }

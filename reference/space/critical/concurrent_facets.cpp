@@ -8,7 +8,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// Where a row and a plane are zero, in scales.
+/// The numerator of the scale at which a row and a plane vanish together.
 template <class T>
 T over(const LineForm<T>& row, const LineForm<T>& plane) {
   return row.beta * plane.gamma - plane.beta * row.gamma;
@@ -22,16 +22,16 @@ EventScale exact_scale(const LineForm<Integer>& row, const LineForm<Integer>& pl
   return {over(row, plane), turn_of(row, plane)};
 }
 
-// With coordinates of b bits a height is below 2^(3b + 6), and so is a normal times a side; the
-// determinant of three normals is below 2^(6b + 14).
+// With b-bit coordinates a height, and likewise a normal times a side, lies below 2^(3b + 6); the
+// determinant of three normals lies below 2^(6b + 14).
 constexpr unsigned most_bits_of_side = 18, most_bits_of_four = 11;
 
 bool has_words(const MovingConvolution& convolution, unsigned bits) {
   return convolution.words && convolution.words->bits <= bits;
 }
 
-/// Where the line of a side of one facet meets the planes of two others in one point: two equations
-/// in the scale and the place on the line. None where that does not single out a scale.
+/// The scale at which the line along one facet's side meets two other facets' planes in one point:
+/// two equations for the scale and the place on the line. Empty if no single scale results.
 template <class T>
 std::optional<EventScale> scale_on_side(const MovingConvolution& convolution,
                                         const MovingFacet& own, std::size_t side,
@@ -47,7 +47,8 @@ std::optional<EventScale> scale_on_side(const MovingConvolution& convolution,
   return EventScale(T(of_g.height * f_along - of_f.height * g_along), slope);
 }
 
-/// Where four planes meet in one point: their determinant, from a corner of the first on.
+/// The scale at which four planes meet at one point: by their determinant, from the first facet's
+/// corner on.
 template <class T>
 std::optional<EventScale> scale_of_four(const MovingConvolution& convolution,
                                         const std::array<const MovingFacet*, 4>& facets) {
@@ -71,8 +72,8 @@ std::optional<EventScale> scale_of_four(const MovingConvolution& convolution,
   return EventScale(T(-height), slope);
 }
 
-/// Along the line on which the form of a plane is zero, in the direction in which s grows, or else
-/// any: where rows are zero, and in which order.
+/// Walks the line on which a plane's form vanishes, towards growing s, or any way if s is constant:
+/// where rows vanish, and in which order.
 class Along {
  public:
   Along(ContactRow& plane, SignCounts& signs) : plane_(plane), signs_(signs) {
@@ -81,12 +82,12 @@ class Along {
     if (slope_ == 0) lean_ = sign_of_rows(signs, [](const auto& p) { return p.alpha; }, plane);
   }
 
-  /// The plane meets the crossing line in one point at each scale.
+  /// The plane meets the crossing line at one point for each scale.
   bool is_point() const { return slope_ != 0; }
-  /// The plane has all of the crossing line at one scale.
+  /// The plane contains the whole crossing line at one scale.
   bool is_once() const { return slope_ == 0 && lean_ != 0; }
 
-  /// How the row changes along the line. `is_zero` may know that it does not.
+  /// How the row changes along the line. `is_zero` may already know a zero rate.
   template <class Known>
   int rate(ContactRow& row, Known&& is_zero) {
     return direction_ * sign_unless_zero(
@@ -95,7 +96,7 @@ class Along {
                             plane_);
   }
 
-  /// The sign of a row that does not change. `is_zero` may know that the sign is 0.
+  /// The sign of a constant row. `is_zero` may already know a zero sign.
   template <class Known>
   int constant(ContactRow& row, Known&& is_zero) {
     if (slope_ != 0) {
@@ -112,8 +113,8 @@ class Along {
                row, plane_);
   }
 
-  /// The sign of the way from where row b is zero to where row a is; neither is constant. `is_zero`
-  /// may know that it is 0.
+  /// The sign of the way from row b's zero to row a's; neither row is constant. `is_zero` may
+  /// already know a zero sign.
   template <class Known>
   int order(ContactRow& a, int rate_of_a, ContactRow& b, int rate_of_b, Known&& is_zero) {
     if (is_point()) {
@@ -157,7 +158,7 @@ std::array<Name, 2> ends_of(const MovingFacet& facet, std::size_t side) {
   return {facet.names[side], facet.names[(side + 1) % facet.size]};
 }
 
-/// A side and two other facets have a vertex p of P in common, so that all moves with s p.
+/// A side and two other facets share a vertex p of P, so that everything moves with s p.
 bool move_together(const MovingFacet& own, std::size_t side, const MovingFacet& f,
                    const MovingFacet& g) {
   const auto ends = ends_of(own, side);
@@ -166,7 +167,7 @@ bool move_together(const MovingFacet& own, std::size_t side, const MovingFacet& 
   });
 }
 
-/// They have a corner in common, which is where the planes meet at all scales.
+/// The side and both facets share a corner, where the planes meet at all scales.
 bool share_a_corner(const MovingFacet& own, std::size_t side, const MovingFacet& f,
                     const MovingFacet& g) {
   const auto ends = ends_of(own, side);
@@ -242,7 +243,7 @@ std::optional<FacetTracks::Track> FacetTracks::track_of(const Facet& third,
   const auto others_of = [&](std::size_t k) {
     return std::array{facets[(sides[k].of + 1U) % 3], facets[(sides[k].of + 2U) % 3]};
   };
-  // Two sides end in one corner, of two of the facets: on the track both are zero where it is.
+  // Two sides end at one corner that two facets share: on the track both rows vanish there.
   const auto end_together = [&](std::size_t k, std::size_t l) {
     if (k >= sides_count || l >= sides_count) return false;
     const MovingFacet &own = *facets[sides[k].of], &other = *facets[sides[l].of];
@@ -325,7 +326,7 @@ EventScale FacetTracks::scale_at(Track& track, const Side& side, ContactRow& row
   return found ? *found : exact_scale(row.exact(), track.plane.exact());
 }
 
-/// Whether two of three facets single out, by their sides alone, the point that these sides have.
+/// Whether two of three facets single out, by their sides alone, the sides' common point.
 bool FacetTracks::has_pair_event(const Track& track, const std::vector<Side>& zeros) {
   const std::array<const MovingFacet*, 3> facets{first_.facet, second_.facet, track.third.facet};
   for (std::size_t a = 0; a < 3; ++a) {
@@ -402,8 +403,8 @@ void FacetTracks::add_crossing(Track& a, Track& b, std::vector<ConcurrentEvent>&
                     ContactChange::touch});
 }
 
-/// Whether a side that has the point of four facets ends the track there of its own facet and two
-/// others.
+/// Whether a side through the four facets' common point ends the track of its own facet and two
+/// others there.
 bool FacetTracks::is_end_of_three(const std::array<const MovingFacet*, 4>& facets,
                                   const Side& side) {
   for (std::size_t a = 0; a < 4; ++a) {

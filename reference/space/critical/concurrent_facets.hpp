@@ -13,26 +13,27 @@
 
 namespace minkref::inline space {
 
-/// An event of three facets, or of four.
+/// An event of three or four facets.
 struct ConcurrentEvent {
   static constexpr std::uint32_t none = UINT32_MAX;
   static constexpr std::uint8_t no_side = UINT8_MAX;
   EventScale s;
   std::array<std::uint32_t, 4> facets;  ///< ascending; of three, the last is none
   ContactChange change;                 ///< pass: where two are in one plane always
-  /// For three facets: the sides that single the point out, with the planes of facets without one.
+  /// For three facets: the sides that single the point out, together with the planes of the facets
+  /// without such a side.
   std::array<std::uint8_t, 3> sides{no_side, no_side, no_side};
 
   bool is_of_four() const { return facets[3] != none; }
 };
 
-/// The events of two facets with any others that come after them.
+/// The events of two facets with any facets that come after them.
 ///
-/// The pairs (s, x) with x in each of three facets at the scale s are a convex set: over the scale
-/// and the crossing line of the first two, a segment, the *track* of the three. Its ends are their
-/// events, unless two of them alone have an event there. Two tracks on one crossing line cross
-/// where four facets share a point; that is an event unless fewer of them have one there. No two of
-/// the facets may be parallel. Exact.
+/// The pairs (s, x) with x in each of three facets at the scale s form a convex set: over the scale
+/// and the first two facets' crossing line, a segment, the *track* of the three. The track's ends
+/// are events of the three, unless two facets alone have an event there. Two tracks on one crossing
+/// line cross where four facets share a point; the crossing is an event unless fewer facets have an
+/// event there. No two facets may be parallel. Exact.
 class FacetTracks {
  public:
   struct Facet {
@@ -44,16 +45,16 @@ class FacetTracks {
     double first, last;  ///< rounded, outwards
   };
 
-  /// All must outlive it.
+  /// All arguments must outlive the tracks.
   FacetTracks(const MovingConvolution& convolution, const Facet& first, const Facet& second,
               const Window& window, SignCounts& signs);
   FacetTracks(const FacetTracks&) = delete;
   FacetTracks& operator=(const FacetTracks&) = delete;
 
-  /// The track of a third facet in the window, if there is one; its events.
+  /// Adds the track of a third facet within the window, if any, and the track's events.
   void add(const Facet& third, std::vector<ConcurrentEvent>& events);
 
-  /// Adds the crossings of all pairs of tracks whose third facets `may_meet`.
+  /// Adds the crossings between all pairs of tracks whose third facets `may_meet`.
   void add_crossings(const std::function<bool(std::uint32_t, std::uint32_t)>& may_meet,
                      std::vector<ConcurrentEvent>& events);
 
@@ -67,7 +68,7 @@ class FacetTracks {
     std::array<ContactRow, most_corners> sides;
     double low, high;  ///< its scales are between
   };
-  /// A side of one of some facets.
+  /// A facet and a side of the facet.
   struct Side {
     std::uint8_t of, side;
   };
@@ -77,7 +78,7 @@ class FacetTracks {
   bool has_pair_event(const Track& track, const std::vector<Side>& zeros);
   void add_crossing(Track& a, Track& b, std::vector<ConcurrentEvent>& events);
   bool is_end_of_three(const std::array<const MovingFacet*, 4>& facets, const Side& side);
-  /// Rows of the sides of both facets and of a third one, and of the window.
+  /// The rows for the sides of both facets and a third one, and for the window.
   std::size_t rows_with(Track& track, std::array<ContactRow*, most_rows>& rows,
                         std::array<Side, most_rows>& sides);
 
@@ -91,7 +92,7 @@ class FacetTracks {
   std::vector<Track> tracks_;
 };
 
-/// Where it happens, in the units of the convolution. Exact.
+/// The event's place, in the convolution's units. Exact.
 std::array<Rational, 3> place_of(const MovingConvolution& convolution,
                                  const ConcurrentEvent& event);
 

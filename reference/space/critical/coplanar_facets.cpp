@@ -29,7 +29,7 @@ T over(const FlatForm<T>& f, const FlatForm<T>& g, const FlatForm<T>& h) {
   return -(f.constant * turn_of(g, h) + g.constant * turn_of(h, f) + h.constant * turn_of(f, g));
 }
 
-/// The value of a fourth form where three are zero, times `under` of the three.
+/// A fourth form's value where three forms vanish, times `under` for the three.
 template <class T>
 T value_of(const FlatForm<T>& form, const FlatForm<T>& f, const FlatForm<T>& g,
            const FlatForm<T>& h) {
@@ -42,7 +42,7 @@ T value_of(const FlatForm<T>& form, const FlatForm<T>& f, const FlatForm<T>& g,
          form.x * (f.y * of_gh + g.y * of_hf + h.y * of_fg);
 }
 
-/// The plane of a facet seen along an axis, from the first corner of the facet, which moves.
+/// A facet's plane seen along an axis, from the facet's first corner, which moves.
 class MovingPlane {
  public:
   MovingPlane(const MovingConvolution& convolution, const MovingFacet& facet)
@@ -53,7 +53,7 @@ class MovingPlane {
         j_((axis_ + 2) % 3),
         is_seen_from_above_(is_up(facet)) {}
 
-  /// The form of a side of a facet in the plane.
+  /// The form for a side of a facet in the plane.
   template <class T>
   FlatForm<T> side(const MovingFacet& facet, std::size_t k) const {
     const std::array<T, 3>& along = facet.along[k].as<T>();
@@ -66,7 +66,8 @@ class MovingPlane {
                      [&](const std::array<T, 3>& way) -> T { return x * way[i_] + y * way[j_]; });
   }
 
-  /// The form of the plane of a facet across, or of the plane that stands on a side of that facet.
+  /// The form for the plane of a facet across, or for the plane erected on one of this facet's
+  /// sides.
   template <class T>
   FlatForm<T> trace(const MovingFacet& facet, std::uint8_t side) const {
     const std::size_t corner = side == ContactRow::plane ? 0 : side;
@@ -114,7 +115,7 @@ class MovingPlane {
   bool is_seen_from_above_;
 };
 
-/// A side of one of three facets, or the plane of the one across.
+/// A side of one of three facets, or the plane of the facet across.
 class FlatRow {
  public:
   FlatRow(const MovingPlane& plane, const CoplanarTriple& triple, std::size_t of, std::uint8_t side)
@@ -216,9 +217,9 @@ class CoplanarSearch {
     events.push_back(std::move(event));
   }
 
-  /// A side of the facet across that lies in the plane, with all that the facet shares with it.
-  /// Another side that is zero too ends in a corner that touches, or touches another side: an event
-  /// of two facets.
+  /// A side of the facet across that lies along the plane, with all points that the facet shares
+  /// with the plane. Another vanishing side ends at a touching corner, or touches another side: an
+  /// event of two facets.
   bool is_always_zero(FlatRow& row, FlatRow& f, FlatRow& g, FlatRow& h) {
     if (row.of != triple_.across) return false;
     const auto determinant = [](const auto& x, const auto& y, const auto& z) {

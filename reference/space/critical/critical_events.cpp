@@ -90,7 +90,7 @@ class PairSearch {
   SignCounts signs;
 
  private:
-  /// Those in the window; whether there are any.
+  /// Adds the events within the window; returns whether any exist.
   bool add(const std::vector<FacetEvent>& found, std::uint32_t i, std::uint32_t j) {
     bool has_event = false;
     for (const FacetEvent& event : found) {
@@ -131,7 +131,7 @@ void sort_events(std::vector<SpacePairEvent>& events) {
     return std::tie(e.first, e.second, e.event.of_first, e.event.of_second) <
            std::tie(f.first, f.second, f.event.of_first, f.event.of_second);
   });
-  // In place, since there may be more than fit in memory twice: each cycle of the order in turn.
+  // In place, since memory may not hold the events twice: follows each cycle of the order.
   for (std::uint32_t start = 0; start < keys.size(); ++start) {
     if (keys[start].second == start) continue;
     SpacePairEvent first = std::move(events[start]);

@@ -1,4 +1,4 @@
-// All scales of a window at which facets of the convolution start, change or stop to meet (Sec. 5).
+// All scales within a window at which convolution facets start, change or stop to meet (Sec. 5).
 #pragma once
 
 #include <cstdint>
@@ -29,28 +29,28 @@ struct CriticalEvents {
   SignCounts signs;
 };
 
-/// The events to look for: of pairs of facets, or of three and of four too.
+/// The events to look for: between pairs of facets, or also among three and four.
 enum class EventsOf : std::uint8_t { pairs, all };
 
-/// A list that is longer than so many events of pairs, or of three and four, is given up: throws
+/// Limits the list: more events of pairs, or more events of three and four facets, throw
 /// LimitExceeded ("too-many-events").
 struct MostEvents {
   static constexpr const char* code = "too-many-events";
   std::uint64_t count = UINT64_MAX;
 };
 
-/// Pair events of sP ⊕ Q for s in [from, to], of valid polyhedra that do not cross themselves.
-/// Throws BadInput ("bad-window") for bounds that are not positive or not ascending. Exact and
-/// complete. O(n log n + k) for k pairs of facets whose boxes meet at some scale, beside the search
-/// for compatible pairs. On `options.threads`; some 150 bytes for each event. With those of three
-/// and of four facets, for each two facets that meet as many steps as these have neighbours.
+/// Finds pair events of sP ⊕ Q for s in [from, to]; P and Q are valid polyhedra that do not cross
+/// themselves. Throws BadInput ("bad-window") for bounds that are not positive or not ascending.
+/// Exact and complete. O(n log n + k) for k pairs of facets whose boxes meet at some scale, beside
+/// the search for compatible pairs. On `options.threads`; some 150 bytes for each event. Events of
+/// three and four facets cost, for each two meeting facets, as many steps as both have neighbours.
 CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q,
                                         const Rational& from, const Rational& to,
                                         const BuildOptions& options = {},
                                         EventsOf what = EventsOf::pairs, MostEvents most = {});
 
-/// Where it happens: of a vertex the corner, of an edge where the sides cross; of parallel facets a
-/// corner of one that is in the other, if there is one. Exact.
+/// The event's place: for a vertex the corner, for an edge the sides' crossing point; for parallel
+/// facets one facet's corner inside the other, if any. Exact.
 std::optional<SpacePoint> place_of(const CriticalEvents& events, const SpacePairEvent& event);
 SpacePoint place_of(const CriticalEvents& events, const ConcurrentEvent& event);
 

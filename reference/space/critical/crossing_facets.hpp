@@ -1,4 +1,4 @@
-// Which facets of the convolution meet, from scale to scale by the events in between.
+// The facets of the convolution that meet, followed from scale to scale by the events between.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@ namespace minkref::inline space {
 
 using FacetPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// All pairs of facets that have a point in common at a scale s > 0, ascending. Exact, from
+/// Returns all pairs of facets with a common point at a scale s > 0, ascending. Exact, from
 /// scratch: boxes, then the pairs whose boxes meet.
 std::vector<FacetPair> meeting_pairs_at(const MovingConvolution& convolution, const Rational& s);
 
-/// The enumerative method of Sec. 5 and 7.2 without what follows the intersections: starts from the
-/// pairs that meet at one scale, and updates them by the events up to another one.
+/// The enumerative method (Sec. 5 and 7.2) up to the intersections: starts from the pairs that meet
+/// at one scale, and follows the events to another scale.
 class CrossingFacets {
  public:
-  /// `start` and all scales that follow are in the window of the events, and are no scale of an
-  /// event: else BadInput ("at-an-event").
+  /// `start` and all later scales must lie within the events' window and off every event's scale:
+  /// else BadInput ("at-an-event").
   CrossingFacets(std::shared_ptr<const CriticalEvents> events, const Rational& start);
 
-  /// How many events there are on the way; each is looked at. O(k), beside a search for s.
+  /// Returns the number of events on the way, each examined. O(k), beside a search for s.
   std::uint64_t move_to(const Rational& s);
 
   std::uint64_t count() const { return count_; }

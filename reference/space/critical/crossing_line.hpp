@@ -1,4 +1,4 @@
-// The line in which the planes of two facets of the convolution cross, at all scales.
+// The line where two convolution facets' planes cross, at all scales.
 #pragma once
 
 #include <array>
@@ -19,11 +19,11 @@ struct LineForm {
 /// facet, which moves.
 class CrossingLine {
  public:
-  /// The facets must not be parallel; all must outlive it.
+  /// The facets must not be parallel; all arguments must outlive the line.
   CrossingLine(const MovingConvolution& convolution, const MovingFacet& first,
                const MovingFacet& second, SignCounts& signs);
 
-  /// How far a point is from a corner of a facet in a direction, times weight.
+  /// A point's distance beyond a facet's corner along a direction, times weight.
   LineForm<BoundedDouble> form(const BoundedVector& direction,
                                const ConvolutionFacet::Corner& corner) const;
   LineForm<Integer> form(const IntegerVector& direction, const ConvolutionFacet::Corner& corner);
@@ -52,15 +52,15 @@ class CrossingLine {
   std::optional<Parts<Integer>> exact_;
 };
 
-/// How far the points of a crossing line are inside of a side of a facet, or above its plane, up to
-/// a factor above 0. Rounded, and exact when that is asked for.
+/// How far a crossing line's points lie inside a facet's side, or above the facet's plane, up to a
+/// positive factor. Rounded, with exact numbers on demand.
 class ContactRow {
  public:
   static constexpr std::uint8_t plane = UINT8_MAX;
 
   ContactRow() = default;
   ContactRow(CrossingLine& line, const MovingFacet& facet, std::uint8_t side);
-  /// alpha s + gamma, of integers.
+  /// alpha s + gamma, for integers.
   ContactRow(const Integer& alpha, const Integer& gamma);
 
   const LineForm<BoundedDouble>& rounded() const { return rounded_; }
@@ -75,8 +75,8 @@ class ContactRow {
   std::optional<LineForm<Integer>> exact_;
 };
 
-/// The sign of what `evaluate` makes of the forms of rows. Where doubles leave it open, `is_zero`
-/// is asked first: it may know that it is 0.
+/// The sign of `evaluate` applied to the rows' forms. If doubles leave the sign open, `is_zero`
+/// comes next: it may already know a zero.
 template <class Known, class Evaluate, class... Rows>
 int sign_unless_zero(SignCounts& signs, Known&& is_zero, Evaluate&& evaluate, Rows&... rows) {
   const int certain = evaluate(rows.rounded()...).certain_sign();
@@ -100,8 +100,8 @@ T turn_of(const LineForm<T>& f, const LineForm<T>& g) {
   return f.alpha * g.beta - g.alpha * f.beta;
 }
 
-/// The determinant of three forms: its sign times that of turn_of(f, g) is that of h where f and g
-/// are zero.
+/// The determinant of three forms: its sign times the sign of turn_of(f, g) is h's sign where f and
+/// g vanish.
 template <class T>
 T determinant_of(const LineForm<T>& f, const LineForm<T>& g, const LineForm<T>& h) {
   return h.alpha * (f.beta * g.gamma - g.beta * f.gamma) +

@@ -29,7 +29,7 @@ double quotient(const Integer& numerator, const Integer& denominator) {
   return std::ldexp(a / b, static_cast<int>(std::clamp(top - bottom, -most, most)));
 }
 
-/// The product of two magnitudes: its upper and lower half.
+/// The product of two magnitudes: upper and lower half.
 std::array<Word128, 2> product(Word128 a, Word128 b) {
   constexpr Word128 mask = (Word128{1} << 64) - 1;
   const Word128 a0 = a & mask, a1 = a >> 64, b0 = b & mask, b1 = b >> 64;

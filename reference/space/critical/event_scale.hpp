@@ -1,5 +1,5 @@
-// The scale of an event: a fraction, not reduced, of two words of 128 bits, or where these are too
-// short of two integers. There are millions of them.
+// The scale of an event, an unreduced fraction: two words of 128 bits or, if these are too short,
+// two integers. Scales number millions.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace minkref::inline space {
 
 class EventScale {
  public:
-  /// Bits of the magnitudes of numerator and denominator at most.
+  /// The most bits for the magnitudes of numerator and denominator.
   static constexpr unsigned most_bits = 126;
 
   EventScale() = default;
@@ -40,12 +40,12 @@ class EventScale {
   /// Within three roundings.
   double rounded() const;
   int sign() const;
-  /// The sign of the difference. Exact.
+  /// Compares exactly; returns the difference's sign.
   int compare(const EventScale& other) const;
 
   friend bool operator==(const EventScale& a, const EventScale& b) { return a.compare(b) == 0; }
   friend auto operator<=>(const EventScale& a, const EventScale& b) { return a.compare(b) <=> 0; }
-  /// Whether rounded numbers, each within three roundings, tell the order of what they stand for.
+  /// Whether rounded numbers, each within three roundings, tell the order of the exact numbers.
   static bool tell_the_order(double a, double b) {
     const double most = std::abs(a) + std::abs(b);
     return most > 1e-290 && std::abs(a - b) > 0x1p-49 * most;

@@ -1,4 +1,4 @@
-// Differences of corners and normals of moving facets, in words of 128 bits or in integers.
+// Differences of moving facets' corners, and normals, as words of 128 bits or as integers.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ struct MovingHeight {
   T slope, height;
 };
 
-/// `T` is Int128, of a convolution that has words, or Integer.
+/// `T` is Int128, for a convolution with words, or Integer.
 template <class T>
 class ExactCorners {
  public:
@@ -40,7 +40,7 @@ class ExactCorners {
     }
   }
 
-  /// How far corner b is beyond corner a in a direction.
+  /// How far corner b lies beyond corner a along a direction.
   MovingHeight<T> height(const Normal& n, const Corner& a, const Corner& b) const {
     return {product(n, of_P(b) - of_P(a)), product(n, of_Q(b) - of_Q(a))};
   }

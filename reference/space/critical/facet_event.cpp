@@ -30,7 +30,7 @@ std::array<ContactRow, most_sides>& ContactRegion::rows() {
   return rows_;
 }
 
-/// The sign of the number that `evaluate` makes of the constraints.
+/// The sign that `evaluate` gives for the constraints.
 template <class Evaluate>
 int ContactRegion::sign_of(Evaluate&& evaluate) {
   struct Rounded {
@@ -63,8 +63,8 @@ int ContactRegion::turn(std::size_t i, std::size_t j) {
   return turns_[i][j];
 }
 
-/// Whether what touches has a vertex in common: the corner between two sides of one facet and all
-/// of the other facet, or the ends of sides of both.
+/// Whether touching parts share a vertex: the corner between two sides of one facet and any corner
+/// of the other facet, or ends of sides of both.
 template <class Vertex>
 bool ContactRegion::have_common(std::size_t i, std::size_t j, Vertex&& vertex) const {
   const bool is_one = j < first_.size || i >= first_.size;
@@ -86,9 +86,10 @@ bool ContactRegion::have_common(std::size_t i, std::size_t j, Vertex&& vertex) c
   return false;
 }
 
-/// Whether names tell that i and j are zero together at no single scale s > 0. With a vertex p of P
-/// in common all moves with s p: they are at all scales or never. With a vertex of Q in common all
-/// is scaled about it: they are at s = 0, or always. So are opposite sides, or never.
+/// Whether names tell that i and j vanish together at no single scale s > 0. With a common vertex p
+/// of P everything moves with s p: i and j vanish together at all scales or never. With a common
+/// vertex of Q everything scales about this vertex: i and j vanish together at s = 0, or always.
+/// Opposite sides vanish together at s = 0 or never.
 bool ContactRegion::have_no_scale(std::size_t i, std::size_t j) const {
   using Name = ConvolutionFacet::Corner;
   if (are_opposite(i, j)) return true;
@@ -96,8 +97,8 @@ bool ContactRegion::have_no_scale(std::size_t i, std::size_t j) const {
          have_common(i, j, [](const Name& corner) { return corner.of_Q; });
 }
 
-/// The corner between two sides of one facet and the plane of the other, or two sides: slope s +
-/// height is zero where they touch, if they are not parallel.
+/// The corner between two sides of one facet and the other facet's plane, or two sides: slope s +
+/// height vanishes where they touch, unless parallel.
 template <class T>
 MovingHeight<T> ContactRegion::contact(std::size_t i, std::size_t j) const {
   const ExactCorners<T> exact(convolution_);
@@ -124,15 +125,15 @@ bool ContactRegion::is_level(std::size_t i, std::size_t j) const {
                             : contact<Integer>(i, j).slope.is_zero();
 }
 
-/// The corner that two sides of one facet have in common.
+/// The common corner between a facet's two sides.
 std::size_t ContactRegion::corner_between(std::size_t i, std::size_t j) const {
   const std::size_t start = i < first_.size ? 0 : first_.size,
                     size = i < first_.size ? first_.size : second_.size;
   return i + 1 == j ? j - start : (j + 1 - start) % size;
 }
 
-/// The sign at s of how far the point of one corner is from that of another in a direction, which
-/// `direction` gives in the numbers that are asked for.
+/// The sign at s of one corner's distance beyond another along a direction, which `direction` gives
+/// as numbers of the requested type.
 template <class Direction>
 int ContactRegion::height_at(const EventScale& s, const ConvolutionFacet::Corner& from,
                              const ConvolutionFacet::Corner& to, Direction&& direction) {
@@ -149,8 +150,8 @@ int ContactRegion::height_at(const EventScale& s, const ConvolutionFacet::Corner
   });
 }
 
-/// Whether the corner between sides i and j, in the plane of the other facet at s, is in that; adds
-/// the sides on which it is.
+/// Whether the corner between sides i and j, which lies in the other facet's plane at s, lies
+/// inside this facet; adds the sides through the corner.
 bool ContactRegion::corner_is_inside(std::size_t i, std::size_t j, const EventScale& s,
                                      unsigned& zeros) {
   const bool of_first = i < first_.size;
@@ -166,8 +167,8 @@ bool ContactRegion::corner_is_inside(std::size_t i, std::size_t j, const EventSc
   return true;
 }
 
-/// Whether side i of the first facet and j of the second, in one plane at s and not parallel, cross
-/// there; adds the sides that have an end of one where it is on the other.
+/// Whether the first facet's side i and the second's side j, coplanar at s and not parallel, cross
+/// there; adds the neighbouring sides that share an end lying on the other side.
 bool ContactRegion::sides_cross(std::size_t i, std::size_t j, const EventScale& s,
                                 unsigned& zeros) {
   const std::size_t l = j - first_.size;
@@ -187,8 +188,8 @@ bool ContactRegion::sides_cross(std::size_t i, std::size_t j, const EventScale& 
   return ends_part(first_, i, 0, second_, l) && ends_part(second_, l, first_.size, first_, i);
 }
 
-/// Where i and j are zero, if that is in the region, at a scale above 0, and i and j are the first
-/// two that single it out.
+/// The corner where i and j vanish, if this corner lies within the region at a scale above 0, and
+/// no earlier two constraints single the corner out.
 std::optional<ContactRegion::Corner> ContactRegion::corner_of(std::size_t i, std::size_t j) {
   if (have_no_scale(i, j)) return std::nullopt;
   EventScale s;
@@ -216,8 +217,8 @@ std::optional<ContactRegion::Corner> ContactRegion::corner_of(std::size_t i, std
   return std::nullopt;
 }
 
-/// Whether the region has scales above that of a corner (direction 1), or below it (-1), next to
-/// it: constraints with beta > 0 bound t from below, those with beta < 0 from above.
+/// Whether the region has scales above a corner's (direction 1), or below (-1), next to the corner:
+/// constraints with beta > 0 bound t from below, constraints with beta < 0 from above.
 bool ContactRegion::grows_from(const Corner& corner, int direction) {
   std::array<int, most_sides> slopes{};
   for (std::size_t k = 0; k < count_; ++k) {

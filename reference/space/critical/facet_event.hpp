@@ -13,16 +13,16 @@
 
 namespace minkref::inline space {
 
-/// How facets touch: a corner of one meets the other, perhaps on its border; sides of both meet; or
-/// parallel facets come to lie in one plane, and have an area in common.
+/// How facets touch: one facet's corner meets the other facet, perhaps on the border; sides of both
+/// meet; or parallel facets reach one plane, and share an area.
 enum class ContactKind : std::uint8_t { vertex, edge, parallel };
-/// As s grows: facets start to meet, stop, meet at this scale only, or meet in a segment one of
-/// whose ends passes from one side to another.
+/// The change as s grows: facets start to meet, stop, meet at this scale only, or meet along a
+/// segment one of whose ends passes from one side to another.
 enum class ContactChange : std::uint8_t { birth, death, touch, pass };
 
-/// An event of a pair of facets. For a vertex the corner `of_first` of the first facet, `of_second`
-/// of the second, or both where they coincide; for an edge the sides of both, each by its first
-/// corner; for parallel facets a corner of each that lies in the other, where there is one.
+/// A pair's event. For a vertex the corner `of_first` of the first facet, `of_second` of the
+/// second, or both if they coincide; for an edge the sides of both facets, each named by the first
+/// corner; for parallel facets one corner of each that lies inside the other facet, if any.
 struct FacetEvent {
   static constexpr std::uint8_t no_corner = UINT8_MAX;
   ContactKind kind;
@@ -33,16 +33,16 @@ struct FacetEvent {
 
 inline constexpr std::size_t most_sides = 8;  ///< of two facets
 
-/// The pairs (s, t) for which the point t of the line in which the planes of two facets cross at
-/// the scale s is in both facets: a convex polygon, since (s, x) with x in a facet at s is a convex
-/// set. Its corners are the events. Exact: signs by doubles with bounds, else by integers.
+/// The pairs (s, t) for which the point t on the crossing line of two facets' planes at the scale s
+/// lies in both facets: a convex polygon, since (s, x) with x in a facet at s is a convex set. The
+/// polygon's corners are the events. Exact: signs by doubles with bounds, else by integers.
 class ContactRegion {
  public:
-  /// The facets must not be parallel; all must outlive it.
+  /// The facets must not be parallel; all arguments must outlive the region.
   ContactRegion(const MovingConvolution& convolution, const MovingFacet& first,
                 const MovingFacet& second, SignCounts& signs);
 
-  /// Events with s > 0, of a window if one is given, ascending.
+  /// Events with s > 0, ascending, within a window if given.
   std::vector<FacetEvent> events(const ScaleWindow* window = nullptr);
 
   /// Whether the facets share a point at a scale above 0.

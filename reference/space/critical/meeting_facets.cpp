@@ -90,7 +90,7 @@ class ConcurrentSearch {
         window_(window),
         with_first_(convolution.facets.size(), nullptr) {}
 
-  /// All in which a facet is the first.
+  /// Looks at all triples whose first facet is i.
   void look_at(std::uint32_t i, const BuildControl& control, MostEvents most) {
     const Neighbour *begin = meeting_.begin(i), *end = meeting_.end(i);
     for (const Neighbour* k = begin; k != end; ++k) with_first_[k->number] = k;
@@ -131,7 +131,7 @@ class ConcurrentSearch {
                          events);
   }
 
-  /// Which of three facets crosses the plane of the others, if they have one.
+  /// Which of three facets crosses the others' common plane, if they share one.
   static std::size_t across(const Neighbour& j_of_i, const Neighbour& k_of_i,
                             const Neighbour& k_of_j) {
     if (!k_of_i.is_coplanar && !k_of_j.is_coplanar) return 2;

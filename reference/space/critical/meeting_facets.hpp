@@ -1,4 +1,4 @@
-// Facets that meet in a window of scales, and where three or four of them do.
+// Facets that meet within a window of scales, and where three or four meet.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,25 @@
 
 namespace minkref::inline space {
 
-/// Two facets, ascending, and the scales between which they meet, rounded outwards. Their planes
-/// are one at all scales, or cross, and then they share no side.
+/// Two facets, ascending, and the scales between which the facets meet, rounded outwards. Their
+/// planes coincide at all scales, or cross; facets with crossing planes share no side.
 struct MeetingPair {
   std::uint32_t first;
   std::uint32_t second : 31, are_coplanar : 1;
   double low, high;
 };
 
-/// Doubles that are not above, not below a number.
+/// Doubles not above, or not below, a number.
 double below(const EventScale& number);
 double above(const EventScale& number);
 
-/// Whether two facets have a side in common at all scales. If their planes cross such pairs are in
-/// no event of three or four facets that is not one of fewer: where the side passes through another
-/// facet, its ends and those of the track are events of pairs, and so is all that passes its ends
-/// in its plane (docs/definitions.md, Critical scales).
+/// Whether two facets share a side at all scales. If the planes cross, such pairs add no event of
+/// three or four facets beyond the events of fewer: where the side passes through another facet,
+/// the ends of the side and of the track are pair events, and so is everything that passes the
+/// side's ends within the facet's plane (docs/definitions.md, Critical scales).
 bool share_a_side(const MovingFacet& a, const MovingFacet& b);
 
-/// All events of three and of four facets, from the pairs that meet in the window. Exact.
+/// Adds all events of three and four facets, from the pairs that meet within the window. Exact.
 void add_concurrent_events(const MovingConvolution& convolution, std::vector<MeetingPair> meeting,
                            const EventScale& from, const EventScale& to,
                            const BuildControl& control, MostEvents most, CriticalEvents& result);

@@ -1,4 +1,4 @@
-// Boxes that move: the hierarchy over them finds what may meet at some scale of a window.
+// Moving boxes: their hierarchy finds the facets that may meet at some scale within a window.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace minkref::inline space {
 
-/// Around points that move along lines, from one end of a window of scales to the other: in
-/// between each side moves evenly, since the least of numbers that move evenly does not fall below
-/// the line between its values at the ends.
+/// A box around points moving along lines, from one end of a window of scales to the other. Between
+/// the ends each side moves evenly, since the least of evenly moving numbers does not fall below
+/// the line between its end values.
 struct MovingBox {
   static constexpr std::size_t dimensions = 6;
   SpaceBox at_first, at_last;
@@ -23,7 +23,8 @@ struct MovingBox {
     return axis < 3 ? at_first.centre(axis) : at_last.centre(axis - 3);
   }
 
-  /// At some scale of the window. True also where rounding leaves that open.
+  /// Whether boxes overlap at some scale within the window. True also if rounding leaves the answer
+  /// open.
   bool overlaps(const MovingBox& other) const {
     double from = 0, to = 1;  // of the way through the window
     for (std::size_t k = 0; k < 3; ++k) {
@@ -38,7 +39,7 @@ struct MovingBox {
   }
 
  private:
-  /// Leaves of the way the part where a number is not above another one.
+  /// Shortens the way to the part where one number does not exceed another.
   static bool stays_below(double first, double last, double other_first, double other_last,
                           double& from, double& to) {
     constexpr double slack = 0x1p-50, way_slack = 0x1p-30;

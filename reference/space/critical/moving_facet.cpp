@@ -7,8 +7,8 @@
 namespace minkref::inline space {
 namespace {
 
-/// Coordinates below 2^b have differences below 2^(b + 1), cross products of these below
-/// 2^(2b + 3), and scalar products of such with differences below 2^(3b + 6).
+/// Coordinates below 2^b have differences below 2^(b + 1); the cross products lie below 2^(2b + 3),
+/// and scalar products of cross products with differences below 2^(3b + 6).
 constexpr unsigned most_bits = 40;
 
 std::optional<std::vector<WordVector>> words_of(const SpaceOperand& body) {
@@ -32,7 +32,7 @@ unsigned longest(const std::vector<WordVector>& points) {
   return static_cast<unsigned>(std::bit_width(most));
 }
 
-/// A side of a facet is an edge of P or of Q.
+/// Every side comes from an edge of P or an edge of Q.
 FilteredVector from_corner(const SpaceOperand& P, const SpaceOperand& Q,
                            const ConvolutionFacet::Corner& a, const ConvolutionFacet::Corner& b) {
   const bool is_of_P = a.of_P != b.of_P;

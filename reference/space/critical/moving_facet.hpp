@@ -11,8 +11,8 @@
 
 namespace minkref::inline space {
 
-/// A convex facet at all scales s > 0: its corners are s p + q, its normal does not depend on s.
-/// Which facets there are does not either, as only directions decide.
+/// A convex facet at all scales s > 0: the corners are s p + q, and the normal does not depend on
+/// s. Neither does the list of facets, as only directions decide.
 struct MovingFacet {
   FacetKind kind;
   std::uint8_t size;                              ///< of its corners, 3 or 4
@@ -23,13 +23,13 @@ struct MovingFacet {
   std::array<FilteredVector, 4> along;
 };
 
-/// The facets of sP ⊕ Q, and the vertices of P and of Q that their corners name.
+/// The facets of sP ⊕ Q, and the vertices of P and Q that name the corners.
 struct MovingConvolution {
   MovingConvolution(const SpaceOperand& P, const SpaceOperand& Q);
 
   const SpaceOperand &P, &Q;  ///< must outlive it
   std::vector<MovingFacet> facets;
-  /// The vertices of P and of Q, where scales of events of two facets fit in words of 128 bits.
+  /// The vertices of P and Q, if scales of two-facet events fit into words of 128 bits.
   struct Words {
     std::vector<WordVector> P, Q;
     unsigned bits;  ///< of the longest coordinate
@@ -37,7 +37,7 @@ struct MovingConvolution {
   std::optional<Words> words;
 };
 
-/// Whether a facet is on one side of the plane of another from one scale to another, as far as
+/// Whether a facet lies on one side of another facet's plane from one scale to another, as far as
 /// doubles tell: heights change evenly.
 bool stays_aside(const MovingConvolution& convolution, const MovingFacet& flat,
                  const MovingFacet& other, const BoundedDouble& from, const BoundedDouble& to);

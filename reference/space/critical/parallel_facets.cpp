@@ -40,7 +40,7 @@ class FlatPair {
     return ring;
   }
 
-  /// The number in the facet of corner k of a ring.
+  /// The number, within the facet, for corner k of a ring.
   std::uint8_t corner(std::size_t which, std::size_t k, const FlatRing& ring) const {
     const MovingFacet& facet = *facets_[which];
     const bool is_reversed = facet.normal.exact[axis_].sign() < 0;
@@ -60,7 +60,8 @@ bool has(const FlatRing& ring, const FlatPoint& point) {
   return true;
 }
 
-/// Whether the other of two convex polygons is behind a side of one: apart, or `touching` at most.
+/// Whether one convex polygon has a side with the other polygon behind it: apart, or at most
+/// `touching`.
 bool is_behind_a_side(const FlatRing& ring, const FlatRing& other, bool touching) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const FlatPoint &a = ring[k], &b = ring[(k + 1) % ring.size()];
@@ -82,7 +83,7 @@ bool share_an_area(const FlatRing& f, const FlatRing& g) {
   return !is_behind_a_side(f, g, true) && !is_behind_a_side(g, f, true);
 }
 
-/// The first corner of a ring that is in the other.
+/// The first corner of a ring inside the other ring.
 std::optional<std::size_t> corner_inside(const FlatRing& ring, const FlatRing& other) {
   const auto found =
       std::find_if(ring.begin(), ring.end(), [&](const FlatPoint& p) { return has(other, p); });
@@ -90,7 +91,7 @@ std::optional<std::size_t> corner_inside(const FlatRing& ring, const FlatRing& o
   return static_cast<std::size_t>(found - ring.begin());
 }
 
-/// Whether a side of one of two facets in one plane has the other behind it from one scale to
+/// Whether, for two coplanar facets, a side of one has the other facet behind it from one scale to
 /// another, as far as doubles tell: heights over a side change evenly.
 bool certainly_apart(const MovingConvolution& convolution, const MovingFacet& first,
                      const MovingFacet& second, const BoundedDouble& from,
@@ -136,7 +137,7 @@ std::vector<FacetEvent> in_one_plane_at(const FlatPair& pair, const Rational& s)
   return {event};
 }
 
-/// Corners of one ring and sides of the other come to lie on each other.
+/// The events where one ring's corner reaches the other ring's side.
 std::vector<FacetEvent> in_one_plane_always(const FlatPair& pair) {
   // All is linear in s: the rings at 1 and at 2 tell the rest.
   const std::array<FlatRing, 2> at_one{pair.ring(0, 1), pair.ring(1, 1)},
@@ -147,7 +148,7 @@ std::vector<FacetEvent> in_one_plane_always(const FlatPair& pair) {
     for (std::size_t c = 0; c < at_one[which].size(); ++c) {
       for (std::size_t k = 0; k < at_one[other].size(); ++k) {
         const std::size_t next = (k + 1) % at_one[other].size();
-        // The direction of the side is constant up to a factor: that at 1 will do.
+        // The side's direction is constant up to a factor: the direction at 1 will do.
         const FlatPoint along{at_one[other][next][0] - at_one[other][k][0],
                               at_one[other][next][1] - at_one[other][k][1]};
         const auto height = [&](const std::array<FlatRing, 2>& rings) -> Integer {

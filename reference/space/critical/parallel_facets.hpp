@@ -1,4 +1,4 @@
-// Parallel facets that come to lie in one plane, or always do (Sec. 5, Fig. 4).
+// Parallel facets that reach one plane, or always share one (Sec. 5, Fig. 4).
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace minkref::inline space {
 
-/// Events of two facets with parallel normals at scales above 0, in a window if one is given,
-/// ascending. Facets that lie in one plane at one scale meet at that scale only: kind `parallel`
-/// where they have an area in common, else `vertex`. Facets that always lie in one plane have
-/// events where a corner of one comes to lie on a side of the other, in both. Exact.
+/// Finds the events of two facets with parallel normals at scales above 0, ascending, within a
+/// window if given. Facets coplanar at one scale meet at this scale only: kind `parallel` if they
+/// share an area, else `vertex`. Facets coplanar at all scales have events where one facet's corner
+/// reaches the other's side. Exact.
 std::vector<FacetEvent> parallel_events(const MovingConvolution& convolution,
                                         const MovingFacet& first, const MovingFacet& second,
                                         SignCounts& signs, const ScaleWindow* window = nullptr);

@@ -1,4 +1,4 @@
-// Convex bodies, and which of them are near.
+// Convex bodies, and a search for nearby bodies.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace minkref::inline space {
 
-/// The box of corners, in doubles that enclose it.
+/// A box around corners, as enclosing doubles.
 struct CornerBox {
   Box flat;
   double bottom = std::numeric_limits<double>::infinity();

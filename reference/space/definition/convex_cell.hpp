@@ -12,10 +12,10 @@ class ConvexCell {
   /// The least box around the points, which must have some extent along each axis.
   explicit ConvexCell(const std::vector<SpacePoint>& points);
 
-  /// Keeps what lies below the plane; there must be something. Exact. Linear.
+  /// Keeps the part below the plane, which must not be empty. Exact. Linear.
   void cut(const CuttingPlane& plane);
 
-  /// One face in each plane, counter-clockwise seen from outside.
+  /// The surface with one face for each plane, counter-clockwise seen from outside.
   Polyhedron surface() const;
 
  private:

@@ -1,4 +1,4 @@
-// A polygon cut by the planes of a convex piece.
+// Cuts a polygon by a convex piece's planes.
 #pragma once
 
 #include <vector>
@@ -13,12 +13,12 @@ struct HalfSpace {
   Rational offset;
 };
 
-/// The part of a convex polygon (or segment, or point) that is below all planes; empty where there
-/// is none. Exact. O(n (n + k)) for n planes and k corners.
+/// The part of a convex polygon (or segment, or point) below all planes; perhaps empty. Exact. O(n
+/// (n + k)) for n planes and k corners.
 std::vector<SpacePoint> below_all(std::vector<SpacePoint> ring,
                                   const std::vector<HalfSpace>& planes);
 
-/// Whether some point of it is strictly below all planes. Exact.
+/// Whether some point of the ring lies strictly below all planes. Exact.
 bool is_strictly_below_somewhere(const std::vector<SpacePoint>& ring,
                                  const std::vector<HalfSpace>& planes);
 

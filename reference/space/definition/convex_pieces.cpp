@@ -37,16 +37,16 @@ Rational sextuple_volume_of_all(const std::vector<Polyhedron>& pieces) {
   return volumes.empty() ? Rational(0) : volumes[0];
 }
 
-/// The rest of the surface inside a convex cell, which is the part of space below its cuts.
+/// The remaining surface inside a convex cell, the part of space below the cell's cuts.
 struct SurfaceCell {
   std::vector<Wall> walls;
   std::vector<std::uint32_t> cuts;
 };
 
-/// The sides of space that a plane has, and what it cuts.
+/// How many walls lie within a plane, and how many the plane splits.
 struct CutCounts {
   std::size_t within = 0, split = 0;
-  /// How many more walls there are after the cut.
+  /// The cut's change to the wall count.
   std::ptrdiff_t growth() const {
     return static_cast<std::ptrdiff_t>(split) - static_cast<std::ptrdiff_t>(within);
   }
@@ -90,7 +90,7 @@ class SolidPartition {
     return planes;
   }
 
-  /// Whether no wall has anything above the plane, which then has nothing of the solid there.
+  /// Whether no wall reaches above the plane, so that no part of the solid lies there.
   bool has_all_below(std::uint32_t cut, const SurfaceCell& cell) const {
     const CuttingPlane& plane = walls_.planes[cut];
     return std::all_of(cell.walls.begin(), cell.walls.end(), [&](const Wall& wall) {
@@ -100,7 +100,7 @@ class SolidPartition {
     });
   }
 
-  /// Cuts the cell by all planes that leave nothing of the solid above them. Whether there was one.
+  /// Cuts the cell by all planes with nothing of the solid above. Returns whether one was found.
   bool peel(SurfaceCell& cell) const {
     std::vector<std::uint32_t> done;
     for (const std::uint32_t cut : planes_of(cell)) {
@@ -168,8 +168,8 @@ class SolidPartition {
     add(std::move(above), solid_above, solid_below);
   }
 
-  /// A cell in which nothing is left of the surface is inside or outside as the walls in the plane
-  /// that made it say.
+  /// Adds a cell; one without any surface left is inside or outside as the walls in the plane that
+  /// made the cell say.
   void add(SurfaceCell cell, bool inside, bool outside) {
     if (!cell.walls.empty()) {
       cells_.push_back(std::move(cell));

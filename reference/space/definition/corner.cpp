@@ -7,9 +7,8 @@
 namespace minkref::inline space {
 namespace {
 
-// Each of the numbers below is rounded once or twice and takes part in at most five operations:
-// less than sixteen units of the last place. The second is for what is lost below the least normal
-// double.
+// Each number below is rounded once or twice and takes part in at most five operations: less than
+// sixteen units of the last place. The absolute error covers losses below the least normal double.
 const double relative_error = std::ldexp(1.0, -49);
 const double absolute_error = std::ldexp(1.0, -500);
 
@@ -104,7 +103,7 @@ int CuttingPlane::side(const SolidCorner& corner) const {
 }
 
 SolidCorner CuttingPlane::meeting(const SolidCorner& a, const SolidCorner& b) const {
-  // The heights have different signs, so that both factors are above zero.
+  // The heights have different signs, so both factors are positive.
   const Integer from_a = abs(height(*b.exact)), from_b = abs(height(*a.exact));
   IntegerVector point;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -171,7 +170,7 @@ CornerRing convex_ring(std::vector<SolidCorner> points, std::size_t axis) {
 CornerRing convex_ring_about(std::vector<SolidCorner> points, const IntegerVector& normal) {
   const std::size_t axis = viewing_axis(normal);
   CornerRing ring = convex_ring(std::move(points), axis);
-  // Along the second axis the other two are seen mirrored.
+  // A view along the second axis mirrors the other two axes.
   if ((normal[axis] < 0) != (axis == 1)) std::reverse(ring.begin(), ring.end());
   return ring;
 }

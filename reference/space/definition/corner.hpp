@@ -17,30 +17,30 @@ struct HomogeneousPoint {
   Integer weight;
 };
 
-/// A point with the nearest doubles. Copies share the exact one.
+/// A point with the nearest doubles. Copies share the exact point.
 struct SolidCorner {
   std::array<double, 3> rounded;
   std::shared_ptr<const HomogeneousPoint> exact;
 };
-/// The corners of a convex polygon in a plane, in order.
+/// A convex polygon's corners, in order, in a plane.
 using CornerRing = std::vector<SolidCorner>;
 
 SolidCorner solid_corner(const IntegerVector& point, const Integer& weight);
 SolidCorner solid_corner(const SpacePoint& point);
 SpacePoint exact_point(const SolidCorner& corner);
 
-/// The sign of a - b in one coordinate. Exact.
+/// The sign of a - b along one axis. Exact.
 int compare_along(const SolidCorner& a, const SolidCorner& b, std::size_t axis);
 
 OrientedPlane reversed(const OrientedPlane& plane);
 
-/// A plane that cuts: what is below it is kept.
+/// A cutting plane; the cut keeps the part below.
 class CuttingPlane {
  public:
   explicit CuttingPlane(OrientedPlane plane);
   const OrientedPlane& plane() const { return plane_; }
 
-  /// 1 above the plane, where its normal points to; 0 on it; -1 below. Exact.
+  /// Returns 1 above the plane (towards the normal), 0 on the plane, -1 below. Exact.
   int side(const SolidCorner& corner) const;
   /// Where the segment between corners on different sides meets the plane. Exact.
   SolidCorner meeting(const SolidCorner& a, const SolidCorner& b) const;
@@ -55,7 +55,7 @@ class CuttingPlane {
   double rounded_offset_ = 0, slack_ = 0;
 };
 
-/// The sides of all corners, and whether there are some above and some below.
+/// The sides of all corners, and whether some lie above and some below.
 struct RingSides {
   std::vector<std::int8_t> sides;
   bool above = false, below = false;
@@ -68,9 +68,9 @@ struct RingHalves {
 };
 RingHalves halves(const CornerRing& ring, const RingSides& sides, const CuttingPlane& plane);
 
-/// The corners of the convex hull of points in a plane, without those inside its edges;
-/// counter-clockwise as seen along `axis`, along which the plane must not run. Fewer than three
-/// where all points are on a line. Exact. O(n log n).
+/// The convex hull's corners for coplanar points, without points inside the hull's edges;
+/// counter-clockwise seen along `axis`, which must not run along the plane. Fewer than three if all
+/// points lie on a line. Exact. O(n log n).
 CornerRing convex_ring(std::vector<SolidCorner> points, std::size_t axis);
 /// The same, counter-clockwise as seen from where the normal points to.
 CornerRing convex_ring_about(std::vector<SolidCorner> points, const IntegerVector& normal);

@@ -1,4 +1,4 @@
-// Vectors of rational numbers in space.
+// Rational vectors in space.
 #pragma once
 
 #include "reference/space/polyhedron.hpp"

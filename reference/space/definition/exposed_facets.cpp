@@ -14,7 +14,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// How far apart the middles of two boxes are; only to look first where there is most to be taken.
+/// The distance between two boxes' middles; only to try the likely largest cover first.
 double distance(const CornerBox& ring, const SumBody& body) {
   const Box &a = ring.flat, &b = body.flat_box;
   const double apart = std::abs(a.xmin + a.xmax - b.xmin - b.xmax) +
@@ -25,8 +25,8 @@ double distance(const CornerBox& ring, const SumBody& body) {
 
 enum class Cover { none, some, all };
 
-/// How much of a convex polygon in `plane` the body covers just above it, as far as its planes one
-/// by one say; it covers its own facets in the same plane where `comes_before`.
+/// How much of a convex polygon in `plane` the body covers just above, as far as the body's planes
+/// tell one by one; the body covers its own facets in the same plane only if `comes_before`.
 Cover cover_of(const CornerRing& ring, const OrientedPlane& plane, const SumBody& body,
                bool comes_before) {
   Cover cover = Cover::all;
@@ -49,7 +49,7 @@ Cover cover_of(const CornerRing& ring, const OrientedPlane& plane, const SumBody
   return cover;
 }
 
-/// A part of a facet, and the bodies that may cover some of it, where one is likely to cover much.
+/// A part of a facet, and the bodies that may cover some of it, likely large covers first.
 struct FacetPart {
   CornerRing ring;
   std::vector<std::uint32_t> bodies;
@@ -83,7 +83,7 @@ class UnionBoundary {
   }
 
  private:
-  /// The parts of a facet of body `own` that no other body covers.
+  /// The facet's parts that no body other than `own` covers.
   std::vector<CornerRing> exposed(std::size_t own, const SumFacet& facet) {
     const CornerBox box(facet.ring);
     if (covered_as_others_were(own, facet, box)) return {};
@@ -113,8 +113,9 @@ class UnionBoundary {
     return found;
   }
 
-  /// Whether one of a few bodies covers the facet: those as far on in the list from its own as were
-  /// those that covered facets before. They often share a piece in the same way.
+  /// Whether a body from a short list covers the facet: bodies at the same distance in the list
+  /// from `own` as earlier covering bodies had from theirs. Such bodies often share a piece the
+  /// same way.
   bool covered_as_others_were(std::size_t own, const SumFacet& facet, const CornerBox& box) {
     for (auto step = steps_.begin(); step != steps_.end(); ++step) {
       const auto at = static_cast<std::ptrdiff_t>(own) + *step;
@@ -128,7 +129,7 @@ class UnionBoundary {
     return false;
   }
 
-  /// Drops the bodies that cover nothing; false where one covers it all.
+  /// Drops bodies that cover nothing; returns false if one body covers the whole part.
   bool keep_cutters(FacetPart& part, std::size_t own, const OrientedPlane& plane) {
     const CornerBox box(part.ring);
     std::vector<std::uint32_t> cutters;

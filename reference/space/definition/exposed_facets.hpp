@@ -1,4 +1,4 @@
-// The parts of the facets of convex bodies on the boundary of the union of the bodies.
+// The exposed parts of convex bodies' facets: the parts on the boundary of the bodies' union.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace minkref::inline space {
 
-/// Convex parts of a convex polygon, of which the body covers some: what is outside of each of its
-/// planes in turn. Only the polygon itself where nothing of it is inside of all of them.
+/// Cuts from a convex polygon the convex parts outside each plane of the body, plane by plane.
+/// Returns only the polygon itself if no part lies inside all planes.
 std::vector<CornerRing> parts_outside(const CornerRing& ring, const SumBody& body);
 
 /// The boundary of the union of the bodies, which may overlap in any way. Exact.

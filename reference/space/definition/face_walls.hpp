@@ -1,4 +1,4 @@
-// The faces of a surface as convex polygons, and the planes they lie in.
+// A surface's faces as convex polygons, and their planes.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace minkref::inline space {
 
-/// A part of a face; the solid is below `planes[cut]`.
+/// A part of a face; the solid lies below `planes[cut]`.
 struct Wall {
   std::uint32_t cut;
   CornerRing ring;
@@ -20,8 +20,8 @@ struct FaceWalls {
   std::vector<Wall> walls;
 };
 
-/// Faces that are not convex are cut into triangles. Exact. O(n log n), and O(k^2) for such a face
-/// of k corners.
+/// Cuts faces that are not convex into triangles. Exact. O(n log n), and O(k^2) for such a face
+/// with k corners.
 FaceWalls face_walls(const Polyhedron& surface);
 
 }  // namespace minkref::inline space

@@ -12,7 +12,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// The points below all planes: the hull of the corners, some of which may lie inside of faces.
+/// The points below all planes: the corners' hull; some corners may lie inside faces.
 struct MergedPiece {
   std::vector<CuttingPlane> planes;
   std::vector<SolidCorner> corners;
@@ -24,7 +24,7 @@ struct MergedPiece {
     for (const SpacePoint& vertex : piece.vertices) corners.push_back(solid_corner(vertex));
   }
 
-  /// Whether all corners are below the planes of the other, that number aside.
+  /// Whether all corners lie below the other piece's planes, except plane `aside`.
   bool within(const MergedPiece& other, std::size_t aside) const {
     for (std::size_t k = 0; k < other.planes.size(); ++k) {
       if (k == aside) continue;
@@ -63,7 +63,7 @@ class PieceMerger {
   }
 
  private:
-  /// Adds a neighbour to the piece, if there is one that can be.
+  /// Joins a neighbour to the piece, if one fits.
   bool grow(std::uint32_t i) {
     for (std::size_t k = 0; k < pieces_[i].planes.size(); ++k) {
       const auto beyond = at_.find(reversed(pieces_[i].planes[k].plane()));

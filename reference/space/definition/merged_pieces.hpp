@@ -1,4 +1,4 @@
-// Convex pieces that are one convex piece together.
+// Merges convex pieces that together form one convex piece.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace minkref::inline space {
 
-/// The same solid in fewer pieces, where pairs of them have a convex union: where they have
-/// opposite faces in one plane, and each lies below all other planes of the other. For then what is
-/// below these planes is cut by that one into the two. The pieces are convex with disjoint
-/// interiors, and have one face in each plane; so have those that are given back. Greedy. Exact.
+/// The same solid as fewer pieces: joins pairs with a convex union, that is, with opposite faces in
+/// one plane and each piece below the other piece's remaining planes. For the common plane cuts the
+/// part below these other planes into the two pieces. The pieces must be convex with disjoint
+/// interiors, and have one face for each plane; so do the results. Greedy. Exact.
 std::vector<Polyhedron> merged_pieces(const std::vector<Polyhedron>& pieces);
 
 }  // namespace minkref::inline space

@@ -21,7 +21,7 @@ bool enters_one(const IntegerVector& ray, const std::vector<Cone>& cones) {
                      [&](const Cone& cone) { return enters(ray, cone); });
 }
 
-/// One of each pair of opposite normals.
+/// One normal from each opposite pair.
 std::vector<IntegerVector> planes_of(const std::vector<Cone>& cones) {
   std::set<IntegerVector> normals;
   for (const Cone& cone : cones) {
@@ -34,7 +34,7 @@ std::vector<IntegerVector> planes_of(const std::vector<Cone>& cones) {
 
 }  // namespace
 
-// The set that no open sector covers is closed, and ends in the planes that bound sectors.
+// The set that no open sector covers is closed, and ends at planes that bound sectors.
 bool cover_all_about(const IntegerVector& axis, const std::vector<Cone>& cones) {
   const std::vector<IntegerVector> planes = planes_of(cones);
   return !planes.empty() &&
@@ -44,8 +44,8 @@ bool cover_all_about(const IntegerVector& axis, const std::vector<Cone>& cones) 
          });
 }
 
-// The set that no open cone covers is a closed union of faces of the arrangement of the planes, and
-// holds the least of these faces: rays in which two planes meet, unless all planes are one.
+// The set that no open cone covers is a closed union of faces of the planes' arrangement, and
+// contains the least faces: rays where two planes meet, unless all planes coincide.
 bool cover_all(const std::vector<Cone>& cones) {
   const std::vector<IntegerVector> planes = planes_of(cones);
   if (planes.size() < 2) return false;

@@ -1,4 +1,4 @@
-// Whether the interiors of convex bodies that meet in a point leave a direction open.
+// Whether the interiors of convex bodies that meet at a point leave a direction open.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace minkref::inline space {
 
-/// The normals of the planes of a body through a point of its boundary: the body is, next to it,
-/// what is below all of them.
+/// The normals of a body's planes through a boundary point: near this point the body is the set
+/// below all these planes.
 using Cone = std::vector<IntegerVector>;
 
 /// Whether each direction at right angles to `axis`, in turns about it, leads into the interior of

@@ -37,7 +37,7 @@ class Order {
   int sign_ = 1;
 };
 
-/// The part of a segment in the interior of a body; it may have an end of the segment.
+/// The segment's part within a body's interior; the part may include an end of the segment.
 struct Interval {
   SolidCorner from, to;
   bool has_from, has_to;

@@ -1,4 +1,4 @@
-// Segments, and what the interiors of convex bodies leave of them.
+// Segments, and the parts that convex bodies' interiors leave.
 #pragma once
 
 #include <cstdint>
@@ -18,25 +18,25 @@ struct CornerSegment {
   bool is_point() const;
 };
 
-/// Where a convex polygon meets a plane that it does not lie in: a segment, a point, or nothing.
+/// A convex polygon's meeting with a plane that does not contain the polygon: a segment, a point,
+/// or nothing.
 std::optional<CornerSegment> crossing(const CornerRing& ring, const CuttingPlane& plane);
 
-/// Keeps what lies in the closed body; false where that is nothing. Exact.
+/// Keeps the segment's part within the closed body; returns false if nothing remains. Exact.
 bool clip(CornerSegment& segment, const SumBody& body);
 
-/// The parts of a segment that are in the interior of no body: segments and points, in order.
-/// Exact.
+/// The segment's parts outside every body's interior: segments and points, in order. Exact.
 std::vector<CornerSegment> left_open(const CornerSegment& segment,
                                      const std::vector<SumBody>& bodies,
                                      const std::vector<std::uint32_t>& among);
 
-/// A segment, not a point, cut where it enters or leaves bodies. Exact.
+/// Cuts a segment, not a point, where the segment enters or leaves bodies. Exact.
 std::vector<CornerSegment> cut_at_bodies(const CornerSegment& segment,
                                          const std::vector<SumBody>& bodies,
                                          const std::vector<std::uint32_t>& among);
 
 SolidCorner middle_of(const CornerSegment& segment);
-/// Primitive, from the smaller end to the other, as points are ordered.
+/// The primitive direction from the smaller end to the other, by the order of points.
 IntegerVector direction_of(const CornerSegment& segment);
 
 }  // namespace minkref::inline space

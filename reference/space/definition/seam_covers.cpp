@@ -16,7 +16,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// The points of a polyhedron, of a triangle or of a segment in doubles.
+/// A box around the corners of a polyhedron, a triangle or a segment, as doubles.
 SpaceBox box_of_corners(const std::vector<SpacePoint>& corners) {
   SpaceBox box;
   for (const SpacePoint& p : corners) {
@@ -31,7 +31,7 @@ SpaceBox box_of_corners(const std::vector<SpacePoint>& corners) {
 
 using Corners = std::vector<SpacePoint>;
 
-/// A convex polyhedron with the planes of its faces, their normals primitive.
+/// A convex polyhedron with its faces' planes, their normals primitive.
 struct CoveringPiece {
   Polyhedron surface;
   std::vector<HalfSpace> planes;
@@ -53,7 +53,8 @@ struct CoveringPiece {
   }
 };
 
-/// A triangle of the surface of the solid: what is below all planes, two of which are its own.
+/// A triangle of the solid's surface: the points below all planes, two of which contain the
+/// triangle.
 struct SurfacePart {
   Corners corners;
   std::vector<HalfSpace> planes;
@@ -96,7 +97,7 @@ bool has_area(const Corners& ring) {
   return false;
 }
 
-/// A convex surface of triangles from corners that go around an axis and its two ends.
+/// A convex surface of triangles between corners around an axis and the axis's two ends.
 CoveringPiece double_cone(const Corners& around, const SpacePoint& one_end,
                           const SpacePoint& other_end) {
   Polyhedron surface{around, {}};
@@ -113,7 +114,7 @@ CoveringPiece double_cone(const Corners& around, const SpacePoint& one_end,
   return CoveringPiece(std::move(surface));
 }
 
-/// The seams of convex pieces of a solid, and pieces that have them inside.
+/// The seams between a solid's convex pieces, and covers with the seams inside.
 class SeamCovers {
  public:
   SeamCovers(const Polyhedron& solid, const std::vector<Polyhedron>& pieces)
@@ -158,7 +159,7 @@ class SeamCovers {
     }
   }
 
-  /// A seam is a convex polygon; it gets an end in each piece.
+  /// Covers a seam, a convex polygon, by a double cone with an end inside each piece.
   void cover(const Corners& seam, const CoveringPiece& a, const CoveringPiece& b, std::size_t own) {
     Corners ring;  // without repeated and straight corners
     for (const SpacePoint& p : seam) {
@@ -180,7 +181,7 @@ class SeamCovers {
     }
   }
 
-  /// Where edges of seams end, cross each other or meet the surface they are cut.
+  /// Cuts seam edges where they end, cross each other or meet the surface.
   void cover_edges() {
     for (const SeamEnds& edge : edges_) {
       points_.insert(edge.first);
@@ -235,7 +236,7 @@ class SeamCovers {
     });
   }
 
-  /// Halves a piece in breadth until nothing of the surface is in its interior.
+  /// Halves a piece's breadth until no surface lies in the piece's interior.
   template <class Make>
   void cover_within_solid(Rational size, const Make& make) {
     constexpr int most_halvings = 4096;

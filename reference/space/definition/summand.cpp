@@ -21,7 +21,7 @@ Rounded rounded_vector(const IntegerVector& v) {
   return {to_double(Rational(v[0])), to_double(Rational(v[1])), to_double(Rational(v[2]))};
 }
 
-/// A direction in doubles; no coordinate is off by more than 2^-49 of `size`.
+/// A direction as doubles, each coordinate off by at most 2^-49 `size`.
 struct RoundedDirection {
   Rounded value, size;
 };
@@ -64,7 +64,7 @@ void possibly_farthest(const Summand& summand, const RoundedDirection& direction
   }
 }
 
-/// Those of them that are.
+/// Keeps only the vertices farthest along the normal.
 void keep_farthest(const Summand& summand, const IntegerVector& normal, Vertices& found) {
   if (found.size() < 2) return;
   Vertices farthest;
@@ -90,7 +90,7 @@ class SumFacets {
     add_found(normal);
   }
 
-  /// At right angles to an edge of each, both ways.
+  /// Adds the normals at right angles to an edge of each operand, both ways.
   void add_across(const IntegerVector& u, const IntegerVector& v, RoundedDirection direction) {
     std::optional<IntegerVector> normal;
     for (int way = 0; way < 2; ++way) {

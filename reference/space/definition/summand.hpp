@@ -1,4 +1,4 @@
-// The sum of two convex operands, by the planes that support it.
+// The sum of two convex operands, by supporting planes.
 #pragma once
 
 #include <vector>
@@ -18,23 +18,23 @@ struct Summand {
   std::vector<IntegerVector> directions;       ///< of its edges, primitive, one for each line
 };
 
-/// A facet of a sum: its plane, and its corners, counter-clockwise along the viewing axis.
+/// A facet of a sum: the plane, and the corners, counter-clockwise along the viewing axis.
 struct SumFacet {
   CuttingPlane plane;
   CornerRing ring;
 };
 
-/// A convex polyhedron: what is below all planes.
+/// A convex polyhedron: the points below all planes.
 struct SumBody {
   std::vector<SumFacet> facets;  ///< none where the sum has no volume
   Box flat_box;                  ///< encloses it, in x and y
   double bottom = 0, top = 0;    ///< and in z
 };
 
-/// A ⊕ B. From the definition of a facet: n is the normal of one iff the vertices of A and those of
-/// B that are farthest along n span a plane between them; such an n is the normal of a facet of
-/// A or of B, or at right angles to an edge of each. Exact. O((a b + f) v) for a and b directions
-/// of edges, f facets and v vertices of both; doubles discard most of these products.
+/// Returns A ⊕ B. By a facet's definition, n is a facet's normal iff the vertices of A and B
+/// farthest along n span a plane between them; such an n is normal to a facet of A or B, or at
+/// right angles to an edge of each. Exact. O((a b + f) v) for a and b edge directions, f facets and
+/// v vertices of both; doubles discard most of these products.
 SumBody sum_of(const Summand& A, const Summand& B);
 
 }  // namespace minkref::inline space

@@ -26,7 +26,7 @@ struct Before {
 };
 constexpr Before before;
 
-/// Facets of one plane, by the side to which their bodies lie.
+/// Coplanar facets, split by the side on which their bodies lie.
 struct PlaneFacets {
   struct Facet {
     std::uint32_t body;
@@ -72,7 +72,7 @@ class PassageSearch {
     return found;
   }
 
-  /// Facets that no other body has in its interior.
+  /// Finds the facets that no other body's interior contains.
   void find_open_facets() {
     open_facets_.resize(bodies_.size());
     for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
@@ -120,7 +120,8 @@ class PassageSearch {
     }
   }
 
-  /// Where two facets of one plane overlap, with a body on either side, and no body in between.
+  /// The overlap of two coplanar facets with bodies on opposite sides, less the parts that other
+  /// bodies cross.
   std::vector<CornerRing> between(const PlaneFacets::Facet& below,
                                   const PlaneFacets::Facet& above) {
     CornerRing shared = below.facet->ring;
@@ -148,7 +149,7 @@ class PassageSearch {
     return parts;
   }
 
-  /// Segments in which a facet crosses those of other bodies.
+  /// Looks along the segments where a facet crosses other bodies' facets.
   void look_across(std::uint32_t own, const SumFacet& facet) {
     const Bodies others = near(facet.ring);
     for (const std::uint32_t b : others) {
@@ -193,7 +194,8 @@ class PassageSearch {
     if (!inside && cover_all(cones)) points_.insert(point);
   }
 
-  /// The cones of the bodies that contain the point; an empty cone if the interior contains it.
+  /// The cones of all bodies that contain the point; a body with the point inside gives an empty
+  /// cone.
   std::vector<Cone> cones_at(const SolidCorner& corner) const {
     std::vector<Cone> cones;
     for (const std::uint32_t b : near({corner})) {
@@ -209,7 +211,7 @@ class PassageSearch {
     return cones;
   }
 
-  /// Segments of a line that overlap or follow each other become one.
+  /// Joins overlapping or consecutive segments on each line.
   void join_lines() {
     for (auto& [name, segments] : lines_) {
       std::sort(segments.begin(), segments.end(),

@@ -1,4 +1,4 @@
-// Tight passages in space: what the sum covers and the sum of the interiors misses.
+// Tight passages in space: points that the sum covers and the sum of the interiors misses.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,7 @@ namespace minkref::inline space {
 
 /// The closure of int(S P ⊕ Q) less ri S P ⊕ ri Q (docs/definitions.md, "Tight passages").
 struct TightPassagesInSpace {
-  /// Regions in one plane each; the first nonzero coordinate of its normal is above zero. Planes
-  /// ascend.
+  /// Regions in one plane each; the normal's first nonzero coordinate is positive. Planes ascend.
   std::vector<PlaneRegion> sheets;
   /// Maximal segments that lie in no sheet, each with the smaller end first, ascending.
   std::vector<std::pair<SpacePoint, SpacePoint>> lines;
@@ -27,10 +26,10 @@ struct TightPassagesInSpace {
 /// sheets as the planes of a polyhedral set.
 std::string canonical_json(const TightPassagesInSpace& passages);
 
-/// Finds the passages of valid operands that do not cross themselves, one of which may be thin.
-/// Complete and exact (docs/space-sums.md, "Tight passages"). Throws what summed_pieces throws,
-/// with `most_pairs_for_passages`. For k bodies with f facets, n others near each: O(k f² n)
-/// segments at worst, each against n bodies; facets that one other body covers cost only that.
+/// Finds the passages between valid operands that do not cross themselves; one operand may be thin.
+/// Complete and exact (docs/space-sums.md, "Tight passages"). Throws like summed_pieces, with
+/// `most_pairs_for_passages`. For k bodies with f facets, n others near each: O(k f² n) segments at
+/// worst, each against n bodies; a facet that one other body covers costs only this check.
 TightPassagesInSpace tight_passages_in_space(const Polyhedron& P, const Polyhedron& Q,
                                              const Scaling& scaling);
 

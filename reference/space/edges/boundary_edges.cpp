@@ -44,7 +44,7 @@ int BoundaryEdgeSearch::turn(const Ray& a, const Ray& b) {
   return sign * a.sign * b.sign;
 }
 
-/// Counter-clockwise about the line, from one of them.
+/// Sorts the rays counter-clockwise about the line, from the first ray on.
 void BoundaryEdgeSearch::sort_rays(const CarrierPiece& piece) {
   rays_.clear();
   for (const AlongFacet& along : piece.facets) {
@@ -99,8 +99,8 @@ void BoundaryEdgeSearch::look_along(const std::vector<CarrierPiece>& pieces) {
   }
 }
 
-/// Whether the sector from the first ray to the second, whose facets both face into it, is outside
-/// of the sum. `narrow`: it is less than a half-space.
+/// Whether the sector from the first ray to the second lies outside the sum; both facets face into
+/// the sector. `narrow`: the sector spans less than a half-space.
 bool BoundaryEdgeSearch::is_outside(const CarrierPiece& piece, const Ray& first, const Ray& second,
                                     bool narrow) {
   const bool at_end = piece.to.plane.facet == nullptr && piece.from.plane.facet != nullptr;

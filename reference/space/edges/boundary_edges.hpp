@@ -1,4 +1,4 @@
-// The edges of the boundary of a sum: pieces of carriers next to which a sector is outside.
+// A sum's boundary edges: pieces of carriers beside an outside sector.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct EdgeStatistics {
   std::uint64_t covered = 0;  ///< of the tests, answered by cells
 };
 
-/// The search of one thread.
+/// One thread's search.
 class BoundaryEdgeSearch {
  public:
   BoundaryEdgeSearch(const Convolution& convolution,
@@ -41,7 +41,7 @@ class BoundaryEdgeSearch {
   EdgeStatistics statistics() const;
 
  private:
-  /// A half-plane about the line: that on the side of direction x (sign * normal).
+  /// A half-plane about the line: on the side of direction x (sign * normal).
   struct Ray {
     std::uint32_t facet;
     int sign;

@@ -16,7 +16,7 @@ void CarrierCutting::begin(CarrierLine line) {
   pieces_.clear();
 }
 
-/// All of the carrier is in the interior of the sum.
+/// Whether cells cover the carrier, which then lies wholly within the sum's interior.
 bool CarrierCutting::is_covered() const {
   const std::array ends{line_->point_at(from_.t), line_->point_at(to_.t)};
   return cells_.contain(ends);
@@ -46,8 +46,8 @@ int CarrierCutting::compare(const Cut& a, const Cut& b) {
   return Integer(a_num * b_den - b_num * a_den).sign() * a_den.sign() * b_den.sign();
 }
 
-/// The part of the line, which lies in the plane of the facet, that is in the facet; false where it
-/// is empty. `border`: the side along which the line runs, or CutterPlane::own.
+/// Clips the line, which lies in the facet's plane, to the facet; returns false if nothing remains.
+/// `border`: the side along which the line runs, or CutterPlane::own.
 bool CarrierCutting::clip(const ConvolutionFacet& facet, Cut& from, Cut& to, int& border) {
   border = CutterPlane::own;
   bool has_from = false, has_to = false;
@@ -70,8 +70,8 @@ bool CarrierCutting::clip(const ConvolutionFacet& facet, Cut& from, Cut& to, int
   return compare(from, to) <= 0;
 }
 
-/// How a facet lies along the line that a side of it runs along. The side runs counter-clockwise
-/// seen from above: the facet is on the left of the side.
+/// How a facet lies along a line through one of its sides. The side runs counter-clockwise seen
+/// from above: the facet lies on the side's left.
 AlongFacet CarrierCutting::along_border(std::uint32_t facet, std::size_t side) {
   const ConvolutionFacet& f = facets_[facet];
   const int same = filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
@@ -91,7 +91,7 @@ const std::vector<CarrierPiece>& CarrierCutting::cut_side(std::uint32_t number) 
   to_ = {{}, 1, BoundedDouble(1)};
   if (is_covered()) return pieces_;
   for (const auto& [facet, k] : side.uses) covers_.push_back({along_border(facet, k), start, end});
-  // A facet that touches the side touches each facet of the side.
+  // A facet that touches the side also touches each facet at the side.
   const auto fewest = std::min_element(
       side.uses.begin(), side.uses.end(),
       [&](const auto& a, const auto& b) { return near_[a.facet].size() < near_[b.facet].size(); });
@@ -185,8 +185,8 @@ void CarrierCutting::look_at(std::uint32_t number) {
   if (depth == 0 && !planted(Fault::facet_along_line_missed)) add_flat(number);
 }
 
-/// 1, 0 or -1 as the point in which the line meets the plane of the facet is inside of it, on its
-/// border or outside.
+/// Returns 1, 0 or -1 as the line meets the facet's plane inside the facet, on the border or
+/// outside.
 int CarrierCutting::within(const ConvolutionFacet& facet, int slope) {
   int result = 1;
   for (std::size_t k = 0; k < facet.size; ++k) {
@@ -242,7 +242,7 @@ void CarrierCutting::add_flat(std::uint32_t number) {
   covers_.push_back({along, first, last});
 }
 
-/// Cuts in one point get one position, from 1.
+/// Gives cuts at the same point the same position, from 1.
 void CarrierCutting::sort_cuts() {
   std::vector<std::uint32_t> order(cuts_.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;

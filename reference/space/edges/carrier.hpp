@@ -1,4 +1,5 @@
-// A carrier cut into pieces: a side of facets, or the crossing of two, with what lies along it.
+// A carrier cut into pieces: a side of facets, or the crossing of two facets, with everything along
+// it.
 #pragma once
 
 #include <cstdint>
@@ -10,40 +11,40 @@
 
 namespace minkref::inline space {
 
-/// Where a line is cut. The ends of a side have parameters 0 and 1 and no plane.
+/// A cut of a line. A side's ends have parameters 0 and 1 and no plane.
 struct Cut {
   CutterPlane plane;
   int end = 0;  ///< of a side: the parameter there
   BoundedDouble t;
 };
 
-/// A facet along a piece lies on one side of its line or, where the line runs inside of it, on
-/// both. A half-plane of a facet with the normal n is on the side of direction x n (`ahead`), or on
-/// the other, for the direction of the line.
+/// A facet along a piece lies on one side of the line or, if the line runs inside the facet, on
+/// both. A half-plane of a facet with the normal n lies on the side of direction x n (`ahead`), or
+/// on the other side, for the line's direction.
 struct AlongFacet {
   std::uint32_t facet;
   bool ahead, behind;
 };
 
-/// An open segment of a line in which nothing changes: between two cuts that follow each other.
+/// An open segment of a line, between two consecutive cuts, along which nothing changes.
 struct CarrierPiece {
   Cut from, to;
   std::vector<AlongFacet> facets;  ///< that contain it, ascending
 };
 
-/// Cuts one carrier after another; for the next the pieces of the last one are gone.
+/// Cuts carrier after carrier; each cut discards the previous carrier's pieces.
 class CarrierCutting {
  public:
-  /// `near`: of each facet those that may touch it, ascending.
+  /// `near` lists, for each facet, the facets that may touch it, ascending.
   CarrierCutting(const Convolution& convolution,
                  const std::vector<std::vector<std::uint32_t>>& near, const InteriorCells& cells)
       : convolution_(convolution), facets_(convolution.facets), near_(near), cells_(cells) {}
 
-  /// The pieces of a side that belong to no lesser side, and that do not lie below a facet next to
-  /// one of their ends. None where cells cover the side. Exact.
+  /// The pieces of a side, except pieces that belong to a lesser side or lie below a facet next to
+  /// an end. Empty if cells cover the side. Exact.
   const std::vector<CarrierPiece>& cut_side(std::uint32_t side);
-  /// The same of the crossing of two facets, of the pieces that lie in no side and belong to no
-  /// lesser pair. Facets that are parallel, or do not cross, have none.
+  /// The same for the crossing of two facets: pieces that lie along no side and belong to no lesser
+  /// pair. Facets that are parallel, or do not cross, have none.
   const std::vector<CarrierPiece>& cut_crossing(std::uint32_t a, std::uint32_t b);
 
   /// The line of the carrier last cut.

@@ -20,7 +20,7 @@ void add_shifted(std::uint64_t* target, std::size_t words, const std::uint64_t* 
   }
 }
 
-/// The union of a row moved by 0, 1, ... length - 1.
+/// Unites a row with its copies moved by 1, ... length - 1.
 void spread(Row& row, std::size_t length) {
   for (std::size_t done = 1; done < length;) {
     const std::size_t step = std::min(done, length - done);

@@ -1,4 +1,4 @@
-// Sets of cells of a grid in space.
+// Sets of grid cells in space.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class CellGrid {
   const Cell& low() const { return low_; }
   const Cell& size() const { return size_; }
   bool empty() const { return bits_.empty(); }
-  /// Cells that are not within the grid are in no set.
+  /// Cells outside the grid belong to no set.
   bool has(const Cell& cell) const {
     for (std::size_t k = 0; k < 3; ++k) {
       if (cell[k] < low_[k] || cell[k] >= low_[k] + size_[k]) return false;
@@ -31,7 +31,7 @@ class CellGrid {
     const auto bit = static_cast<std::size_t>(cell[0] - low_[0]);
     return ((row(cell[1] - low_[1], cell[2] - low_[2])[bit / 64] >> (bit % 64)) & 1U) != 0;
   }
-  /// Adds a cell of the grid.
+  /// Adds a grid cell.
   void add(const Cell& cell) {
     const auto bit = static_cast<std::size_t>(cell[0] - low_[0]);
     row(cell[1] - low_[1], cell[2] - low_[2])[bit / 64] |= std::uint64_t{1} << (bit % 64);
@@ -51,12 +51,12 @@ class CellGrid {
   std::vector<std::uint64_t> bits_;
 };
 
-/// Adds a + b + offset for all cells a of A and b of B; `sum` must have room for them.
-/// O(runs of cells in A * rows in B * words in a row), up to a logarithm.
+/// Adds a + b + offset for all cells a of A and b of B; `sum` must have room for the results.
+/// O(cell runs in A * rows in B * words per row), up to a logarithm.
 void add_sums(CellGrid& sum, const CellGrid& A, const CellGrid& B, const CellGrid::Cell& offset);
 
-/// The cells whose upper neighbours along each axis, and across, are in the set as well: cubes of
-/// two cells to a side.
+/// The cells whose upper neighbours along each axis, and across, belong to the set as well: cubes
+/// with two cells to a side.
 CellGrid cubes_of_two(const CellGrid& grid);
 
 }  // namespace minkref::inline space

@@ -19,7 +19,7 @@ std::vector<SpaceBox> element_boxes(const SpaceOperand& body) {
   return boxes;
 }
 
-/// The corners of a triangle, or the ends of the segment.
+/// A triangle's corners, or the segment's ends.
 class Element {
  public:
   Element(const SpaceOperand& body, std::uint32_t number) : body_(body), number_(number) {}
@@ -30,7 +30,7 @@ class Element {
     return body_.points[body_.triangles[number_].corners[k % 3]];
   }
   const FilteredVector& normal() const { return body_.triangles[number_].normal; }
-  /// The number of its edges, each from corner(k) to corner(k + 1).
+  /// The edge count; edge k runs from corner(k) to corner(k + 1).
   std::size_t edges() const { return is_triangle() ? 3 : 1; }
 
  private:
@@ -72,7 +72,7 @@ bool Collision::surfaces_cross(const NearPoint& x) {
   const SpaceBox at = box_around(x.rounded());
   const auto overlap = [&](const SpaceBox& p, const SpaceBox& q) {
     for (std::size_t k = 0; k < 3; ++k) {
-      // Each side after one rounding: what is as large as both cannot tell them apart.
+      // Each sum is rounded once: only a gap beyond the slack tells the boxes apart.
       const double least = p.low[k] + q.low[k], most = p.high[k] + q.high[k];
       const double slack = 0x1p-51 * (std::abs(p.low[k]) + std::abs(q.low[k]) +
                                       std::abs(p.high[k]) + std::abs(q.high[k]));
@@ -89,7 +89,7 @@ bool Collision::surfaces_cross(const NearPoint& x) {
   });
 }
 
-/// In general position two triangles meet iff an edge of one pierces the other.
+/// Two triangles in general position meet iff an edge of one pierces the other.
 bool Collision::meet(const NearPoint& x, std::uint32_t of_P, std::uint32_t of_Q) {
   const Element p(P_, of_P), q(Q_, of_Q);
   std::array<int, 3> height_of_P{}, height_of_Q{};  // over the plane of the other, up to reversal
@@ -145,7 +145,7 @@ bool Collision::meet(const NearPoint& x, std::uint32_t of_P, std::uint32_t of_Q)
   return false;
 }
 
-/// Whether x - v is in a body for one vertex v of each shell of the other.
+/// Whether x - v lies inside a body, for some v among one vertex per shell of the other body.
 bool Collision::vertex_inside(const NearPoint& x, const SpaceOperand& body,
                               const SpaceBoxTree& triangles, const SpaceBox& box,
                               const SpaceOperand& other) {
@@ -158,7 +158,8 @@ bool Collision::vertex_inside(const NearPoint& x, const SpaceOperand& body,
   return false;
 }
 
-/// The winding number of the surface about x - v, by the triangles over it along the third axis.
+/// Whether the surface's winding number about x - v is positive, counted from the triangles above
+/// along the third axis.
 bool Collision::inside(const NearPoint& x, const SpaceOperand& body, const SpaceBoxTree& triangles,
                        const FilteredVector& vertex) {
   SpaceBox column = box_around(x.rounded() - vertex.rounded);

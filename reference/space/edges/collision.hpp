@@ -1,4 +1,4 @@
-// Whether P meets x - Q, for a point x in general position: x is in the sum iff it does.
+// Whether P meets x - Q, for a point x in general position: the sum contains x iff both meet.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace minkref::inline space {
 
-/// Data that all tests of one sum share.
+/// Data that all tests for a sum share.
 class CollisionTrees {
  public:
   CollisionTrees(const SpaceOperand& P, const SpaceOperand& Q, InteriorCells cells);
@@ -19,12 +19,12 @@ class CollisionTrees {
   InteriorCells cells;
 };
 
-/// The tests of one thread. They try first the pairs that were in contact last.
+/// One thread's tests, which first try the pairs last found to meet.
 class Collision {
  public:
   explicit Collision(const CollisionTrees& trees) : trees_(trees), P_(trees.P), Q_(trees.Q) {}
 
-  /// Whether x is in P ⊕ Q. Exact. O(n) at worst; the trees leave few pairs of triangles.
+  /// Whether P ⊕ Q contains x. Exact. O(n) at worst; the trees leave few pairs of triangles.
   bool contains(const NearPoint& x);
 
   SignCounts signs;

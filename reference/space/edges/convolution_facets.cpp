@@ -26,8 +26,8 @@ class ConvolutionBuild {
  private:
   using Corner = ConvolutionFacet::Corner;
 
-  /// The sign of normal · direction, both of them moved with P: the normal is of P or the direction
-  /// is.
+  /// The sign of normal · direction, with both moved along with P: either the normal or the
+  /// direction belongs to P.
   int rises(const FilteredVector& normal, const FilteredVector& direction, bool normal_of_P) {
     const int sign = filtered_sign(result_.signs, [&]<class T>(std::type_identity<T>) {
       return dot(normal.as<T>(), direction.as<T>());

@@ -1,4 +1,4 @@
-// The reduced convolution in space: the facets of which the boundary of a sum is a part (Sec. 3).
+// The reduced convolution in space: the facets that contain the sum's boundary (Sec. 3).
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 
 namespace minkref::inline space {
 
-/// fv: a triangle of P at a vertex of Q. vf: a vertex of P at a triangle of Q. ee: the
-/// parallelogram of an edge of P and an edge of Q (docs/definitions.md, "In space").
+/// fv: P's triangle at Q's vertex. vf: P's vertex at Q's triangle. ee: the parallelogram between an
+/// edge of P and an edge of Q (docs/definitions.md, "In space").
 enum class FacetKind : std::uint8_t { fv, vf, ee };
 
-/// A convex facet with the sum below it, that is, on the side away from its normal.
+/// A convex facet with the sum below, on the side away from the normal.
 struct ConvolutionFacet {
-  /// A corner is the sum of a vertex of P and a vertex of Q.
+  /// A corner adds a vertex of P and a vertex of Q.
   struct Corner {
     std::uint32_t of_P, of_Q;
     friend bool operator==(const Corner&, const Corner&) = default;
@@ -38,7 +38,7 @@ struct ConvolutionFacet {
   }
 };
 
-/// A segment in which facets end: an edge of one operand at a vertex of the other.
+/// A segment where facets end: one operand's edge at the other operand's vertex.
 struct FacetSide {
   ConvolutionFacet::Corner from, to;
   struct Use {
@@ -55,12 +55,12 @@ struct Convolution {
   SignCounts signs;
 };
 
-/// All compatible pairs. Ties are those of P moved by a vanishing linear map in general position
-/// (docs/convex-polyhedra.md). The boundary of P ⊕ Q lies in the facets, and the sum below each of
-/// them. At most one operand has no volume. Exact. O(|P| |Q|).
+/// Finds all compatible pairs. Ties break as if a vanishing linear map in general position moved P
+/// (docs/convex-polyhedra.md). The facets contain the boundary of P ⊕ Q, and the sum lies below
+/// each facet. At most one operand has no volume. Exact. O(|P| |Q|).
 Convolution convolution_facets(const SpaceOperand& P, const SpaceOperand& Q);
 
-/// Leaves facets out, and sides in which they end: these are left without uses.
+/// Leaves out the marked facets, and clears the uses of every side where such a facet ends.
 void leave_out(Convolution& convolution, const std::vector<bool>& facets);
 
 }  // namespace minkref::inline space

@@ -19,9 +19,9 @@ constexpr std::size_t cells_a_facet = 64, least_cells = std::size_t{1} << 15,
 
 using NearLists = std::vector<std::vector<std::uint32_t>>;
 
-/// Whether facets are apart by a plane: that of one of them, or one through a side of one at right
-/// angles to it. Facets of one plane that share a point at most count as apart: along a line in
-/// their plane nothing changes where the other one touches in a point.
+/// Whether a plane separates facets: one facet's plane, or a plane through a facet's side at right
+/// angles to the facet. Coplanar facets that share at most a point count as apart: along a line
+/// within their plane nothing changes where the other facet touches at a point.
 class Separation {
  public:
   Separation(const std::vector<ConvolutionFacet>& facets, SignCounts& signs)
@@ -38,7 +38,7 @@ class Separation {
     }
   }
 
-  /// Doubles tell, and names of corners; in doubt they are not.
+  /// Decides by doubles and corner names; in doubt the facets are not apart.
   bool operator()(std::uint32_t a, std::uint32_t b) {
     return by_plane(facets_[a], facets_[b]) || by_plane(facets_[b], facets_[a]) ||
            by_a_side(a, facets_[b]) || by_a_side(b, facets_[a]);
@@ -112,12 +112,12 @@ NearLists near_lists(const std::vector<ConvolutionFacet>& facets, SignCounts& si
   return near;
 }
 
-/// So few that they cost less than the search for edges.
+/// Few enough to cost less than the search for edges.
 std::size_t cells_for(std::size_t facets) {
   return std::clamp(cells_a_facet * facets, least_cells, most_cells);
 }
 
-/// Which facets lie in the interior of the sum.
+/// Marks the facets that cells prove to lie within the sum's interior.
 std::vector<bool> covered_facets(const std::vector<ConvolutionFacet>& facets,
                                  const InteriorCells& cells) {
   std::vector<bool> covered(facets.size());

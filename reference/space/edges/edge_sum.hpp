@@ -1,4 +1,4 @@
-// The sum of polyhedra of any shape, its boundary built from edges (Sec. 3; docs/space-sums.md).
+// The sum of polyhedra of any shape, with a boundary built from edges (Sec. 3; docs/space-sums.md).
 #pragma once
 
 #include <cstdint>

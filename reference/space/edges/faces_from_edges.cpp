@@ -25,7 +25,7 @@ OrientedPlane plane_of(const ConvolutionFacet& facet, const Integer& denominator
   return {normal, Rational(dot(normal, facet.corners[0].exact), denominator)};
 }
 
-/// Edges there and back, which parts of the boundary that only touch leave within a face, cancel.
+/// Cancels opposite edges, which merely touching parts of the boundary leave within a face.
 std::vector<PlaneEdge> without_opposites(std::vector<PlaneEdge> edges) {
   if (planted(Fault::there_and_back_kept)) return edges;
   const auto key = [](const PlaneEdge& e) {

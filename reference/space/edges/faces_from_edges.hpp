@@ -1,4 +1,4 @@
-// Faces from the edges around them.
+// Faces from surrounding edges.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace minkref::inline space {
 
-/// The set whose boundary has these edges, its coordinates divided by the denominator. Exact.
-/// std::logic_error where the edges in a plane do not close.
+/// Returns the set with these boundary edges, coordinates divided by the denominator. Exact. Throws
+/// std::logic_error if the edges within a plane do not close.
 PolyhedralSet faces_from_edges(const std::vector<BoundaryEdge>& edges,
                                const std::vector<ConvolutionFacet>& facets,
                                const Integer& denominator);

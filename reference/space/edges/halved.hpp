@@ -9,15 +9,15 @@
 
 namespace minkref::inline space {
 
-/// The real number that the double is. Not as an integer, which BoundedDouble takes for exact.
+/// The double as a real number, not as an integer, which BoundedDouble takes for exact.
 inline BoundedDouble real(double value) { return {value, std::numeric_limits<double>::min()}; }
 
 inline BoundedVector middle(const BoundedVector& a, const BoundedVector& b) {
   return real(0.5) * (a + b);
 }
 
-/// Calls look(part) for each of the parts, until it is false: two of a segment, four of a triangle
-/// or a parallelogram, whose corners are in cyclic order. Together they cover it.
+/// Calls look(part) for each part until a call returns false: two parts for a segment, four for a
+/// triangle or a parallelogram with corners in cyclic order. Together the parts cover the whole.
 template <class Look>
 bool all_halves(std::span<const BoundedVector> corners, Look&& look) {
   const auto part = [&](const auto&... corner) { return look(std::array{corner...}); };

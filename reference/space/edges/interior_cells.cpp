@@ -16,14 +16,14 @@ using Cell = CellGrid::Cell;
 
 constexpr double most_index = 1e9;
 
-/// Rounds down a number that is no greater than an index. Quicker than a call.
+/// Rounds down a number no greater than an index. Quicker than a call.
 long floor_of(double x) {
   const long towards_zero = static_cast<long>(x);
   return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
 }
 
-/// The cells that a closed box meets, its border included, from the first to the second. The size
-/// is a power of two: quotients are products, and exact.
+/// The cells that a closed box meets, border included, from the first to the second. The size is a
+/// power of two: quotients become products, and exact.
 std::pair<Cell, Cell> cells_about(const SpaceBox& box, double inverse_size) {
   std::pair<Cell, Cell> cells;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -70,7 +70,7 @@ std::size_t longest_side(const std::array<BoundedVector, 3>& corners) {
   return longest;
 }
 
-/// The cells of an operand.
+/// An operand's cells.
 class OperandCells {
  public:
   OperandCells(const SpaceOperand& body, double size)
@@ -86,7 +86,7 @@ class OperandCells {
     touched_ = seen_ = inside = reached = CellGrid(low, extent);
   }
 
-  /// False where there is too much of it.
+  /// Fills the grids; returns false if the surface has too many pieces.
   bool fill() {
     for (const FilteredVector& point : body_.points) reach(point.rounded);
     for (const SpaceOperand::Triangle& triangle : body_.triangles) {
@@ -118,7 +118,7 @@ class OperandCells {
     reached.add(cell);
   }
 
-  /// Marks the cells of a triangle, halved across its longest side down to the size of a cell.
+  /// Marks a triangle's cells, halving the triangle across the longest side down to cell size.
   bool touch(const std::array<BoundedVector, 3>& corners, int halvings) {
     if (++pieces_ > InteriorCells::most_pieces) return false;
     const SpaceBox box = box_of(corners);
@@ -147,8 +147,7 @@ class OperandCells {
     });
   }
 
-  /// Cells that are not touched, and that hang together by their faces, are all inside or all
-  /// outside.
+  /// Untouched cells connected by faces lie all inside or all outside.
   void flood(const Cell& start) {
     const bool is_in = is_inside(start);
     std::vector<Cell> left{start};
@@ -174,8 +173,8 @@ class OperandCells {
     }
   }
 
-  /// Whether the middle of a cell is inside, by the triangles over it along the third axis; false
-  /// also where doubles do not tell.
+  /// Whether a cell's middle lies inside, by the triangles above along the third axis; false also
+  /// if doubles do not tell.
   bool is_inside(const Cell& cell) const {
     BoundedVector x;
     for (std::size_t k = 0; k < 3; ++k) x[k] = real((static_cast<double>(cell[k]) + 0.5) * size_);
@@ -240,7 +239,7 @@ InteriorCells::InteriorCells(const SpaceOperand& P, const SpaceOperand& Q, std::
     size[k] = first.inside.size()[k] + second.inside.size()[k] + 1;
   }
   cells_ = CellGrid(low, size);
-  // A cube of two cells, moved by any point of a cell, covers the cell in its middle.
+  // A cube two cells wide, moved by any point of a cell, covers its middle cell.
   const long middle = planted(Fault::middle_cell_misplaced) ? 0 : 1;
   const auto add = [&](const CellGrid& moved, const CellGrid& inside) {
     add_sums(cells_, moved, planted(Fault::cubes_of_one_cell) ? inside : cubes_of_two(inside),

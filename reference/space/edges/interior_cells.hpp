@@ -1,4 +1,4 @@
-// Cells of a grid that certainly lie in the interior of a sum (docs/space-sums.md).
+// Grid cells that certainly lie within a sum's interior (docs/space-sums.md).
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,18 @@
 
 namespace minkref::inline space {
 
-/// Cubes of one size, a power of two, whose corners are multiples of it. Each of them, with its
-/// border, lies in the interior of P ⊕ Q. In doubles with bounds: what is not certain is left out.
+/// Cubes of one size, a power of two, with corners at multiples of the size. Each cube, border
+/// included, lies within the interior of P ⊕ Q. Doubles with bounds decide, and leave out every
+/// uncertain cube.
 class InteriorCells {
  public:
   InteriorCells() = default;
-  /// Finds cells in a grid of about `most` cells at the most. None where the numbers are beyond
-  /// doubles, or the surfaces have too many pieces of the size of a cell.
+  /// Finds cells within a grid of about `most` cells at the most. Finds none if numbers exceed
+  /// doubles, or if the surfaces have too many cell-sized pieces.
   InteriorCells(const SpaceOperand& P, const SpaceOperand& Q, std::size_t most);
 
-  /// Whether all of a point, a segment, a triangle or a parallelogram, with corners in cyclic
-  /// order, is in cells. False where that is not known.
+  /// Whether cells cover all of a point, a segment, a triangle or a parallelogram, with corners in
+  /// cyclic order. False if unknown.
   bool contain(std::span<const BoundedVector> corners) const;
 
   static constexpr std::size_t most_pieces = std::size_t{1} << 22;  ///< of the surface

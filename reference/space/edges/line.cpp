@@ -6,7 +6,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// An integer near the middle of both boxes along an axis, if it is of moderate size.
+/// An integer of moderate size near the middle of both boxes along an axis, else 0.
 int level_between(const SpaceBox& a, const SpaceBox& b, std::size_t axis) {
   const double low = std::max(a.low[axis], b.low[axis]);
   const double high = std::min(a.high[axis], b.high[axis]);

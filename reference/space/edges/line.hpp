@@ -1,4 +1,4 @@
-// A line that carries edges of the boundary, in bounded doubles and, where they fail, in integers.
+// A line that carries boundary edges, as bounded doubles and, if these fail, as integers.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct FormIn {
   T offset;
 };
 
-/// The plane of a facet, or through one of its sides across it, with the inside above.
+/// A facet's plane, or the plane across the facet through a side, with the inside above.
 struct CutterPlane {
   static constexpr int own = -1;
   const ConvolutionFacet* facet = nullptr;
@@ -43,11 +43,11 @@ class CarrierLine {
  public:
   /// Through a side, t from 0 to 1 along it.
   CarrierLine(const ConvolutionFacet& facet, std::size_t side);
-  /// Along which the planes of two facets cross; they must not be parallel. t is a coordinate, up
-  /// to an integer and the sign.
+  /// The line where two facets' planes cross; the planes must not be parallel. t is a coordinate,
+  /// up to an integer and the sign.
   CarrierLine(const ConvolutionFacet& a, const ConvolutionFacet& b, long shift);
 
-  /// Whether the planes of two facets are parallel.
+  /// Whether two facets' planes are parallel.
   static bool parallel(const ConvolutionFacet& a, const ConvolutionFacet& b, SignCounts& signs);
 
   template <class T>
@@ -60,7 +60,7 @@ class CarrierLine {
     }
   }
 
-  /// A parameter is a quotient of these two; undefined where the line lies along the plane.
+  /// A parameter as numerator and denominator; undefined if the line lies along the plane.
   template <class T>
   std::pair<T, T> parameter(const CutterPlane& plane) const {
     const LineIn<T>& line = as<T>();
@@ -72,7 +72,7 @@ class CarrierLine {
   /// The point with a parameter.
   BoundedVector point_at(const BoundedDouble& t) const;
 
-  /// The sign of normal · direction for the plane of a facet.
+  /// The sign of normal · direction for a facet's plane.
   int slope(const ConvolutionFacet& facet, SignCounts& signs) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace minkref::inline space {
 
 /// x + ε along + ε² into + ε³ across, for ε small enough; the three directions are independent, so
-/// that it lies in no plane of integers.
+/// that no integer plane contains the point.
 class NearPoint {
  public:
   struct Exact {
@@ -18,14 +18,13 @@ class NearPoint {
     Integer weight;  ///< positive; x is point / weight
     IntegerVector along, into;
   };
-  /// `exact` is called once at most.
+  /// Calls `exact` at most once.
   NearPoint(BoundedVector rounded, std::function<Exact()> exact)
       : rounded_(rounded), make_exact_(std::move(exact)) {}
 
   const BoundedVector& rounded() const { return rounded_; }
 
-  /// On which side of a plane it is, 1 or -1. `form` makes a FormIn<T> whose normal is not zero; 0
-  /// where it is.
+  /// The point's side of a plane, 1 or -1. `form` makes a FormIn<T>; a zero normal gives 0.
   template <class Form>
   int side(SignCounts& signs, Form&& form) const {
     const FormIn<BoundedDouble> near = form(std::type_identity<BoundedDouble>{});

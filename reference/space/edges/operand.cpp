@@ -24,7 +24,7 @@ std::vector<Face> cut_faces(const Polyhedron& body, const std::vector<IntegerVec
   return triangles;
 }
 
-/// The shift after which doubles have the precision of coordinates, or coordinates that of doubles.
+/// The shift that shortens the longest coordinate to `most_bits`, or 0.
 long shift_of(const std::vector<IntegerVector>& points) {
   constexpr long most_bits = 50;
   long longest = 0;

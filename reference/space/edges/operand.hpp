@@ -14,8 +14,8 @@ namespace minkref::inline space {
 
 inline constexpr std::uint32_t none = UINT32_MAX;
 
-/// A solid, a plane polygon (one face: a solid of no thickness, both of whose sides are faces), a
-/// segment or a point. Cutting faces into triangles adds flat edges, which have no part in the
+/// A solid, a plane polygon (one face: a solid without thickness, with faces on both sides), a
+/// segment or a point. Cutting faces into triangles adds flat edges, which play no part in the
 /// convolution.
 struct SpaceOperand {
   struct Triangle {
@@ -37,7 +37,7 @@ struct SpaceOperand {
   std::vector<std::vector<std::uint32_t>> edges_at;  ///< by vertex
   std::vector<std::uint32_t> shell_vertices;         ///< one vertex of each connected surface
 
-  /// `points` are the vertices over one denominator.
+  /// `points` holds the vertices over one denominator.
   SpaceOperand(const Polyhedron& body, const std::vector<IntegerVector>& points, long shift);
 
   bool is_segment() const { return triangles.empty() && edges.size() == 1; }
@@ -49,16 +49,16 @@ struct SpaceOperands {
   SpaceOperand P, Q;
   Integer denominator;
 };
-/// Throws BadInput ("bad-scale") for a factor that is not positive. Exact.
+/// Throws BadInput ("bad-scale") unless every factor is positive. Exact.
 SpaceOperands space_operands(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling);
 
-/// A box of doubles around a point, a few of them wider than the bounds of the point.
+/// A box of doubles around a point, a few doubles wider than the point's bounds.
 inline SpaceBox box_around(const BoundedVector& point) {
   constexpr double infinity = SpaceBox::infinity;
   SpaceBox box;
   for (std::size_t k = 0; k < 3; ++k) {
     const double value = point[k].value, error = point[k].error;
-    // Roundings of the difference, of the margin and of the result, and the least double.
+    // Covers rounding of the difference, the margin and the result, and the least double.
     const double margin = error == 0 ? 0 : error + (std::abs(value) + error) * 0x1p-51 + 1e-323;
     const double low = value - margin, high = value + margin;
     box.low[k] = std::isnan(low) ? -infinity : low;

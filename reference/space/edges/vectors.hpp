@@ -1,4 +1,4 @@
-// Vectors of integers beside their doubles, and signs that both decide.
+// Integer vectors beside their doubles, and signs that both decide.
 #pragma once
 
 #include <array>
@@ -33,9 +33,9 @@ std::array<T, 3> cross(const std::array<T, 3>& a, const std::array<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// An integer and the double beside it, times 2^-shift. Where coordinates are longer than doubles
-/// their shift is such that their doubles are not; that of products of them is the sum of theirs,
-/// so that all doubles in a sign are those of the same coordinates in another unit.
+/// An integer and the double beside it, times 2^-shift. Coordinates too long for doubles get a
+/// shift that makes their doubles short enough; a product's shift is the sum of the factors'
+/// shifts, so that all doubles behind a sign are the same coordinates on another scale.
 struct FilteredInteger {
   Integer exact;
   BoundedDouble rounded;
@@ -78,8 +78,7 @@ struct SignCounts {
   }
 };
 
-/// The sign of what `evaluate` makes of numbers of the type that it is given: of bounded doubles,
-/// and where they do not settle it of integers.
+/// The sign of `evaluate` on bounded doubles or, if these do not settle the sign, on integers.
 template <class Evaluate>
 int filtered_sign(SignCounts& counts, Evaluate&& evaluate) {
   const int certain = evaluate(std::type_identity<BoundedDouble>{}).certain_sign();

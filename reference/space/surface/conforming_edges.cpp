@@ -41,7 +41,7 @@ class MeetingSearch {
   MeetingSearch(const std::vector<SpaceVertex>& points, const std::vector<PointPair>& segments)
       : cuts(segments.size()), points_(points), segments_(segments) {}
 
-  /// Numbers of points; those after the given ones are of `fresh`.
+  /// Point numbers; numbers beyond the given points refer to `fresh`.
   std::vector<std::vector<std::uint32_t>> cuts;
   std::vector<SpaceVertex> fresh;
 
@@ -92,7 +92,7 @@ class MeetingSearch {
     if (!std::all_of(aside.begin(), aside.end(), [](const Rational& c) { return c.is_zero(); })) {
       return;
     }
-    // On one line, where the order of the points is that of their numbers.
+    // On one line, point numbers follow the points' order.
     for (const std::uint32_t end : {p, q}) {
       if (u < end && end < v) cuts[a].push_back(end);
     }
@@ -125,7 +125,8 @@ class MeetingSearch {
   const std::vector<PointPair>& segments_;
 };
 
-/// Replaces the points by those and more; the numbers are of the old ones, then the new.
+/// Replaces the points by the old and the new points together; the numbers refer to the old points,
+/// then the new.
 SharedPoints add_points(std::vector<SpaceVertex>& points, const std::vector<SpaceVertex>& more) {
   std::vector<SpaceVertex> all = std::move(points);
   all.insert(all.end(), more.begin(), more.end());
@@ -181,7 +182,7 @@ ConformingEdges conforming_edges(const PolyhedralSet& set) {
   search.run();
   if (!search.fresh.empty()) {
     const SharedPoints shared = add_points(result.points, search.fresh);
-    // The order of the given points stays, and so does that of the segments.
+    // The given points keep their order, and so do the segments.
     for (auto& border : borders) renumber(border, shared);
     renumber(segments, shared);
     for (auto& list : search.cuts) {

@@ -1,4 +1,4 @@
-// The borders of all plane regions in space, cut where they meet.
+// Plane regions' borders in space, cut where they meet.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,25 @@ namespace minkref::inline space {
 /// Two points by number; a segment has the lesser number first.
 using PointPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Segments have no point in their inside: two of them are the same or meet at common ends only.
+/// Segments contain no inner point: two segments are equal or meet at common ends only.
 struct ConformingEdges {
   std::vector<SpaceVertex> points;  ///< distinct, ascending
   std::vector<PointPair> segments;  ///< the edges, each once, ascending
-  /// By region: its border, the region on the left as it is seen along the viewing axis.
+  /// By region: the border, with the region on the left as seen along the viewing axis.
   std::vector<std::vector<PointPair>> borders;
-  /// By region: the segments in its inside, on which other faces stand.
+  /// By region: the inner segments, on which other faces stand.
   std::vector<std::vector<PointPair>> slits;
-  /// By region: the points in its inside that end no slit, where a tip touches the region.
+  /// By region: the inner points that end no slit, where a tip touches the region.
   std::vector<std::vector<std::uint32_t>> tips;
 };
 
-/// Regions in canonical form do not share the vertices of their neighbours: what is straight has
-/// none. Nor has a place where the border of one region crosses that of another, as where a wedge
-/// stands on a plane and juts out. So all borders are cut where they meet others, and the regions
-/// are searched in whose inside they lie; hidden_edges are added. Exact. O((n + k) log n + m) for k
-/// pairs of edges and m of edges and polygons whose boxes overlap, times the vertices of the
-/// polygon where the edge lies in its plane; beside that of hidden_edges.
+/// Makes the borders conform. Regions with canonical form do not share their neighbours' vertices:
+/// a straight place has none. Nor does the place where one region's border crosses another's, as
+/// where a wedge stands on a plane and juts out. So all borders are cut where they meet, and
+/// assigned to the regions whose inside contains them; hidden_edges are added. Exact. O((n + k) log
+/// n + m) for k pairs of edges and m pairs of an edge and a polygon with overlapping boxes, times
+/// the polygon's vertices if the edge lies within the polygon's plane; beside the cost of
+/// hidden_edges.
 ConformingEdges conforming_edges(const PolyhedralSet& set);
 
 }  // namespace minkref::inline space

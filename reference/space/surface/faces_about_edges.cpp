@@ -13,8 +13,8 @@ namespace {
 
 /// A half-plane about an edge with the direction d. If the half-edge runs along d (`forward`) and
 /// its face has the normal n, the half-plane is on the side of n x d: seen against d, the outside
-/// comes counter-clockwise after the half-plane, and the interior before. For a half-edge against d
-/// it is the other way round. A quarter of a turn further each half-plane is n or -n.
+/// comes counter-clockwise after the half-plane, and the interior before. A half-edge against d
+/// exchanges both. A quarter of a turn further each half-plane is n or -n.
 struct HalfPlane {
   std::uint32_t half_edge;
   bool forward;
@@ -82,7 +82,7 @@ class EdgePairing {
     }
   }
 
-  /// Counter-clockwise, the outside follows those that are forward.
+  /// Counter-clockwise, the outside follows forward half-planes.
   void pair() {
     for (std::size_t k = 0; k < about_.size(); ++k) {
       const HalfPlane &a = about_[k], &b = about_[(k + 1) % about_.size()];

@@ -1,4 +1,4 @@
-// The faces about an edge in the order of their half-planes, and what lies between them.
+// The faces about an edge, sorted by half-plane, and the sectors between them.
 #pragma once
 
 #include "reference/space/surface/surface_edges.hpp"

@@ -28,7 +28,7 @@ class CrossingSearch {
     return regions_.polygons[polygon].rings[0].size();
   }
 
-  /// Whether a polygon has corners on both sides of the plane of another one.
+  /// Whether a polygon has corners on both sides of another polygon's plane.
   bool straddles(std::uint32_t polygon, std::uint32_t other) const {
     const FilteredPlane& plane = regions_.plane_of(other);
     bool above = false, below = false;
@@ -55,7 +55,7 @@ class CrossingSearch {
     }
   }
 
-  /// The points of the border of a polygon on a plane.
+  /// Adds the points where a polygon's border meets a plane.
   void add_stops(std::uint32_t polygon, const FilteredPlane& plane,
                  std::vector<SpaceVertex>& stops) const {
     for (const auto& ring : regions_.polygons[polygon].rings) {

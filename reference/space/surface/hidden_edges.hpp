@@ -1,4 +1,4 @@
-// Edges where plane regions cross: no border of any of them.
+// Edges where plane regions cross without any border.
 #pragma once
 
 #include <utility>
@@ -8,12 +8,12 @@
 
 namespace minkref::inline space {
 
-/// Segments that lie in the inside of two regions that cross there. Three regions, or any odd
-/// number, can cross in a line, interior and outside in turn about it; each of them goes straight
-/// on, and none has a border there. (The same with two regions is not possible: one half of each
-/// would have the set on the other side.) Segments overlap where several pairs find them. Exact.
-/// O(n log n + m) for m pairs of polygons whose boxes overlap, times the vertices of the smaller
-/// one; of both, where each has corners on both sides of the other.
+/// Finds segments inside two regions that cross there. Three regions, or any odd number, can cross
+/// along a line, with interior and outside taking turns about it; each region goes straight on,
+/// without a border there. (Two regions cannot do so: one half of each would have the set on the
+/// other side.) Segments overlap if several pairs find them. Exact. O(n log n + m) for m pairs of
+/// polygons with overlapping boxes, times the vertices of the smaller polygon; of both polygons, if
+/// each has corners on both sides of the other.
 std::vector<std::pair<SpaceVertex, SpaceVertex>> hidden_edges(const LiftedRegions& regions);
 
 }  // namespace minkref::inline space

@@ -9,7 +9,7 @@
 
 namespace minkref::inline space {
 
-/// A polygon of a region.
+/// One region's polygon.
 struct LiftedPolygon {
   std::uint32_t region;
   const Polygon* polygon;                         ///< as it is seen
@@ -17,7 +17,7 @@ struct LiftedPolygon {
   SpaceBox box;
 };
 
-/// The regions of a set that lives longer.
+/// A set's regions; the set must live longer.
 struct LiftedRegions {
   std::vector<SpaceVertex> points;  ///< distinct, ascending
   std::vector<FilteredPlane> planes;
@@ -29,13 +29,13 @@ struct LiftedRegions {
   }
 };
 
-/// Tells what lies inside of polygons, each of them asked many times.
+/// Tells what lies inside polygons, with many questions to each polygon.
 class PolygonLocation {
  public:
   explicit PolygonLocation(const LiftedRegions& regions)
       : regions_(regions), rings_(regions.polygons.size()) {}
 
-  /// Locates the middle of a segment in the plane of the polygon. Exact; linear.
+  /// Locates a segment's middle within the polygon's plane. Exact; linear.
   Location locate(std::uint32_t polygon, const SpacePoint& from, const SpacePoint& to);
 
  private:

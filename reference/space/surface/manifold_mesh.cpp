@@ -18,12 +18,11 @@ namespace {
 
 constexpr std::uint32_t none = UINT32_MAX;
 
-/// A side of a triangle as it is named by its face: 3 times the triangle, and the place of its
-/// first corner.
+/// A triangle's side: 3 times the triangle's number, plus the place of the side's first corner.
 using Side = std::uint32_t;
 constexpr Side side_after(Side side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
-/// Triangles, and for each of their sides the side of the triangle beyond it.
+/// Triangles, and for each side the matching side of the triangle beyond.
 struct JoinedTriangles {
   std::vector<std::array<std::uint32_t, 3>> corners;
   std::vector<std::uint32_t> face;  ///< of each
@@ -34,7 +33,7 @@ struct JoinedTriangles {
   std::uint32_t to(Side side) const { return from(side_after(side)); }
 };
 
-/// Sides by face and ends.
+/// Finds sides by face and ends.
 class SideNames {
  public:
   explicit SideNames(const JoinedTriangles& triangles) {
@@ -44,7 +43,7 @@ class SideNames {
     }
     std::sort(sides_.begin(), sides_.end());
   }
-  /// `none` where there is none.
+  /// Returns `none` if no side has this name.
   Side named(std::uint32_t face, std::uint32_t from, std::uint32_t to) const {
     const auto found =
         std::lower_bound(sides_.begin(), sides_.end(), std::tuple(face, from, to, Side{0}));
@@ -57,8 +56,7 @@ class SideNames {
   std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, Side>> sides_;
 };
 
-/// Each fan its own vertices: corners are the same iff one comes from one to the other across
-/// sides.
+/// Gives each fan its own vertices: corners are the same iff a walk across sides connects them.
 class Fans {
  public:
   explicit Fans(const JoinedTriangles& triangles) : parent_(triangles.sides()) {
@@ -82,7 +80,7 @@ class Fans {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Middles of sides that share both ends with others, which are not beyond them.
+/// Middles for sides that share both ends with a side other than the side beyond.
 class SideMiddles {
  public:
   SideMiddles(const JoinedTriangles& triangles, Polyhedron& mesh)
@@ -104,7 +102,7 @@ class SideMiddles {
     }
   }
 
-  /// The triangle, in as many as its middles ask for.
+  /// Appends the triangle, split as the middles require.
   void append(std::uint32_t triangle, std::vector<Face>& faces) const {
     Face ring;
     std::size_t start = 0, middles = 0;
@@ -120,7 +118,7 @@ class SideMiddles {
       faces.push_back({ring[1], ring[3], ring[5]});
       return;
     }
-    // From the corner across from the one middle, or at the end of the side without one.
+    // Starts at the corner opposite the only middle, or at the end of the side without a middle.
     for (Side s = 3 * triangle; s < 3 * triangle + 3; ++s) {
       const bool here = middle_[s] == none, next = middle_[side_after(s)] == none;
       if (middles == 1 && here && !next) start = index_of(ring, triangles_.from(s));

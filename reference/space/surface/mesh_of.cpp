@@ -14,7 +14,7 @@ class FaceCutting {
  public:
   explicit FaceCutting(const SurfaceEdges& surface) : surface_(surface) {}
 
-  /// The faces of the mesh for one of the surface.
+  /// The mesh faces for one face of the surface.
   std::vector<Face> cut(const SurfaceFace& face, MeshFaces kind) const {
     std::vector<Face> walks;
     for (const std::uint32_t first : face.walks) {

@@ -12,15 +12,15 @@ enum class MeshFaces : std::uint8_t {
   triangles
 };
 
-/// The faces of the mesh of each face of the surface.
+/// The mesh faces for each face of the surface.
 std::vector<std::vector<Face>> mesh_faces(const SurfaceEdges& surface,
                                           MeshFaces faces = MeshFaces::polygons);
 
-/// The boundary as faces with common vertices, turned outwards. It is closed: of the faces at an
-/// edge as many run along it one way as the other. It conforms: two edges are the same or meet at
-/// common vertices only, and neither edges nor vertices lie in the inside of a face. Angles of
-/// polygons may be straight. Where the set is not manifold the mesh is not, and `validate` refuses
-/// it. Vertices ascend. Exact. O(n^2) for the vertices of one face.
+/// The boundary as faces with common vertices, turned outwards. The mesh is closed: at each edge as
+/// many faces run one way as the other. The mesh conforms: two edges are equal or meet at common
+/// vertices only, and neither edges nor vertices lie inside a face. Polygon angles may be straight.
+/// A set that is not manifold gives such a mesh too, and `validate` refuses it. Vertices ascend.
+/// Exact. O(n^2) for a face's vertices.
 Polyhedron mesh_of(const SurfaceEdges& surface, MeshFaces faces = MeshFaces::polygons);
 
 }  // namespace minkref::inline space

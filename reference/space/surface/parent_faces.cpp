@@ -10,8 +10,8 @@
 namespace minkref::inline space {
 namespace {
 
-/// The face of each triangle of an operand. A face is cut into two triangles less than it has
-/// vertices; the triangles of the back of a polygon follow those of its front.
+/// The face behind each triangle of an operand. A face gives two triangles fewer than vertices;
+/// triangles on a polygon's back follow the triangles on the front.
 std::vector<std::uint32_t> faces_of_triangles(const Polyhedron& body, const SpaceOperand& operand) {
   std::vector<std::uint32_t> result;
   for (std::uint32_t f = 0; f < body.faces.size(); ++f) {
@@ -51,7 +51,7 @@ FacePair pair_of(const ConvolutionFacet& facet, const NamedFaces& P, const Named
   return {P.edge(facet.of_P), Q.edge(facet.of_Q)};
 }
 
-/// One region for each face, its walks as rings.
+/// A face's region, with the walks as rings.
 PlaneRegion region_of(const SurfaceEdges& surface, const SurfaceFace& face) {
   PlaneRegion result{surface.planes[face.plane], {{Polygon{}}}};
   const std::size_t axis = viewing_axis(result.plane.normal);

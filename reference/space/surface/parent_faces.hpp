@@ -1,4 +1,4 @@
-// Which faces of the operands the faces of a sum come from.
+// The operands' faces from which a sum's faces come.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace minkref::inline space {
 
-/// A vertex, an edge or a face of each operand by its vertices, as they are numbered there.
+/// A vertex, an edge or a face from each operand, as vertex numbers there.
 struct FacePair {
   Face of_P, of_Q;
   friend bool operator==(const FacePair&, const FacePair&) = default;
   friend auto operator<=>(const FacePair&, const FacePair&) = default;
 };
 
-/// For each face of `surface`, the surface of S P ⊕ Q, the pairs whose sum has area in common with
-/// the face: a face and a vertex, a vertex and a face, or two edges; ascending. The sum of a pair
-/// is a facet of the reduced convolution, or a part of one. Parallel features count if the
-/// convolution takes them. Operands as for `edge_sum`. Exact. The time of the convolution and of
-/// `parents`.
+/// For each face of `surface`, the surface of S P ⊕ Q, the pairs whose sum shares area with the
+/// face: a face and a vertex, a vertex and a face, or two edges; ascending. A pair's sum is a facet
+/// of the reduced convolution, or part of a facet. Parallel features count if the convolution takes
+/// them. Operands as for `edge_sum`. Exact. Takes as long as the convolution and `parents`
+/// together.
 std::vector<std::vector<FacePair>> parent_faces(const SurfaceEdges& surface, const Polyhedron& P,
                                                 const Polyhedron& Q, const Scaling& scaling);
 

@@ -17,7 +17,7 @@ Rational turned_area(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The corners of a facet as they are seen, counter-clockwise.
+/// A facet's corners as seen, counter-clockwise.
 Ring seen_ring(const ConvolutionFacet& facet, const OrientedPlane& plane, const Rational& unit) {
   Ring ring;
   for (std::size_t k = 0; k < facet.size; ++k) {
@@ -57,7 +57,7 @@ Box box_of(const FilteredPoint& p) {
   return {below(p.x()), below(p.y()), above(p.x()), above(p.y())};
 }
 
-/// A region that is asked about many convex sets.
+/// A region's border, prepared for questions about many convex sets.
 class RegionBorder {
  public:
   explicit RegionBorder(const PolygonSet& region) {
@@ -82,7 +82,7 @@ class RegionBorder {
       return enters(convex, edges_[k].first, edges_[k].second);
     };
     if (tree_.query(box, border_enters)) return true;
-    // Within a triangle of corners, which is not flat.
+    // Looks from inside a triangle of corners, which has area.
     const Point &a = convex[0].exact(), &b = convex[1].exact(), &c = convex[2].exact();
     const FilteredPoint middle({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});
     Box ray = box_of(middle);

@@ -1,4 +1,4 @@
-// Which facets of the convolution the faces of a sum come from.
+// The facets of the convolution from which a sum's faces come.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,10 @@
 
 namespace minkref::inline space {
 
-/// For each plane region of a sum, the facets that lie in its plane, turned the same way, and have
-/// area in common with the region: ascending numbers of `facets`, whose corners are over
-/// `denominator`. A plane may have several regions, which follow each other.
-/// Exact. O((f + n) log n + k) for f facets and k pairs of a facet and an edge of a region in one
-/// plane whose boxes meet.
+/// For each plane region of a sum, the facets within the same plane, turned the same way, that
+/// share area with the region: ascending numbers of `facets`, whose corners are over `denominator`.
+/// A plane may have several regions, which follow each other. Exact. O((f + n) log n + k) for f
+/// facets and k coplanar pairs of a facet and a region's edge with overlapping boxes.
 std::vector<std::vector<std::uint32_t>> parents(const PolyhedralSet& set,
                                                 const std::vector<ConvolutionFacet>& facets,
                                                 const Integer& denominator);

@@ -1,4 +1,4 @@
-// The boundary of a set in space, seen along the axes.
+// A set's boundary in space, seen along the axes.
 #pragma once
 
 #include <array>

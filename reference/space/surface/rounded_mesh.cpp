@@ -17,12 +17,12 @@ double nearest_float(const Rational& value) {
   const double near = to_double(value);
   const auto nearest = static_cast<float>(near);
   const float infinity = std::numeric_limits<float>::infinity();
-  // Half-way between the largest float and what would be the next: only what is above has none.
+  // Half-way between the largest float and its would-be successor: only values above have no float.
   if (std::fabs(near) == 0x1.ffffffp127 && abs(value) < from_double(0x1.ffffffp127)) {
     return near < 0 ? -0x1.fffffep127 : 0x1.fffffep127;
   }
   const float other = std::nextafter(nearest, near > double{nearest} ? infinity : -infinity);
-  // Where the double is half-way, the value may be nearer to the other one.
+  // If the double lies half-way, the value may be nearer to the other float.
   if (near - double{nearest} != double{other} - near) return nearest;
   const int side = value.compare(from_double(near));
   if (side == 0) return nearest;

@@ -12,7 +12,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// Six times the volume, from one of the points; bounded.
+/// Six times the volume, measured from one corner; bounded.
 BoundedDouble sextuple_volume_nearly(const SurfaceEdges& surface, const Shell& shell) {
   const auto at = [&](std::uint32_t h) -> const BoundedVector& {
     return surface.points[surface.half_edges[h].from].rounded;
@@ -67,7 +67,7 @@ class ShellSearch {
   }
 
  private:
-  /// All faces that can be reached from one.
+  /// Gathers all faces reachable from `start`.
   void gather(std::uint32_t start) {
     const auto number = static_cast<std::uint32_t>(shells_.size());
     Shell& shell = shells_.emplace_back();
@@ -93,7 +93,7 @@ class ShellSearch {
     }
   }
 
-  /// A vertex is a fan: half-edges that leave a point, each the next one across the one before.
+  /// A vertex is a fan: half-edges that leave a point, each reached across the previous half-edge.
   void count_vertices() {
     const std::vector<HalfEdge>& half_edges = surface_.half_edges;
     std::vector<bool> counted(half_edges.size(), false);

@@ -1,4 +1,4 @@
-// Edges and points that lie in the inside of plane regions.
+// Edges and points inside plane regions.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace minkref::inline space {
 
-/// Sets `slits` and `tips` of edges that have all else. Exact. std::logic_error where a segment
-/// crosses the border of a region.
+/// Sets `slits` and `tips` for otherwise complete edges. Exact. Throws std::logic_error if a
+/// segment crosses a region's border.
 void add_slits_and_tips(const LiftedRegions& regions, ConformingEdges& edges);
 
 }  // namespace minkref::inline space

@@ -1,4 +1,4 @@
-// A point in space beside its doubles, and points that are shared.
+// A point in space beside its doubles, and shared points.
 #pragma once
 
 #include <cmath>
@@ -12,15 +12,14 @@
 
 namespace minkref::inline space {
 
-/// The nearest double with its bound; short integers are exact.
+/// The nearest double with a bound; short integers are exact.
 inline BoundedDouble bounded(const Rational& value) {
   const double nearest = to_double(value), size = std::abs(nearest);
   if (size < 0x1p53 && denominator(value) == 1) return {nearest, 0};
   return {nearest, size * 0x1p-52 + std::numeric_limits<double>::min()};
 }
 
-/// The values are the nearest doubles, so that their order is that of the coordinates, save for
-/// ties.
+/// A point with its nearest doubles, which have the coordinates' order, save for ties.
 struct SpaceVertex {
   SpacePoint exact;
   BoundedVector rounded;
@@ -46,7 +45,8 @@ inline int compare(const SpaceVertex& a, const SpaceVertex& b) {
   return 0;
 }
 
-/// The least box of nearest doubles. A point between the ends has its nearest doubles in this box.
+/// The least box around the ends' nearest doubles. A point between the ends has its nearest doubles
+/// there too.
 inline SpaceBox box_between(const SpaceVertex& a, const SpaceVertex& b) {
   SpaceBox box;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -56,7 +56,7 @@ inline SpaceBox box_between(const SpaceVertex& a, const SpaceVertex& b) {
   return box;
 }
 
-/// Points that are equal are one: `points` ascend, and `number` has the place of each given one.
+/// Merges equal points: `points` ascend, and `number` holds each given point's place.
 struct SharedPoints {
   std::vector<SpaceVertex> points;
   std::vector<std::uint32_t> number;
@@ -70,15 +70,15 @@ inline RationalVector operator-(const SpacePoint& a, const SpacePoint& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/// A plane beside its doubles.
+/// A plane with doubles.
 struct FilteredPlane {
   OrientedPlane exact;
   BoundedVector normal;
   BoundedDouble offset;
   explicit FilteredPlane(OrientedPlane plane);
-  /// 1 on the side of the normal, 0 in the plane, -1 on the other side. Exact.
+  /// Returns 1 on the normal's side, 0 on the plane, -1 on the other side. Exact.
   int side(const SpaceVertex& vertex) const;
-  /// Where the line through two points that are not as far from the plane crosses it.
+  /// The crossing of the plane with the line through two points at different heights.
   SpacePoint crossing(const SpacePoint& p, const SpacePoint& q) const;
 
  private:

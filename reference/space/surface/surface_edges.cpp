@@ -14,7 +14,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// The border and the slits of one region as a plane graph, and which points its points are.
+/// One region's border and slits as a plane graph, with the points' numbers.
 struct RegionGraph {
   BoundaryGraph graph;
   std::vector<std::uint32_t> points;
@@ -75,7 +75,7 @@ class SurfaceBuild {
     for (const std::uint32_t tip : edges.tips[region]) add_tip(local, walks, base, edges, tip);
   }
 
-  /// To the face in whose inside it lies: within its outer walk and none of the others.
+  /// Adds a tip to the face around it: inside the face's outer walk and outside all inner walks.
   void add_tip(const RegionGraph& local, const Walks& walks, std::uint32_t base,
                const ConformingEdges& edges, std::uint32_t tip) {
     const std::size_t axis = viewing_axis(surface_.planes[surface_.faces[base].plane].normal);

@@ -1,4 +1,4 @@
-// The boundary of a set in space as half-edges: faces, and how they go on across edges.
+// A set's boundary in space as half-edges: faces, and how they go on across edges.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace minkref::inline space {
 
-/// Faces about an edge are paired across the sectors between them: across those of the interior, or
-/// across those of the outside. The two differ where more than two faces meet.
+/// Pairs faces about an edge across the interior's sectors, or across the outside's sectors. The
+/// two pairings differ where more than two faces meet.
 enum class Pairing : std::uint8_t { interior, outside };
 
 /// A side of a face along an edge: seen from outside the face is to the left.
@@ -36,13 +36,14 @@ struct SurfaceEdges {
   std::vector<SurfaceFace> faces;
   std::vector<HalfEdge> half_edges;
 
-  /// The half-edges of a walk, in order.
+  /// A walk's half-edges, in order.
   std::vector<std::uint32_t> walk(std::uint32_t first) const;
 };
 
-/// Every edge bears at least two half-edges, and as many one way as the other: a slit bears two of
-/// the plane in which it lies. Faces about an edge are sorted exactly, and std::logic_error thrown
-/// where they do not bound interior and outside in turn. Exact. Cost: that of conforming_edges.
+/// Builds the boundary's faces and half-edges. Every edge bears at least two half-edges, as many
+/// one way as the other: a slit bears two from its own plane. Sorts faces about an edge exactly,
+/// and throws std::logic_error if they do not bound interior and outside in turn. Exact. Costs as
+/// much as conforming_edges.
 SurfaceEdges surface_edges(const PolyhedralSet& set);
 
 }  // namespace minkref::inline space
