@@ -9,7 +9,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// A half-edge where it starts.
+/// A half-edge as it leaves its source.
 struct LeavingArc {
   std::uint32_t half_edge;
   Vector<Interval> way;
@@ -26,7 +26,7 @@ class LeavingOrder {
     return {half_edge, way<Interval>(half_edge), !is_circle ? 0 : half_edge % 2 == 0 ? 1 : -1};
   }
 
-  /// Counter-clockwise, from the direction of the first of them on.
+  /// Sorts counter-clockwise, starting with the first half-edge's direction.
   void sort(std::vector<LeavingArc>& all) const {
     const LeavingArc from = all[0];
     const auto part = [&](const LeavingArc& each) {
@@ -60,7 +60,7 @@ class LeavingOrder {
     }
   }
 
-  /// The direction in which a half-edge leaves its source, times some number.
+  /// A half-edge's direction as it leaves its source, times some number.
   template <class N>
   Vector<N> way(std::uint32_t half_edge) const {
     const ArcCarrier& own = carrier(half_edge);

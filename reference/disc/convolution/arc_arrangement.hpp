@@ -1,4 +1,4 @@
-// The arrangement of the curves of a convolution with a disc: what lies next to what.
+// The arrangement of a disc convolution's curves: neighbours along cycles and about nodes.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace minkref::inline disc {
 
-/// Pieces as half-edges: 2 k runs as piece k does, 2 k + 1 back. A cycle is a closed walk of
+/// Pieces as half-edges: 2 k runs as piece k does, 2 k + 1 back. A cycle is a closed walk along
 /// half-edges with one face on the left.
 class ArcArrangement {
  public:
-  /// `curves` must outlive it. Around each node the pieces are in order of the directions in which
-  /// they leave, and where these are equal, of how they bend. Exact. O((n + k) log n).
+  /// `curves` must outlive the arrangement. Around each node the pieces are ordered by leaving
+  /// direction and, for equal directions, by bend. Exact. O((n + k) log n).
   explicit ArcArrangement(const ArcCurves& curves, OffsetCounts& counts);
 
   const ArcCurves& curves() const { return curves_; }
@@ -28,7 +28,7 @@ class ArcArrangement {
     return half_edge % 2 == 0 ? piece.from : piece.to;
   }
 
-  /// Next clockwise about the node where it starts.
+  /// The next half-edge clockwise about the source node.
   std::uint32_t clockwise(std::uint32_t half_edge) const { return clockwise_[half_edge]; }
   /// On along its cycle.
   std::uint32_t next(std::uint32_t half_edge) const { return clockwise_[half_edge ^ 1U]; }

@@ -13,7 +13,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// Finds the boundary of the sum in an arrangement, in terms of the offset curves of P.
+/// Finds the sum's boundary within an arrangement, and names it by the offset curves of P.
 class ConvolutionBoundary {
  public:
   ConvolutionBoundary(const ArcArrangement& arrangement, const ArcFaces& faces,
@@ -74,7 +74,8 @@ class ConvolutionBoundary {
     return h;
   }
 
-  /// Parts of one patch with nothing else between are one piece.
+  /// Whether both half-edges join into one piece: parts of the same patch, with no boundary
+  /// between.
   bool goes_on(std::uint32_t half_edge, std::uint32_t following) const {
     if (patch(half_edge) != patch(following)) return false;
     const std::uint32_t other = half_edge ^ 1U;
@@ -113,7 +114,7 @@ class ConvolutionBoundary {
     result_.offset.rings.push_back(std::move(ring));
   }
 
-  /// Where on its patch a half-edge starts or ends.
+  /// The place on the patch where a half-edge starts or ends.
   PatchPlace place(std::uint32_t half_edge, bool is_end) const {
     const OffsetPatch& own = at_.curves().patches[patch(half_edge)];
     const ArcPiece& piece = arrangement_.pieces()[half_edge / 2];

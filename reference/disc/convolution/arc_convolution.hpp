@@ -1,4 +1,4 @@
-// P ⊕ ρD at one radius, from the convolution of P and the disc and its winding numbers.
+// P ⊕ ρD at one radius, from the winding numbers of the disc convolution.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace minkref::inline disc {
 
 struct ArcConvolution {
   StaticOffset offset;
-  /// By piece: the component of the sum's interior on its left.
+  /// By piece: the component of the sum's interior on the piece's left.
   std::vector<std::uint32_t> component_of;
   std::size_t components = 0;
   std::size_t holes = 0;  ///< bounded components of the complement
@@ -20,9 +20,9 @@ struct ArcConvolution {
 /// The boundary of the faces with a positive winding number (Behar & Lien 2012, Sec. 3 and
 /// Appendix), for a valid polygon set, a point or a segment, and squared_radius > 0. The function
 /// asks for no distance from P, only where curves of the convolution meet. It shares with
-/// static_offset only numbers and the offset curves in whose terms both answer. Exact.
-/// O((n + k) log n) for k pairs of curves with boxes that overlap; slits take O(h n) for h holes.
-/// Throws std::logic_error where winding numbers do not add up, which would be a fault.
+/// static_offset only numbers and the offset curves that name both answers. Exact. O((n + k) log n)
+/// for k pairs of curves with boxes that overlap; slits take O(h n) for h holes. Throws
+/// std::logic_error if winding numbers do not add up, which would be a fault.
 ArcConvolution arc_convolution(const PolygonSet& P, const Rational& squared_radius);
 
 }  // namespace minkref::inline disc

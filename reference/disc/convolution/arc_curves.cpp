@@ -34,7 +34,7 @@ int quadrant_of(const Direction& d) {
   return d.y <= 0 && d.x < 0 ? 2 : 3;
 }
 
-/// A patch of the offset curves of P: where on its carrier it lies, and which way it runs.
+/// A patch among the offset curves of P: its place along the carrier, and its direction.
 struct PatchRange {
   std::uint32_t patch;
   int way;
@@ -269,7 +269,7 @@ class ConvolutionCurves {
   std::uint32_t patch_of_arc(std::uint32_t circle, const Direction& from, int multiplicity) {
     if (multiplicity < 0) return OffsetPatch::none;
     for (const PatchRange& range : ranges_[circle]) {
-      // A patch is of at most a right angle.
+      // A patch spans at most a right angle.
       if (cross(range.first, from) >= 0 && cross(from, range.last) > 0) return range.patch;
     }
     return OffsetPatch::none;

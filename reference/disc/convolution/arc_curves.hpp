@@ -16,8 +16,8 @@ struct ArcCarrier {
   /// The direction of a line in coprime integers: to the right, or straight up.
   Direction way;
   std::uint32_t way_number = 0;  ///< lines that are parallel have one
-  /// A line is N · p = level + side ρ |N| with N = (way.y, -way.x). The side is 1 if the line lies
-  /// from its edge along N, -1 if against N; 0 where ρ |N| is rational and counted in the level.
+  /// A line is N · p = level + side ρ |N| with N = (way.y, -way.x). The side is 1 for a line moved
+  /// from its edge along N, -1 against N; 0 for rational ρ |N|, which the level then includes.
   Rational level;
   int side = 0;
   Rational squared_reach;  ///< ρ² |N|²
@@ -30,8 +30,8 @@ struct ArcCarrier {
   Direction normal() const { return {way.y, -way.x}; }
 };
 
-/// A place where the boundary of P turns, moved out by the radius: the point of a circle in the
-/// direction of a normal. Known by its name, so that nothing has to be computed.
+/// A place where the boundary of P turns, moved out by the radius: a circle's point along a normal.
+/// Named without any computation.
 struct ArcJoint {
   std::uint32_t circle;
   Direction normal;  ///< in coprime integers
@@ -64,10 +64,10 @@ struct ArcCurves {
 
 /// The full convolution of P and the disc (Behar & Lien 2012, Sec. 3 and Appendix): each edge moved
 /// out by the radius, an arc about each convex vertex, and about each reflex one the arc the other
-/// way round. Holes are joined to outer rings by slits first, so that the winding number at x is
-/// the number of parts that P and the disc about x have in common. Curves that overlap are one
-/// span; where they cancel there is none. Circles are cut at the four directions of the axes.
-/// `offset` are the offset curves of P. Exact. O(n log n) but for the slits.
+/// way round. Slits first join holes to outer rings, so that the winding number at x counts the
+/// common parts of P and the disc about x. Overlapping curves form one span, or none if they
+/// cancel. Circles are cut at the four axis directions. `offset` holds the offset curves of P.
+/// Exact. O(n log n) but for the slits.
 ArcCurves arc_curves(const PolygonSet& P, const Rational& squared_radius,
                      const OffsetCurves& offset);
 

@@ -28,7 +28,7 @@ class ArcCutter {
     std::vector<plane::Box> boxes;
     for (std::uint32_t k = 0; k < curves_.spans.size(); ++k) {
       const ArcSpan& span = curves_.spans[k];
-      // It is a segment, or an arc in one quadrant.
+      // The span is a segment, or an arc within one quadrant.
       plane::Box box = box_of(nodes_.position(span.from));
       box.add(box_of(nodes_.position(span.to)));
       boxes.push_back(box);
@@ -45,7 +45,7 @@ class ArcCutter {
  private:
   const ArcCarrier& carrier(const ArcSpan& span) const { return curves_.carriers[span.carrier]; }
 
-  /// Grows along a span: of an arc by the way across the middle of its quadrant.
+  /// Grows along a span: for an arc, measured across the quadrant's middle.
   template <class N>
   N key(const ArcSpan& span, const Vector<N>& x) const {
     const ArcCarrier& own = carrier(span);
@@ -67,7 +67,7 @@ class ArcCutter {
     cuts_[span].push_back({key(curves_.spans[span], nodes_.position(node)), node});
   }
 
-  /// Whether a point of its carrier is on a span or at its ends; of intervals perhaps nothing.
+  /// Whether a carrier's point lies on a span or at an end; nothing if intervals leave this open.
   template <class N>
   std::optional<bool> is_on(const ArcSpan& span, const Vector<N>& x) const {
     const auto signs = [&]() -> std::pair<N, N> {
@@ -142,7 +142,7 @@ class ArcCutter {
     }
   }
 
-  /// Nodes in one place become the first of them.
+  /// Replaces nodes at the same place by the first.
   void join_nodes() {
     std::vector<plane::Box> boxes;
     for (std::uint32_t k = 0; k < nodes_.size(); ++k) boxes.push_back(box_of(nodes_.position(k)));

@@ -1,4 +1,4 @@
-// The curves of a convolution with a disc, cut where they meet.
+// A disc convolution's curves, cut at common points.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace minkref::inline disc {
 
-/// A part of a span between two points at which it meets others, which are different.
+/// A part of a span between two different cut points.
 struct ArcPiece {
   std::uint32_t span;
   std::uint32_t from, to;    ///< nodes, in the sense of the carrier
@@ -23,10 +23,10 @@ struct CutArcs {
   std::vector<ArcPiece> pieces;
 };
 
-/// All points that two spans share are nodes: crossings, points in which they touch, and ends. All
-/// are found from the equations of the two curves alone. Exact. O((n + k) log n) for n spans and k
-/// pairs of them with boxes that overlap; `counts` says how many these are, and how often roots had
-/// to tell.
+/// Cuts the spans at nodes: at all points that two spans share, that is, crossings, touching points
+/// and ends. The equations of two curves alone give their common points. Exact. O((n + k) log n)
+/// for n spans and k pairs with overlapping boxes; `counts` receives the number of these pairs, and
+/// how often roots had to tell.
 CutArcs cut_arcs(const ArcCurves& curves, OffsetCounts& counts);
 
 }  // namespace minkref::inline disc

@@ -9,7 +9,7 @@ Direction signed_copy(int sign, const Direction& d) { return {sign * d.x, sign *
 
 RootNumber root_number(const Rational& value) { return value; }
 
-/// √a and √b in one field: without a second root where one is a multiple of the other.
+/// √a and √b over one field: without a second root if one root is a multiple of the other.
 std::pair<RootNumber, RootNumber> two_roots(const Rational& a, const Rational& b) {
   const RootNumber first = sqrt(root_number(a));
   const RootNumber ratio = sqrt(root_number(b / a));
@@ -216,7 +216,7 @@ bool ArcNodes::are_same(std::uint32_t a, std::uint32_t b) const {
   if (!overlap(positions_[a].x, positions_[b].x) || !overlap(positions_[a].y, positions_[b].y)) {
     return false;
   }
-  // The one with fewer roots is put in.
+  // The node with fewer roots is put into the other's equations.
   return nodes_[a].kind <= nodes_[b].kind ? is_at(exact(a), nodes_[b]) : is_at(exact(b), nodes_[a]);
 }
 

@@ -1,4 +1,4 @@
-// Points of the convolution with a disc: joints, and where two of its lines and circles meet.
+// Points of the convolution with a disc: joints, and crossings between lines and circles.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace minkref::inline disc {
 
-/// A joint, or one of the points at which two carriers cross.
+/// A joint, or a point where two carriers cross.
 struct ArcNode {
   enum class Kind : std::uint8_t { joint, lines, line_and_circle, circles };
 
@@ -23,7 +23,7 @@ struct ArcNode {
 
 /// Where two carriers meet.
 struct CarrierCrossings {
-  /// They touch in this point of the circles among them, in directions of coprime integers.
+  /// The touching point on each circle among the carriers, as a direction with coprime integers.
   struct Touch {
     Direction of_first, of_second;
   };
@@ -31,8 +31,8 @@ struct CarrierCrossings {
   std::vector<ArcNode> crossings;
 };
 
-/// The points of the convolution. Signs and orders are decided in intervals of doubles, and where
-/// these do not tell, by roots: exact.
+/// The points of the convolution. Intervals of doubles decide signs and orders or, if intervals do
+/// not tell, roots: exact.
 class ArcNodes {
  public:
   /// `curves` must outlive it.
@@ -43,17 +43,17 @@ class ArcNodes {
   const Vector<Interval>& position(std::uint32_t k) const { return positions_[k]; }
   const RootPoint& exact(std::uint32_t k) const;
 
-  /// Different carriers: none where they are parallel lines.
+  /// Intersects different carriers: parallel lines have no common point.
   CarrierCrossings meet(std::uint32_t a, std::uint32_t b) const;
   /// In coordinates.
   template <class N>
   Vector<N> place(const ArcNode& node) const;
 
   std::uint32_t add(const ArcNode& node, const Vector<Interval>& position);
-  /// The point of a circle in a direction of coprime integers.
+  /// The node at a circle's point along a direction with coprime integers.
   std::uint32_t joint(std::uint32_t circle, const Direction& normal);
 
-  /// Whether both are one point: whether the one is on both carriers of the other.
+  /// Whether both nodes coincide: whether one node lies on both of the other's carriers.
   bool are_same(std::uint32_t a, std::uint32_t b) const;
 
  private:

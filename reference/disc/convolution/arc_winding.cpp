@@ -12,14 +12,15 @@
 namespace minkref::inline disc {
 namespace {
 
-/// Sets of cycles in which numbers differ by what is known. The last element is the outside.
+/// Union-find over cycles with known differences of winding numbers; the last element is the
+/// outside.
 class WindingSums {
  public:
   explicit WindingSums(std::uint32_t count) : parents_(count), steps_(count, 0) {
     for (std::uint32_t k = 0; k < count; ++k) parents_[k] = k;
   }
 
-  /// The root of k, and the number of k less that of the root.
+  /// The root of k, and k's number minus the root's number.
   std::pair<std::uint32_t, int> find(std::uint32_t k) {
     std::uint32_t root = k;
     int sum = 0;
@@ -32,7 +33,7 @@ class WindingSums {
     return {root, sum};
   }
 
-  /// The number of a less that of b is `step`.
+  /// Records that a's number exceeds b's by `step`.
   void relate(std::uint32_t a, std::uint32_t b, int step) {
     const auto [root_of_a, of_a] = find(a);
     const auto [root_of_b, of_b] = find(b);
@@ -74,7 +75,7 @@ class FaceFinder {
       boxes.back().add(box_of(arrangement_.nodes().position(pieces[k].to)));
       if (rises(k) != 0) by_height.push_back(k);
     }
-    // Long pieces first: at their heights there is most room between nodes.
+    // Long pieces first: their heights leave the most room between nodes.
     const auto height = [&](std::uint32_t k) { return boxes[k].ymax - boxes[k].ymin; };
     std::stable_sort(by_height.begin(), by_height.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return height(a) > height(b); });
@@ -91,7 +92,7 @@ class FaceFinder {
     return arrangement_.curves().carriers[arrangement_.span(2 * piece).carrier];
   }
 
-  /// Whether it runs upwards (1) or down (-1) from one end to the other, or is horizontal (0).
+  /// Whether the piece runs upwards (1), downwards (-1) or horizontally (0).
   int rises(std::uint32_t piece) const {
     const ArcCarrier& own = carrier(piece);
     if (!own.is_circle) return own.way.y.sign();
@@ -109,13 +110,13 @@ class FaceFinder {
     return sums_.find(cycle).first == sums_.find(outside_).first;
   }
 
-  /// The ends of a piece that is not horizontal, the lower one first.
+  /// A piece's ends, the lower first; the piece must not be horizontal.
   std::pair<std::uint32_t, std::uint32_t> ends(std::uint32_t piece) const {
     const ArcPiece& own = arrangement_.pieces()[piece];
     return rises(piece) > 0 ? std::pair(own.from, own.to) : std::pair(own.to, own.from);
   }
 
-  /// The sign of a node's height less that of a ray.
+  /// The sign of a node's height minus a ray's.
   int side(std::uint32_t node, const Rational& y, const Interval& near) const {
     const Interval& own = arrangement_.nodes().position(node).y;
     if (own.upper() < near.lower()) return -1;
@@ -123,7 +124,7 @@ class FaceFinder {
     return sign(arrangement_.nodes().exact(node).y - y);
   }
 
-  /// Two numbers between the heights of two nodes, the first of which is the lower one.
+  /// Two numbers between the heights of a lower and a higher node.
   std::pair<Rational, Rational> between(std::uint32_t low, std::uint32_t high) const {
     const double above = arrangement_.nodes().position(low).y.upper(),
                  below = arrangement_.nodes().position(high).y.lower();
@@ -147,7 +148,7 @@ class FaceFinder {
     return rises(piece) > 0 ? N(own.centre.x) + root : N(own.centre.x) - root;
   }
 
-  /// From a piece to the left, at some height at which it is and no node.
+  /// Shoots a ray from a piece to the left, at some height within the piece but without nodes.
   void shoot(std::uint32_t piece, const plane::Box& box) {
     const auto [lower, upper] = ends(piece);
     const auto [low, high] = between(lower, upper);
@@ -157,7 +158,7 @@ class FaceFinder {
     }
   }
 
-  /// Whether there is no node at the height.
+  /// Relates the cycles along a ray; returns false if a node lies at the ray's height.
   bool shoot_at(std::uint32_t piece, const Rational& y, double xmax) {
     const Interval near(y);
     std::vector<OnRay> met;

@@ -1,4 +1,4 @@
-// Winding numbers of the faces of a convolution with a disc.
+// Winding numbers for the faces of a disc convolution.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace minkref::inline disc {
 
-/// The unbounded face is one of them. A face may have several cycles.
+/// One face is unbounded. A face may have several cycles.
 struct ArcFaces {
   std::vector<std::uint32_t> of_cycle;
   std::vector<int> winding;  ///< by face
 };
 
-/// Winding numbers about each cycle are counted from piece to piece, and from one connected part of
-/// the arrangement to the next along a horizontal ray, at a height at which there is no node.
-/// Exact. O((n + k) log n), and for each part the pieces at its height. Throws std::logic_error if
-/// two ways to a face tell different numbers or one is negative, which would be a fault.
+/// Counts winding numbers from piece to piece about each cycle, and from one connected part of the
+/// arrangement to the next along a horizontal ray, at a height without nodes. Exact. O((n + k) log
+/// n), and for each part the pieces at its height. Throws std::logic_error if two ways to a face
+/// give different numbers or a number is negative, which would be a fault.
 ArcFaces arc_faces(const ArcArrangement& arrangement);
 
 }  // namespace minkref::inline disc

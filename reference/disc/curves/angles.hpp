@@ -7,8 +7,8 @@
 
 namespace minkref::inline disc {
 
-/// The angle from one vector to another, less than half a turn: of their cosine and sine, times one
-/// factor. The arc tangent of doubles is off by less than two of its roundings.
+/// The angle from one vector to another, below half a turn: from cosine and sine, both times one
+/// factor. The arc tangent of doubles errs by less than two roundings.
 inline Interval angle_between(const Vector<Interval>& a, const Vector<Interval>& b) {
   const auto widened = [](double value, double by) -> Interval {
     return {std::nextafter(value - by, -INFINITY), std::nextafter(value + by, INFINITY)};

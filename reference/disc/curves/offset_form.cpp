@@ -7,7 +7,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// From which place on a ring of numbers is least.
+/// The start that makes a cyclic list of numbers least.
 std::size_t least_start(const std::vector<std::uint32_t>& ring) {
   const std::size_t n = ring.size();
   std::size_t i = 0, j = 1, k = 0;  // two candidates that agree in k numbers
@@ -38,7 +38,7 @@ void for_rings(OffsetForm& form, Visit&& visit) {
   }
 }
 
-/// Features by number, in the order of their curves. Each has a curve of its own.
+/// Feature numbers, ordered by curve. Each feature has its own curve.
 std::vector<std::uint32_t> sorted_features(OffsetForm& form, const OffsetCurves& curves) {
   std::set<std::uint32_t> used;
   for_rings(form,

@@ -1,4 +1,4 @@
-// The canonical form of P ⊕ ρD: rings of curves (docs/disc.md).
+// The canonical form for P ⊕ ρD: rings of curves (docs/disc.md).
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace minkref::inline disc {
 
-/// A circle or a line: the curve of a feature of P moved outwards by the radius.
+/// A circle or a line: the curve of P's feature, moved outwards by the radius.
 struct OffsetCurve {
   bool is_arc;
   Rational x, y;  ///< of an arc the centre, of a line its direction, in coprime integers
   Rational c;     ///< of a line: N · p = c + ρ |N| for its points p, N = (y, -x)
 };
-/// `origin`: of the frame of the curves, in the coordinates of the answer.
+/// `origin`: the curves' frame's origin, given by the answer's coordinates.
 OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature,
                          const Point& origin = {0, 0});
 
-/// Features, one after the other, the sum on the left.
+/// Features, one after the other, with the sum on the left.
 struct FormRing {
   std::vector<std::uint32_t> curves;
   std::uint32_t id;  ///< what it stands for

@@ -50,7 +50,7 @@ class Builder {
     }
   }
 
-  /// Once all rings are there.
+  /// Completes the curves after the last ring.
   OffsetCurves finish() {
     const auto edges = static_cast<std::uint32_t>(curves_.edges.size());
     const auto offset = static_cast<std::uint32_t>(curves_.patches.size());
@@ -91,8 +91,8 @@ class Builder {
     leaving_[start].push_back(number);
   }
 
-  /// An edge and the one that is next to it outside of P, counter-clockwise about its end. Where
-  /// they leave more than half a turn free there is an arc, and one in all about this place.
+  /// Joins an edge to the next edge outside P, counter-clockwise about the edge's end. If both
+  /// leave more than half a turn free, an arc joins them; each place has at most one arc.
   void join(std::uint32_t in, std::uint32_t offset) {
     const OffsetEdge& edge = curves_.edges[in];
     const Direction back = reversed(edge.along);

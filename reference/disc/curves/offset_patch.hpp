@@ -17,7 +17,7 @@ struct Direction {
 
 inline Rational dot(const Direction& a, const Direction& b) { return a.x * b.x + a.y * b.y; }
 inline Rational cross(const Direction& a, const Direction& b) { return a.x * b.y - a.y * b.x; }
-/// By a quarter turn, counter-clockwise.
+/// Turned by a quarter turn, counter-clockwise.
 inline Direction turned(const Direction& a) { return {-a.y, a.x}; }
 inline Direction from_to(const Point& from, const Point& to) {
   return {to.x - from.x, to.y - from.y};
@@ -26,8 +26,9 @@ inline Direction from_to(const Point& from, const Point& to) {
 /// Whether x comes before y, counter-clockwise from a direction, which itself comes last.
 bool comes_before(const Direction& from, const Direction& x, const Direction& y);
 
-/// The first of `leaving` outside of P, counter-clockwise from the way back along an edge that ends
-/// at their vertex (`in`: its direction). `along`: the directions of `leaving`.
+/// The first edge from `leaving` outside P, counter-clockwise from the way back along an edge that
+/// ends at the common vertex (`in`: the ending edge's direction). `along`: the directions of
+/// `leaving`.
 template <class Along>
 std::uint32_t next_outside(const Direction& in, const std::vector<std::uint32_t>& leaving,
                            Along&& along) {
@@ -37,10 +38,10 @@ std::uint32_t next_outside(const Direction& in, const std::vector<std::uint32_t>
   });
 }
 
-/// In coprime integers; not zero.
+/// Coprime integers along d; d must not be zero.
 Direction primitive(const Direction& d);
 
-/// A closed edge of P. Its offset curve is a part of a line.
+/// A closed edge of P. The offset curve is part of a line.
 struct OffsetEdge {
   VertexId id;            ///< where it starts
   std::uint32_t polygon;  ///< its number in P
@@ -51,7 +52,8 @@ struct OffsetEdge {
   std::uint32_t start_feature, end_feature;  ///< of the circles about its ends
 };
 
-/// A part of an offset curve, with P on its left: of one edge, or an arc of at most a right angle.
+/// A part of an offset curve, with P on the left: from one edge, or an arc of at most a right
+/// angle.
 struct OffsetPatch {
   static constexpr std::uint32_t none = UINT32_MAX;
 
@@ -72,7 +74,8 @@ struct OffsetCurves {
     bool has_arc;  ///< a circle with some
   };
   std::vector<Feature> features;  ///< vertices in one place are one
-  /// A vertex of P inside of an edge, which goes on straight there. By edges, then along them.
+  /// A vertex of P inside an edge, which goes straight on there. Sorted by edge, then along the
+  /// edge.
   struct StraightVertex {
     std::uint32_t edge;
     VertexId id;

@@ -15,7 +15,7 @@ long exponent_above(const Rational& value) {
          static_cast<long>(mp::msb(mp::denominator(value))) + 1;
 }
 
-/// To a multiple of a unit.
+/// Rounds to a multiple of a unit.
 Rational rounded_to(const Rational& value, const Rational& unit) {
   const Rational above = value / unit + Rational(1, 2);
   Integer whole = mp::numerator(above) / mp::denominator(above);

@@ -5,9 +5,9 @@
 
 namespace minkref::inline disc {
 
-/// A point near P in few bits, so that numbers measured from it are told well by doubles; (0, 0)
-/// where P is 2^margin times as near to the origin as it, or the disc, is large. Not farther from P
-/// than that.
+/// A point near P with few bits, so that doubles represent numbers measured from there well; (0, 0)
+/// if P lies no farther from the origin than 2^margin times the size of P or of the disc. The point
+/// lies no farther from P than that.
 Point origin_near(const PolygonSet& P, const Rational& squared_radius, long margin);
 
 }  // namespace minkref::inline disc

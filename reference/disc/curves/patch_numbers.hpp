@@ -1,4 +1,4 @@
-// The numbers of a patch and of an edge, in intervals of doubles or exact.
+// The numbers for a patch and for an edge, as intervals of doubles or exact.
 #pragma once
 
 #include "reference/disc/curves/offset_patch.hpp"
@@ -41,11 +41,11 @@ inline plane::Box box_of(const Vector<Interval>& p) {
   return {p.x.lower(), p.y.lower(), p.x.upper(), p.y.upper()};
 }
 
-/// The sign of a - b. For intervals, throws UndecidedSign where they leave the sign open.
+/// The sign of a - b. Throws UndecidedSign if intervals leave the sign open.
 inline int order(const Interval& a, const Interval& b) { return sign(a - b); }
 inline int order(const RootNumber& a, const RootNumber& b) { return compare(a, b); }
 
-/// In a field that has both numbers.
+/// The number a, moved to a field that has both numbers.
 inline Interval joined(const Interval& a, const Interval& /*field_of*/) { return a; }
 inline RootNumber joined(const RootNumber& a, const RootNumber& field_of) {
   return a.in(field_of.field());
@@ -60,7 +60,7 @@ Vector<N> numbers(const Direction& d) {
   return {N(d.x), N(d.y)};
 }
 
-/// The numbers of a closed edge of P.
+/// Numbers for a closed edge of P.
 template <class N>
 struct EdgeNumbers {
   Vector<N> start, end, along, normal;
@@ -98,18 +98,18 @@ inline plane::Box box_of(const EdgeNumbers<Interval>& edge) {
   return box;
 }
 
-/// By at least so much.
+/// Grows a box by at least so much.
 inline plane::Box grown(const plane::Box& box, double by) {
   return {plane::below(box.xmin - by), plane::below(box.ymin - by), plane::above(box.xmax + by),
           plane::above(box.ymax + by)};
 }
 
-/// The direction about which an arc is.
+/// The direction about which an arc lies.
 inline Direction middle_of(const OffsetPatch& arc) {
   return {arc.first.x + arc.last.x, arc.first.y + arc.last.y};
 }
 
-/// The numbers of an arc. The points of the arc are in order along `turned(middle)`.
+/// Numbers for an arc. The arc's points come in order along `turned(middle)`.
 template <class N>
 struct ArcNumbers {
   Vector<N> centre, middle;
@@ -122,7 +122,7 @@ struct ArcNumbers {
         first(bound(arc, arc.first, squared_radius)),
         last(bound(arc, arc.last, squared_radius)) {}
 
-  /// How far along the point of the arc in a direction is.
+  /// How far along the arc's point with a given normal lies.
   static N bound(const OffsetPatch& arc, const Direction& normal, const Rational& squared_radius) {
     const Rational along = dot(turned(middle_of(arc)), normal);
     return N(along) * sqrt(N(Rational(squared_radius / dot(normal, normal))));

@@ -1,4 +1,4 @@
-// The boundary of P as it is walked outside, side by side: edges, and arcs about convex vertices.
+// The boundary of P walked outside, side by side: edges, and arcs about convex vertices.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,16 @@
 
 namespace minkref::inline disc {
 
-/// An edge, or a part of one between vertices that lie on it; or the arc about a convex vertex from
-/// the normal of the edge before to that of the next.
+/// An edge, or a part of an edge between vertices lying on it; or the arc about a convex vertex
+/// from the previous edge's normal to the next edge's.
 struct BoundarySide {
   std::uint32_t feature;
   std::uint32_t edge;      ///< of an arc: that before it
   std::uint32_t next;      ///< of an arc: the edge after it
   std::uint32_t from, to;  ///< vertices, by feature
   bool is_arc;
-  /// At its end less than half a turn is free, and the next side starts apart from it.
+  /// At the side's end less than half a turn is free, and the next side starts apart from this
+  /// side.
   bool ends_at_reflex;
 };
 

@@ -11,8 +11,8 @@
 namespace minkref::inline disc {
 namespace {
 
-/// Errors that roundings leave, as parts of 1. They decide nothing: proposals are proven, and
-/// counted (DiagramCount); a proposal too few costs another round with more bits.
+/// Rounding errors, relative to 1. They decide nothing: proposals are proven, and counted
+/// (DiagramCount); a proposal too few costs another round with more bits.
 template <class Real>
 struct Roundings {
   Real sliver, noise, lean, infinity;
@@ -45,8 +45,8 @@ Vector<double> rounded(const Vector<Real>& a) {
 
 }  // namespace
 
-/// The points of a patch: of an edge a + u along + ρ n, of an arc v + ρ d with d by the tangent u
-/// of half the angle from the middle.
+/// A patch's points: on an edge a + u along + ρ n, on an arc v + ρ d, where u, the tangent of half
+/// the angle from the middle, gives d.
 template <class Real>
 struct ContactEnvelopes<Real>::Frame {
   std::uint32_t patch;
@@ -68,7 +68,7 @@ struct ContactEnvelopes<Real>::Frame {
   }
 };
 
-/// The envelope of what is within some reach of a patch.
+/// The envelope over everything within some reach of a patch.
 template <class Real>
 struct ContactEnvelopes<Real>::Reach {
   Parts lowest;
@@ -87,8 +87,8 @@ ContactEnvelopes<Real>::ContactEnvelopes(const EdgeLookup& lookup)
   }
 }
 
-/// Whether roundings made a part of a vertex beside that of a line that it is within: as near right
-/// in front of it, and farther elsewhere.
+/// Whether roundings made a vertex's part beside the part of a line that contains the vertex: as
+/// near right in front of the vertex, and farther elsewhere.
 template <class Real>
 bool ContactEnvelopes<Real>::is_noise(const Part& part, const Part& beside) const {
   return part.to - part.from < roundings<Real>().noise &&
@@ -111,7 +111,7 @@ typename ContactEnvelopes<Real>::Frame ContactEnvelopes<Real>::frame_of(std::uin
           tangent(first), tangent(last)};
 }
 
-/// The parts where a quadratic is not below 0.
+/// Keeps the parts where a quadratic is not negative.
 template <class Real>
 void ContactEnvelopes<Real>::keep_where(const Quadratic& value, Parts& parts) {
   using std::sqrt;
@@ -210,7 +210,7 @@ void ContactEnvelopes<Real>::add_line(const Frame& frame, std::uint32_t number,
   parts.insert(parts.end(), own.begin(), own.end());
 }
 
-/// The lower of two envelopes.
+/// The pointwise minimum of two envelopes.
 template <class Real>
 typename ContactEnvelopes<Real>::Parts ContactEnvelopes<Real>::lowest(const Parts& a,
                                                                       const Parts& b) {

@@ -1,5 +1,5 @@
-// For each point of an offset curve, rounded, which feature of P it meets first as the radius
-// grows.
+// For each rounded point of an offset curve, the feature of P that the point meets first as the
+// radius grows.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +10,24 @@
 
 namespace minkref::inline disc {
 
-/// A part of a patch on which one feature is met first, between two points of the outer Voronoi
-/// diagram, or perhaps the ends of the patch.
+/// A part of a patch that meets one feature first, between two points of the outer Voronoi diagram,
+/// or perhaps the patch's ends.
 struct FirstContact {
   std::uint32_t feature;
   Vector<double> first, last;  ///< the points of the diagram
 };
 
-/// Lower envelopes of the radii at which the points of a patch meet the other features. These are
-/// quadratic along an edge, and about a vertex so are their inverses times 1 + t², t being the
-/// tangent of half the angle. Rounded: what is made of it has to be proven, and whether that is
-/// all. `Real` is double, or a number of more bits where doubles do not tell places apart.
+/// Lower envelopes of the radii at which a patch's points meet the other features. These radii are
+/// quadratic along an edge; about a vertex their inverses times 1 + t² are quadratic, t being the
+/// tangent of half the angle. Rounded: results need proof, and so does completeness. `Real` is
+/// double, or a type with more bits if doubles do not tell places apart.
 template <class Real>
 class ContactEnvelopes {
  public:
   /// `lookup` must outlive it.
   explicit ContactEnvelopes(const EdgeLookup& lookup);
 
-  /// In order along the patch. Points that meet nothing are in none.
+  /// The contacts along the patch, in order. Points that meet nothing belong to no contact.
   std::vector<FirstContact> of(std::uint32_t patch) const;
 
  private:

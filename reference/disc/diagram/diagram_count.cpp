@@ -60,7 +60,7 @@ DiagramCount diagram_count(const OffsetCurves& curves, const BoundaryWalks& walk
     beside[hull[k]].second = next;
     beside[next].first = hull[k];
   }
-  // Rays that never leave what is nearest to the end.
+  // Drops rays that never leave the region nearest to the end.
   std::erase_if(count.joints, [&](const auto& joint) {
     const auto found = beside.find(joint.second);
     if (found == beside.end()) return false;

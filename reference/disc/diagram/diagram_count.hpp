@@ -10,20 +10,19 @@
 
 namespace minkref::inline disc {
 
-/// Where the diagram goes on to infinity: between two vertices that follow each other on the
-/// boundary of the convex hull, counter-clockwise, and that no edge of P joins.
+/// A gap through which the diagram goes on to infinity: between two consecutive vertices on the
+/// convex hull's boundary, counter-clockwise, that no edge of P joins.
 struct HullGap {
   std::uint32_t from, to;
 };
 
-/// Numbers with which a complete list of events agrees. The points outside of P that have two
-/// nearest points or more are a graph; in each component of the complement of P this graph has as
-/// many loops as there are components of P inside (docs/disc.md). So the sum of
-/// (nearest points - 2) over the corners of the graph is known, and a list that reaches the sum
-/// misses no corner.
+/// Numbers that a complete list of events must match. The points outside P with two or more nearest
+/// points form a graph; in each component of the complement of P this graph has as many loops as
+/// there are components of P inside (docs/disc.md). So the sum of (nearest points - 2) over the
+/// graph's corners is known, and a list that reaches the sum misses no corner.
 struct DiagramCount {
   std::int64_t excess = 0;  ///< that sum
-  /// Lines and ends of theirs, in front of which a ray ends at the graph, once each.
+  /// Pairs of a line and an end, once each, where a ray in front of the end stops at the graph.
   std::set<std::pair<std::uint32_t, std::uint32_t>> joints;
   std::vector<HullGap> gaps;
 };

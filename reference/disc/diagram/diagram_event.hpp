@@ -1,4 +1,4 @@
-// An event of the outer Voronoi diagram of P, and the places that features single out.
+// An event of P's outer Voronoi diagram, and the places that features single out.
 #pragma once
 
 #include <algorithm>
@@ -20,28 +20,29 @@ struct DiagramEvent {
     corner,   ///< of the diagram: curves start or stop to be on the boundary
     joint,    ///< where a line goes on as an arc passes another curve
     saddle,   ///< between two features: arcs, or an arc and a line, start to touch
-    ridge,    ///< between two that are opposite, where a third is as near: perhaps all between
+    ridge,    ///< between two opposite features, with a third as near: perhaps everything between
               ///< parallel edges is reached at once
     maximum,  ///< of the distance from P: a hole ends
   };
   Kind kind;
   Features features;  ///< all that are as near
-  /// Lines of them and the end of each that the place is right in front of.
+  /// Lines among them, each with the end that the place lies right in front of.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> joints;
   Vector<Interval> at;  ///< in the frame of the curves, and so is the squared radius
   Interval squared_radius;
   Features of;      ///< two or three of the features, which tell the place
   unsigned branch;  ///< which of the places that they tell
-  /// By feature: for a line the number of its edge that the place is in front of (if two of its
-  /// edges meet right there, of the edge that ends); none for a vertex.
+  /// By feature: for a line the number of the edge in front of which the place lies (if two edges
+  /// of the line meet right there, the edge that ends); none for a vertex.
   std::vector<std::uint32_t> edges = {};
 
-  /// How many points of P are as near.
+  /// How many points of P lie equally near.
   std::size_t nearest_points() const { return features.size() - joints.size(); }
 };
 
-/// Doubles around a number, by MPFR: intervals of doubles may leave nothing of a difference. Next
-/// to it, unless it is 0 or nearer to 0 than any number of some thousand digits need be.
+/// Doubles around a number, by MPFR: intervals of doubles may leave nothing of a difference. Close
+/// to the number, unless the number is 0 or nearer to 0 than any number with some thousand digits
+/// need be.
 inline Interval tight(const RootNumber& number) {
   constexpr long first_bits = 256, most_bits = 8192;
   for (long bits = first_bits;; bits *= 2) {
@@ -55,8 +56,8 @@ inline Equidistant<Interval> tight(const Equidistant<RootNumber>& place) {
   return {{tight(place.at.x), tight(place.at.y)}, tight(place.squared_radius)};
 }
 
-/// The places that two or three features single out: none, one or two. For intervals, throws
-/// UndecidedSign where they leave the number open.
+/// The places that two or three features single out: none, one or two. Throws UndecidedSign if
+/// intervals leave the number open.
 template <class N>
 std::vector<Equidistant<N>> equidistant_places(const OffsetCurves& curves,
                                                const Features& features) {

@@ -24,13 +24,13 @@ namespace {
 
 constexpr double same_cell = 1e-7;  // candidates in one are looked at one after the other
 
-/// Features that seem to be as near to a place and nearest to it.
+/// Features that seem equally near to a place, and nearest.
 struct Candidate {
   Features features;
   Vector<double> near;
 };
 
-/// From where the features that a patch meets first change.
+/// Candidates from the points where a patch's first contact changes.
 template <class Real>
 std::vector<Candidate> candidates(const EdgeLookup& lookup, const BuildControl& control) {
   const OffsetCurves& curves = lookup.curves();
@@ -62,13 +62,13 @@ std::vector<Candidate> candidates(const EdgeLookup& lookup, const BuildControl& 
   return found;
 }
 
-/// Events as they are found, each once.
+/// Collects events as found, each once.
 class Collection {
  public:
   Collection(const EdgeLookup& lookup, const BuildControl& control)
       : lookup_(lookup), control_(control), prover_(lookup) {}
 
-  /// Those behind candidates.
+  /// Adds the events behind candidates.
   void add(std::vector<Candidate> candidates) {
     std::erase_if(candidates, [&](const Candidate& each) {
       return std::any_of(each.features.begin(), each.features.end(), [&](std::uint32_t feature) {
@@ -91,7 +91,7 @@ class Collection {
     }
   }
 
-  /// Those at places that are to be proven, whatever they are.
+  /// Adds the events at given places, of whatever kind, each proven.
   void add_places(const std::vector<FoundPlace>& places) {
     std::vector<std::optional<DiagramEvent>> found(places.size());
     std::vector<std::uint64_t> exact_signs(control_.threads(), 0);
@@ -109,8 +109,8 @@ class Collection {
     }
   }
 
-  /// Where two features are nearest to each other: on a part of the diagram between them, which
-  /// starts at an event, or at infinity.
+  /// Adds the places where two features are nearest to each other: on the diagram's part between
+  /// them, which starts at an event, or at infinity.
   void add_saddles(const DiagramCount& count) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const HullGap& gap : count.gaps) pairs.insert(std::minmax(gap.from, gap.to));
@@ -154,7 +154,7 @@ class Collection {
  private:
   using OfFeatures = std::map<Features, std::vector<std::size_t>>;
 
-  /// Groups of candidates that are near to each other.
+  /// Groups candidates near each other.
   static std::vector<std::vector<Candidate>> by_cells(std::vector<Candidate> candidates) {
     std::map<std::pair<double, double>, std::vector<Candidate>> cells;
     for (Candidate& each : candidates) {
@@ -181,7 +181,7 @@ class Collection {
         far.push_back(std::isfinite(way) ? way : 0);
       }
       for (unsigned branch = 0; branch < places.size(); ++branch) {
-        // The nearer one, or both where roundings may exchange them.
+        // The nearer place, or both if roundings may exchange them.
         if (places.size() == 2 && far[branch] > 4 * far[1 - branch] && far[branch] > same_cell) {
           continue;
         }
@@ -194,7 +194,7 @@ class Collection {
     return found;
   }
 
-  /// Whether an event is as far from all of the features, and is not at their other place.
+  /// Whether an event lies equally far from all these features, and not at their other place.
   static bool is_known(const Features& features, unsigned branch,
                        const std::vector<Equidistant<Interval>>& places,
                        const std::vector<DiagramEvent>& events) {
@@ -227,7 +227,7 @@ class Collection {
   std::uint64_t exact_signs_ = 0;
 };
 
-/// With a box of a size about 1, so that no double is beyond its range.
+/// Moves P into a box of size about 1, so that every double stays within range.
 DiagramEvents in_unit_box(const PolygonSet& P) {
   namespace mp = boost::multiprecision;
   DiagramEvents result{{}, {0, 0}, 1, {}, {}, {}, 0};
@@ -262,8 +262,8 @@ DiagramEvents in_unit_box(const PolygonSet& P) {
   return result;
 }
 
-/// By radius, then by x, then by y: an order that does not depend on how P is written. Exact places
-/// are made where intervals do not tell, once each.
+/// Sorts by radius, then by x, then by y: an order independent of how P is written. Computes exact
+/// places only if intervals do not tell, once each.
 void sort_by_place(DiagramEvents& result) {
   std::vector<std::optional<Equidistant<RootNumber>>> exact(result.events.size());
   const auto exact_of = [&](std::size_t k) -> const Equidistant<RootNumber>& {
@@ -322,7 +322,7 @@ DiagramEvents complete_events(const PolygonSet& P, const BuildOptions& options,
   return result;
 }
 
-/// Three features each, ascending, that have a part of the offset.
+/// Whether each place has three features, ascending, all with a part of the offset.
 bool are_possible(const std::vector<FoundPlace>& places, const OffsetCurves& curves) {
   return std::all_of(places.begin(), places.end(), [&](const FoundPlace& place) {
     return place.of.size() == 3 &&

@@ -1,5 +1,5 @@
 // Radii at which the boundary of P ⊕ ρD changes: corners of the outer Voronoi diagram of P, and
-// places between two features that are nearest to each other (Behar & Lien 2012, Appendix).
+// places between two features at their least distance (Behar & Lien 2012, Appendix).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace minkref::inline disc {
 
-/// Where an event with three features or more was found: DiagramEvent::of and its branch.
+/// The place of an event with three features or more: DiagramEvent::of and the branch.
 struct FoundPlace {
   Features of;
   unsigned branch;
@@ -26,12 +26,12 @@ struct DiagramEvents {
   std::vector<DiagramEvent> events;  ///< by radius, then by x, then by y
   std::uint64_t exact_signs = 0;
 
-  /// Enclosures of the place and the radius of an event.
+  /// Encloses an event's place and radius.
   Vector<Interval> place(const DiagramEvent& event) const;
   Interval radius(const DiagramEvent& event) const;
-  /// The place and the squared radius of an event, in roots.
+  /// An event's place and squared radius, as roots.
   Equidistant<RootNumber> exact(const DiagramEvent& event) const;
-  /// The vertex with that feature.
+  /// The given feature's vertex.
   Point vertex(std::uint32_t feature) const;
   /// The places that diagram_events takes to prove the list again, quicker than it was found.
   std::vector<FoundPlace> places() const;
@@ -39,14 +39,14 @@ struct DiagramEvents {
 
 /// Finds the events of a valid polygon set, a point or a segment. Candidates come from rounded
 /// envelopes; each is proven to be equally far from its features, with nothing nearer. A count
-/// (DiagramCount, docs/disc.md) tells that none is missing; where the count is not reached,
-/// envelopes of more bits are looked at. Throws LimitExceeded ("too-near") where 1,024 bits do not
-/// suffice. O(n log n + k) for k candidates that are compared.
+/// (DiagramCount, docs/disc.md) tells that no event is missing; if the list does not reach the
+/// count, envelopes with more bits follow. Throws LimitExceeded ("too-near") if 1,024 bits do not
+/// suffice. O(n log n + k) for k compared candidates.
 DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options = {});
 
-/// The same, with places that were found before as candidates, and no others. They are trusted no
-/// more than an envelope is: each is proven, and the count tells that none is missing. Throws
-/// BadInput ("other-places") where they are not those of P. O(n log n).
+/// The same, with previously found places as the only candidates. Places deserve no more trust than
+/// envelopes: each is proven, and the count tells that none is missing. Throws BadInput
+/// ("other-places") if the places do not belong to P. O(n log n).
 DiagramEvents diagram_events(const PolygonSet& P, const std::vector<FoundPlace>& places,
                              const BuildOptions& options = {});
 

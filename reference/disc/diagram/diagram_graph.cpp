@@ -13,14 +13,14 @@ namespace {
 constexpr std::uint32_t none = DiagramGraph::none;
 const Direction left{-1, 0};
 
-/// A nearest point of a node: on a vertex, or inside of an edge; right in front of an end of an
-/// edge on both.
+/// A node's nearest point: at a vertex, or inside an edge; right in front of an edge's end, at
+/// both.
 struct Way {
   std::uint32_t feature;      ///< of a vertex, where there is one
   std::uint32_t line = none;  ///< of a vertex: the line that the node is right in front of, too
 };
 
-/// An event with its exact place, which is made where it is asked for.
+/// An event with its exact place, computed on demand.
 class PlacedEvent {
  public:
   PlacedEvent(const OffsetCurves& curves, const DiagramEvent& event)
@@ -38,7 +38,7 @@ class PlacedEvent {
   }
 
   const DiagramEvent& event() const { return *event_; }
-  /// Clockwise, as they are seen from the event.
+  /// Clockwise, as seen from the event.
   const std::vector<Way>& ways() const { return ways_; }
   const RootPoint& at() const {
     if (!exact_) exact_ = equidistant_places<RootNumber>(*curves_, event_->of)[event_->branch].at;
@@ -73,7 +73,7 @@ class PlacedEvent {
       const auto of = [&](const auto& x) { return cross(direction(a, x), direction(b, x)); };
       return sign_of(of, of);
     };
-    // Clockwise from the first: on its right, opposite, on its left.
+    // Clockwise from the first way: on the right, opposite, on the left.
     std::vector<std::pair<int, Way>> others;
     for (std::size_t k = 1; k < ways_.size(); ++k) {
       others.emplace_back(turn(first, ways_[k]), ways_[k]);
@@ -90,7 +90,7 @@ class PlacedEvent {
   mutable std::optional<RootPoint> exact_;
 };
 
-/// Where a nearest point of a node is on the boundary.
+/// The boundary position of a node's nearest point.
 struct Position {
   std::uint32_t side;
   int slot;      ///< on an arc: at its start, below, at and above a right angle, at its end
@@ -184,7 +184,7 @@ class Builder {
     return {arc, slot, slot == 2 ? Interval(0) : key<Interval>(arc, event.event().at), 0, 0};
   }
 
-  /// The side that an event is in front of, among several on one line.
+  /// The side in front of which an event lies, among several sides on one line.
   std::uint32_t side_below(const PlacedEvent& event,
                            const std::vector<std::uint32_t>& sides) const {
     for (const std::uint32_t side : sides) {
@@ -197,7 +197,7 @@ class Builder {
     throw std::logic_error("an event is in front of no side of its line");
   }
 
-  /// How far along an edge; of an arc the tangent of the angle from its start.
+  /// How far along an edge; for an arc, the tangent of the angle from the start.
   template <class N>
   N key(std::uint32_t side, const Vector<N>& at) const {
     const OffsetEdge& edge = curves_.edges[sides_[side].edge];
@@ -271,13 +271,12 @@ class Builder {
     if (b.key.upper() < a.key.lower() || (a.node == b.node && a.way == b.way)) return false;
     const bool is_one_place = sides_[a.side].is_arc && a.slot % 2 == 0;
     const int order = is_one_place ? 0 : compare(exact_key(a), exact_key(b));
-    // Two gaps on one side of the hull: what is between is nothing.
+    // Two gaps on one side of the hull: nothing lies between.
     return order != 0 ? order < 0 : a.way > b.way;
   }
 
-  /// The halves between nodes that follow each other. None goes on from a reflex vertex, or from
-  /// infinity, behind their second way.
-  /// How many halves there are before each of them, and in all.
+  /// Adds the halves between consecutive nodes. None goes on from a reflex vertex, or from
+  /// infinity, behind the second way. Returns how many halves precede each node, and the total.
   std::vector<std::uint32_t> add_walk(const BoundaryWalk& walk, const std::vector<Position>& all) {
     const auto first = static_cast<std::uint32_t>(graph_.halves.size());
     std::vector<std::uint32_t> started;
@@ -313,7 +312,7 @@ class Builder {
     return side == walk.first ? walk.last - 1 : side - 1;
   }
 
-  /// A half starts behind one way of a node, clockwise, and its twin ends there.
+  /// A half starts behind one way of a node, clockwise, and the half's twin ends there.
   void find_twins() {
     const auto halves = static_cast<std::uint32_t>(graph_.halves.size());
     std::vector<std::uint32_t> order(halves);

@@ -1,4 +1,4 @@
-// The outer Voronoi diagram of P as a graph: which events its parts join. Exact.
+// The outer Voronoi diagram of P as a graph: the events that each part joins. Exact.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace minkref::inline disc {
 
-/// One side of a part of the diagram, between two nodes that follow each other along the boundary
-/// of P, walked with P on the left. On it the radius only grows, or only shrinks, or stays.
+/// One side of a part of the diagram, between two consecutive nodes along the boundary of P, walked
+/// with P on the left. Along the side the radius only grows, or only shrinks, or stays.
 struct DiagramHalf {
   std::uint32_t from, to;  ///< nodes
   std::uint32_t twin;      ///< the other side, from `to` to `from`
   std::uint32_t feature;   ///< that it is in front of; of the twin, the one across
-  /// The sides of the boundary in front of which its ends are.
+  /// The boundary sides in front of the half's ends.
   std::uint32_t from_side, to_side;
 };
 
@@ -26,8 +26,8 @@ struct DiagramGraph {
     std::uint32_t first, last;  ///< halves, last excluded
   };
   std::vector<Walk> walks;  ///< as those of the boundary
-  /// Where the boundary looks to the left at the leftmost vertex of a polygon: the half that is
-  /// there, or the last one before; none where its walk has none, or where P does not end there.
+  /// Where the boundary looks to the left at a polygon's leftmost vertex: the half there, or the
+  /// last half before; none if the walk has no halves, or if P does not end there.
   struct Leftmost {
     std::uint32_t vertex, walk, half;
   };
@@ -39,10 +39,10 @@ struct DiagramGraph {
   bool is_reflex(std::uint32_t node) const { return node >= events + gaps; }
 };
 
-/// Builds the graph from complete events (diagram_events). The nearest points of an event are
-/// sorted by direction; the events to which a part of the boundary of P is nearest are sorted along
-/// that part. Each part of the diagram is found from both of its sides, or std::logic_error is
-/// thrown, which would be a fault. O(n log n).
+/// Builds the graph from complete events (diagram_events). Sorts an event's nearest points by
+/// direction, and the events nearest to a part of the boundary of P along this part. Finds each
+/// part of the diagram from both sides, or throws std::logic_error, which would be a fault. O(n log
+/// n).
 DiagramGraph diagram_graph(const DiagramEvents& diagram);
 
 }  // namespace minkref::inline disc

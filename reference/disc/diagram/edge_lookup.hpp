@@ -1,4 +1,4 @@
-// The edges of P by places, and the vertices that lie on edges of others.
+// The edges of P by place, and the vertices that lie on other edges.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace minkref::inline disc {
 /// Exact, but for the boxes, which certainly hold the edges.
 class EdgeLookup {
  public:
-  /// `curves` must outlive it. O(n log n) for rings that touch in few places.
+  /// `curves` must outlive the lookup. O(n log n) for rings that touch at few places.
   explicit EdgeLookup(const OffsetCurves& curves);
 
   const OffsetCurves& curves() const { return curves_; }
@@ -23,11 +23,12 @@ class EdgeLookup {
   /// The longer side of the box around all.
   double size() const { return size_; }
 
-  /// Whether a vertex is inside of an edge of a line, or where one edge of it goes on as another.
+  /// Whether a vertex lies inside an edge of a line, or where one edge of the line goes on as
+  /// another.
   bool is_within(std::uint32_t line, std::uint32_t vertex) const {
     return within_.contains({line, vertex});
   }
-  /// Edges and the vertices inside of them.
+  /// Edges, with the vertices inside them.
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touched() const { return touched_; }
 
  private:

@@ -1,4 +1,4 @@
-// Names of edges: those of P as it was given, by ring and first vertex.
+// Names of P's edges as given, by ring and first vertex.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,14 @@
 
 namespace minkref::inline disc {
 
-/// The side on which an edge is looked at from a point of it: where the point is a vertex, the edge
-/// that ends there, or the one that goes on.
+/// The side to look at from a point on an edge: at a vertex, the edge that ends there, or the edge
+/// that goes on.
 enum class Past : std::uint8_t { ends, goes_on };
 
-/// Returns the name of the edge of P that the foot of an event on one of its lines is on. A line
-/// may have many edges, and an edge of the curves goes on through straight vertices of P: the name
-/// is that of the part which the foot is on. `edge` is one of DiagramEvent::edges, or another edge
-/// of the curves in front of which the event is. Exact. O(k + log n) for k straight vertices on it.
+/// Returns the name of P's edge under an event's foot on one of the event's lines. A line may have
+/// many edges, and an edge of the curves goes on through straight vertices of P: the name belongs
+/// to the part under the foot. `edge` comes from DiagramEvent::edges, or is another edge of the
+/// curves with the event in front. Exact. O(k + log n) for k straight vertices on the edge.
 VertexId edge_name(const DiagramEvents& diagram, std::uint32_t edge, const DiagramEvent& event,
                    Past past = Past::ends);
 /// Returns the same for a vertex on the edge, in the frame of the curves.

@@ -1,4 +1,4 @@
-// Points at one distance from several features of P: corners of its outer Voronoi diagram.
+// Points equally far from several features of P: corners of the outer Voronoi diagram.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct Equidistant {
   N squared_radius;
 };
 
-/// A feature of P: a vertex, or the line of an edge with P behind it.
+/// A feature of P: a vertex, or an edge's line with P behind.
 struct Site {
   bool is_point;
   Point point;  ///< the vertex, or a point of the line
@@ -33,12 +33,11 @@ struct Site {
   Rational level() const { return normal.x * point.x + normal.y * point.y; }
 };
 
-/// The candidates for three features, of which at most two are right: as many as there are branches
-/// of a root.
+/// The candidates for three features, at most two of them right: one for each branch of a root.
 template <class N>
 class EquidistantPoints {
  public:
-  /// In front of all three, if it is one.
+  /// Candidates for the place in front of all three features.
   static std::vector<Equidistant<N>> of(Site a, Site b, Site c) {
     if (!a.is_point && b.is_point) std::swap(a, b);
     if (!b.is_point && c.is_point) std::swap(b, c);
@@ -49,7 +48,7 @@ class EquidistantPoints {
     return of_lines(a, b, c);
   }
 
-  /// Right in front of an end of an edge, and as far from another feature.
+  /// The place right in front of an edge's end, equally far from another feature.
   static std::vector<Equidistant<N>> in_front(const Point& end, const Site& edge,
                                               const Site& other) {
     const Direction& n = edge.normal;
@@ -69,7 +68,7 @@ class EquidistantPoints {
     return {{numbers<N>(end) + far * numbers<N>(n), far * far * N(edge.squared_length())}};
   }
 
-  /// Between two features, where they are nearest to each other.
+  /// The place between two features at their least distance.
   static std::vector<Equidistant<N>> between(const Site& a, const Site& b) {
     if (a.is_point && b.is_point) {
       const Direction w = from_to(a.point, b.point);
@@ -168,7 +167,7 @@ class EquidistantPoints {
     const N under = length_a * of_a + length_b * of_b + length_c * of_c;
     if (sign(under) == 0) return {};
     const N radius = -(N(a.level()) * of_a + N(b.level()) * of_b + N(c.level()) * of_c) / under;
-    // Two of them that are not parallel tell the place.
+    // Two lines that are not parallel tell the place.
     const auto place = [&](const Site& s, const N& length_s, const Site& t,
                            const N& length_t) -> Equidistant<N> {
       const N inverse = N(1) / turn(s, t);

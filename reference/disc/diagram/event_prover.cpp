@@ -34,7 +34,7 @@ std::vector<Equidistant<Interval>> EventProver::places(const Features& features)
   std::vector<Equidistant<Interval>> found;
   for (const auto& place : equidistant_places<RootNumber>(curves_, features)) {
     found.push_back(tight(place));
-    // A radius of 0 has to be known as one.
+    // A zero radius has to be known as zero.
     if (sign(place.squared_radius) <= 0) found.back().squared_radius = Interval(0);
   }
   return found;
@@ -57,7 +57,7 @@ std::optional<DiagramEvent> EventProver::event(const Features& features, unsigne
   });
   if (!is_empty) return std::nullopt;
   for (const std::uint32_t vertex : straight_here_) found.erase(vertex);
-  // A vertex on an edge that is met right there is nothing of its own either.
+  // A vertex on an edge met right there does not count either.
   std::erase_if(found, [&](std::uint32_t vertex) {
     const Site own = Site::of(curves_, vertex);
     return own.is_point && std::any_of(met_inside_.begin(), met_inside_.end(), [&](auto number) {
@@ -81,7 +81,7 @@ std::optional<DiagramEvent> EventProver::event(const Features& features, unsigne
   return event;
 }
 
-/// A place that as many features as three tell is one of those that any three of them tell.
+/// A place that three or more features tell is among the places that any three of them tell.
 bool EventProver::are_one(const DiagramEvent& a, const DiagramEvent& b) const {
   if (are_apart(a.at, b.at)) return false;
   if (a.of == b.of && a.branch == b.branch) return true;
@@ -121,14 +121,14 @@ int EventProver::sign_of(DiagramEvent& event, InIntervals&& in_intervals, Exact&
   return sign(by_roots());
 }
 
-/// Whether no point of an edge is nearer than the event's features. Adds the edge's features that
-/// are as near.
+/// Whether no point of an edge is nearer than the event's features. Adds the edge's equally near
+/// features.
 bool EventProver::add(std::uint32_t number, DiagramEvent& event, std::set<std::uint32_t>& found) {
   const OffsetEdge& edge = curves_.edges[number];
   const auto is_of = [&](std::uint32_t feature) {
     return std::find(event.of.begin(), event.of.end(), feature) != event.of.end();
   };
-  // A line and an end of it single out the place in front of the end.
+  // A line and an end of the line single out the place in front of the end.
   const auto foot_from = [&](const Point& from, std::uint32_t feature) {
     if (event.of.size() == 3 && is_of(edge.feature) && is_of(feature)) return 0;
     return sign_of(
@@ -211,8 +211,8 @@ bool EventProver::is_in_front(std::uint32_t number, DiagramEvent& event) {
              }) > 0;
 }
 
-/// There is no point of the boundary between the place and any of the features. The nearest vertex
-/// to a point outside of P has an arc, and then it is nearest to no point inside.
+/// Whether no boundary point lies between the place and a feature. The nearest vertex to a point
+/// outside P has an arc, and then this vertex is nearest to no point inside.
 bool EventProver::is_outside(DiagramEvent& event) {
   for (const std::uint32_t number : met_inside_) return is_in_front(number, event);
   return std::all_of(event.features.begin(), event.features.end(), [&](std::uint32_t feature) {
@@ -220,7 +220,8 @@ bool EventProver::is_outside(DiagramEvent& event) {
   });
 }
 
-/// By the directions of the features; in front of the end of an edge its line has that of the end.
+/// Judges by the features' directions; in front of an edge's end, the edge's line shares the end's
+/// direction.
 DiagramEvent::Kind EventProver::kind_of(DiagramEvent& event) {
   Features ways;
   std::copy_if(event.features.begin(), event.features.end(), std::back_inserter(ways),

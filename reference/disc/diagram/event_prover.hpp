@@ -1,4 +1,4 @@
-// Proofs that a place is an event of the outer Voronoi diagram: exact.
+// Exact proofs that a place is an event of the outer Voronoi diagram.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@
 
 namespace minkref::inline disc {
 
-/// Looks at one candidate after the other. Decides by intervals of doubles, then by those around
-/// the exact numbers, then by these.
+/// Looks at one candidate after the other. Decides by intervals of doubles, then by intervals
+/// around the exact numbers, then by the exact numbers.
 class EventProver {
  public:
   /// `lookup` must outlive it.
   explicit EventProver(const EdgeLookup& lookup) : lookup_(lookup), curves_(lookup.curves()) {}
 
-  /// The places that two or three features single out, sharp enough to look for others near them;
-  /// in the order of the exact ones, which DiagramEvent::branch counts.
+  /// The places that two or three features single out, sharp enough for a search of further
+  /// features nearby; ordered like the exact places, which DiagramEvent::branch counts.
   std::vector<Equidistant<Interval>> places(const Features& features) const;
 
-  /// The event at one of the places. None where a feature is nearer, where P is all around, or
-  /// where one of the features is none of its own: a vertex inside of an edge, or at which an edge
-  /// goes on straight as the next.
+  /// The event at one of the places. Empty if a feature is nearer, if P lies all around, or if one
+  /// feature does not count: a vertex inside an edge, or a vertex where an edge goes straight on as
+  /// the next.
   std::optional<DiagramEvent> event(const Features& features, unsigned branch,
                                     const Equidistant<Interval>& place);
 
-  /// Whether two events are in one place. Both have the same features.
+  /// Whether two events share one place. Both have the same features.
   bool are_one(const DiagramEvent& a, const DiagramEvent& b) const;
 
   std::uint64_t exact_signs = 0;
@@ -49,7 +49,7 @@ class EventProver {
 
   const EdgeLookup& lookup_;
   const OffsetCurves& curves_;
-  // State of the candidate under test.
+  // State for the candidate under test.
   std::set<std::uint32_t> straight_here_;
   std::vector<std::uint32_t> met_inside_;  ///< edges
   std::map<std::uint32_t, std::uint32_t> edge_of_line_;

@@ -1,4 +1,4 @@
-// Floating-point numbers of a fixed number of bits, for places that doubles do not tell apart.
+// Floating-point numbers with a fixed number of bits, for places that doubles do not tell apart.
 #pragma once
 
 #include <boost/multiprecision/mpfr.hpp>

@@ -11,7 +11,7 @@ struct RoundedEvent {
   double x, y;       ///< the nearest doubles
 };
 
-/// In the coordinates that the place has.
+/// Rounds the event, in the place's own coordinates.
 inline RoundedEvent rounded(const Equidistant<RootNumber>& event) {
   return {enclose(root_of(event.squared_radius)), nearest_double(event.at.x),
           nearest_double(event.at.y)};

@@ -209,7 +209,8 @@ bool PatchesAt::may_be_ridge(std::uint32_t patch, std::uint32_t by) const {
   return certified_sign(height * height - Interval(4) * other.squared_reach).value_or(0) == 0;
 }
 
-/// Where the offset line of another edge is the same, run the other way: the sum is on both sides.
+/// The part where another edge's offset line coincides, run the other way: the sum lies on both
+/// sides.
 std::optional<BlockedPart> PatchesAt::ridge(std::uint32_t patch, std::uint32_t number) const {
   if (planted(Fault::ridge_left_free) || !may_be_ridge(patch, number)) return std::nullopt;
   const OffsetEdge &own = curves_.edges[curves_.patches[patch].edge], &by = curves_.edges[number];
@@ -235,7 +236,7 @@ std::optional<BlockedPart> PatchesAt::ridge(std::uint32_t patch, std::uint32_t n
     found.exact = std::make_shared<const PatchPlace::Exact>(PatchPlace::Exact{at, x});
     return found;
   };
-  // Here the line of the other edge passes into the circles about its ends.
+  // Here the other edge's line passes into the circles about the edge's ends.
   BlockedPart part{place((by.squared_length - foot) / way, NearCurve::end, by.end_feature),
                    place(-foot / way, NearCurve::start, by.start_feature)};
   const bool is_aside = part.low.at >= At::end || part.high.at <= At::start;

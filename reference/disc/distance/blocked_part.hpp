@@ -1,4 +1,4 @@
-// Which part of an offset curve is nearer to an edge of P than the radius.
+// The part of an offset curve nearer to an edge of P than the radius.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace minkref::inline disc {
 
-/// A point of a patch, by what blocks there. The points of a patch are in order: of an edge by how
-/// far along it they are, of an arc by the way along a direction that grows with the angle.
+/// A patch's point, named after the blocking curve. A patch's points are ordered: on an edge by the
+/// distance along the edge, on an arc by the way along a direction, which grows with the angle.
 struct PatchPlace {
   enum class At : std::uint8_t { before, start, inside, end, beyond };
   struct Exact {
@@ -31,8 +31,8 @@ struct PatchPlace {
   mutable std::shared_ptr<const Exact> exact;
 };
 
-/// An open interval of a patch: the points nearer than the radius to one edge. A single point
-/// inside, where the edge is right across and as far: all around is farther.
+/// An open interval of a patch: the points nearer to one edge than the radius. A single inner point
+/// if the edge lies right across and exactly as far: everything around is farther.
 struct BlockedPart {
   PatchPlace low, high;
 };
@@ -47,38 +47,38 @@ struct OffsetCounts {
   }
 };
 
-/// The patches of a polygon set at one radius.
+/// A polygon set's patches at one radius.
 class PatchesAt {
  public:
   /// `squared_radius` > 0.
   PatchesAt(OffsetCurves curves, const Rational& squared_radius);
 
-  /// The points at the distance of the radius from a convex set that are nearer to it are one
-  /// interval of a line, and one of an arc as well: if a point of the edge blocks a direction it
-  /// blocks those about its own, and the points of the edge that are near enough are an interval.
-  /// It may run over the start of a patch and over its end, and leave out a part between: then it
-  /// is two. Exact: by intervals of doubles, and where they do not tell by roots.
+  /// The parts of a patch nearer to the edge `by` than the radius. These points form one interval
+  /// on a line, as the edge is convex, and on an arc too: an edge point that blocks a direction
+  /// blocks all directions about its own, and the near enough edge points form an interval. The
+  /// interval may run over both the patch's start and its end, and leave out a part between: then
+  /// the result has two parts. Exact: by intervals of doubles or, if they do not tell, by roots.
   std::vector<BlockedPart> blocked(std::uint32_t patch, std::uint32_t by,
                                    OffsetCounts& counts) const;
 
-  /// The part of an edge's patch midway between the edge and another one that faces it; `blocked`
-  /// takes this part for blocked. Nothing is nearer to either edge there. Exact.
+  /// The part of an edge's patch midway between the edge and another facing edge; `blocked` takes
+  /// this part for blocked. Nothing lies nearer to either edge. Exact.
   std::optional<BlockedPart> ridge(std::uint32_t patch, std::uint32_t by) const;
 
   /// The sign of the way from place b of a patch to place a. Exact.
   int compare(std::uint32_t patch, const PatchPlace& a, const PatchPlace& b,
               OffsetCounts& counts) const;
 
-  /// The coordinates of a place that is on its patch.
+  /// The coordinates of a place on a patch.
   RootPoint point(std::uint32_t patch, const PatchPlace& place) const;
   Vector<Interval> position(std::uint32_t patch, const PatchPlace& place) const;
-  /// The key of a point of an arc in a direction.
+  /// The key of an arc's point along a normal.
   Interval key_of_normal(std::uint32_t arc, const Direction& normal) const;
   RootNumber exact_key_of_normal(std::uint32_t arc, const Direction& normal) const;
   const PatchPlace::Exact& exact(std::uint32_t patch, const PatchPlace& place) const;
 
-  /// Which of two patches that start at a point comes first, clockwise from the way on which
-  /// another one comes there. Exact.
+  /// Whether patch a comes before patch b, both starting at a point, clockwise from the way on
+  /// which patch `from` arrives. Exact.
   bool turns_before(std::uint32_t from, const RootPoint& at, std::uint32_t a,
                     std::uint32_t b) const;
 

@@ -1,4 +1,4 @@
-// The parts of an offset curve that no edge blocks.
+// Unblocked parts of an offset curve.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct FreePart {
   PatchPlace from, to;
 };
 
-/// In order along the patch, cut where another curve touches.
+/// The free parts along the patch, in order, cut where another curve touches.
 std::vector<FreePart> free_parts(const PatchesAt& at, std::uint32_t patch,
                                  std::vector<BlockedPart> blocked, OffsetCounts& counts);
 

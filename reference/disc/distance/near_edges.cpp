@@ -35,7 +35,7 @@ void NearEdges::find(std::uint32_t patch, std::vector<std::uint32_t>& found) con
   const OffsetPatch& own = at_.curves().patches[patch];
   plane::Box box = box_of(at_.position(patch, PatchPlace::At::start));
   box.add(box_of(at_.position(patch, PatchPlace::At::end)));
-  // The sagitta of a quarter of a circle is below three tenths of the radius.
+  // The sagitta of a quarter circle is below three tenths of the radius.
   if (own.edge == OffsetPatch::none) box = grown(box, 0.3 * radius_);
   tree_.query(grown(box, radius_), [&](std::uint32_t k) {
     found.push_back(k);

@@ -9,26 +9,26 @@
 
 namespace minkref::inline disc {
 
-/// A tree of the edges, in doubles.
+/// A box tree over the edges, with doubles.
 class NearEdges {
  public:
   /// `at` must outlive it.
   explicit NearEdges(const PatchesAt& at);
 
-  /// Those whose boxes are within the radius of the box around a patch; all that block it are among
-  /// them.
+  /// Finds the edges whose boxes lie within the radius of the box around a patch; every edge that
+  /// blocks the patch is among them.
   void find(std::uint32_t patch, std::vector<std::uint32_t>& found) const;
 
-  /// Whether a patch is certainly nearer to P than the radius, with both of its ends. It is taken
-  /// apart, and each part is in what is near a single edge, which is convex: the corners of a
-  /// polygon around the part are in it, by more than doubles can err.
+  /// Whether a patch, both ends included, is certainly nearer to P than the radius. The patch is
+  /// taken apart, and each part must lie within the convex neighbourhood of a single edge: the
+  /// neighbourhood contains the corners of a polygon around the part, by more than doubles can err.
   bool is_inside(std::uint32_t patch) const;
 
  private:
   struct Spot {
     double x, y;
   };
-  /// A part of a patch: of an edge from one point to the other; of an arc between two unit vectors.
+  /// A part of a patch: for an edge from one point to another; for an arc between two unit vectors.
   struct Part {
     Spot first, last;
   };

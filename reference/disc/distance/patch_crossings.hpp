@@ -8,7 +8,7 @@
 
 namespace minkref::inline disc {
 
-/// Half a circle about an end of the edge, or a side that is parallel to it.
+/// Half a circle about an end of the edge, or a side parallel to the edge.
 enum class NearCurve : std::uint8_t { start, end, outside, inside };
 
 template <class N>
@@ -23,16 +23,16 @@ struct Crossing {
   bool touches = false;
 };
 
-/// The crossings of one patch, or of its whole line or circle, with what is near one edge. Signs
-/// are those of N: of intervals they may throw UndecidedSign.
+/// The crossings of one patch, or of the patch's whole line or circle, with the boundary of the
+/// points near one edge. Signs use N: intervals may throw UndecidedSign.
 template <class N>
 class PatchCrossings {
  public:
   PatchCrossings(const N& squared_radius, const EdgeNumbers<N>& by)
       : squared_radius_(squared_radius), by_(by) {}
 
-  /// Adds the crossings of the line of an edge. `has_start`, `has_end`: whether the edge ends at
-  /// the start, the end of the other edge.
+  /// Adds the crossings along an edge's line. `has_start`, `has_end`: whether the edge ends at the
+  /// start, the end of the other edge.
   void add_of_line(const EdgeNumbers<N>& own, bool has_start, bool has_end);
   void add_of_arc(const ArcNumbers<N>& arc);
 
@@ -62,7 +62,7 @@ class PatchCrossings {
 
 template <class N>
 void PatchCrossings<N>::add_of_line(const EdgeNumbers<N>& own, bool has_start, bool has_end) {
-  // A circle about an end of the patch's own edge touches its line there.
+  // A circle about an end of the patch's own edge touches the patch's line.
   if (!has_start) add_circle(own, NearCurve::start);
   if (!has_end) add_circle(own, NearCurve::end);
   add_line(own, NearCurve::outside);
@@ -142,7 +142,8 @@ void PatchCrossings<N>::add_line(const ArcNumbers<N>& arc, NearCurve which) {
   const N level = which == NearCurve::outside ? height + by_.reach : height - by_.reach;
   const N square = by_.squared_reach - level * level;
   const int found = sign(square);
-  // It is touched from inside where the centre is on the line, and behind the edge all is inside.
+  // With the centre on the edge's line the arc touches a side from inside; behind the edge,
+  // everything is inside.
   const bool touches = found == 0 && which == NearCurve::outside && sign(level) < 0;
   if (found < 0 || (found == 0 && !touches)) return;
   const auto add = [&](int way, const Vector<N>& y) {

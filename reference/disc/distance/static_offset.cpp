@@ -12,7 +12,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// The free parts of all patches, in order.
+/// All patches' free parts, in order.
 std::vector<FreePart> all_free_parts(const PatchesAt& at, const BuildOptions& options,
                                      OffsetCounts& counts) {
   const std::size_t count = at.curves().patches.size();

@@ -1,4 +1,4 @@
-// P ⊕ ρD at one radius, from the definition: what is at the distance ρ from P and not nearer.
+// P ⊕ ρD at one radius, from the definition: the points at the distance ρ from P and not nearer.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace minkref::inline disc {
 
-/// A part of an offset curve on the boundary of the sum.
+/// A part of an offset curve on the sum's boundary.
 struct OffsetPiece {
   std::uint32_t patch;
   PatchPlace from, to;
@@ -19,16 +19,16 @@ struct OffsetPiece {
 struct StaticOffset {
   std::shared_ptr<const PatchesAt> at;
   std::vector<OffsetPiece> pieces;
-  /// Each ring by the numbers of its pieces, one after the other, the sum on the left. Where
-  /// several meet at a point each goes round a wedge of the interior.
+  /// Each ring as the numbers of consecutive pieces, with the sum on the left. If several rings
+  /// meet at a point, each goes round a wedge of the interior.
   std::vector<std::vector<std::uint32_t>> rings;
   OffsetCounts counts;
 };
 
 /// The boundary of P ⊕ ρD, for a valid polygon set, a point or a segment, and squared_radius > 0.
-/// Exact. Compares each curve that is not certainly inside with all edges that may be nearer to it
-/// than the radius: O(n log n + k) for k such pairs, on `options.threads`. Throws std::logic_error
-/// where pieces do not close up, which would be a fault.
+/// Exact. Compares each curve not certainly inside with all edges that may be nearer than the
+/// radius: O(n log n + k) for k such pairs, on `options.threads`. Throws std::logic_error if pieces
+/// do not close up, which would be a fault.
 StaticOffset static_offset(const PolygonSet& P, const Rational& squared_radius,
                            const BuildOptions& options = {});
 

@@ -17,7 +17,8 @@ bool is_sharp_number(const Interval& value) {
   return std::isfinite(most) && value.upper() - value.lower() <= sharp * most;
 }
 
-/// A number by intervals of doubles, or by roots where these do not hold it well.
+/// Evaluates a number with intervals of doubles, or with roots if intervals do not hold the number
+/// well.
 template <class Make>
 double rounded_well(Make&& make) {
   try {
@@ -40,7 +41,7 @@ struct Unit {
   double x, y;
 };
 
-/// Nearest doubles where squares of doubles are out of range.
+/// Takes nearest doubles if squares of doubles leave the range.
 Unit unit_of(const Direction& way) {
   const double x = to_double(way.x), y = to_double(way.y), length = std::hypot(x, y);
   if (length > 0x1p-1000 && length < 0x1p1000) return {x / length, y / length};
@@ -188,7 +189,7 @@ class Corner {
     return motion;
   }
 
-  /// The corner between lines that are not parallel.
+  /// The corner between two lines that are not parallel.
   static RootPoint at_lines(const Site& a, const Site& b, const Rational& squared_radius) {
     const RootNumber reach_a = sqrt(RootNumber(Rational(squared_radius * a.squared_length()))),
                      reach_b = sqrt(joined(

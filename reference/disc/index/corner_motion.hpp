@@ -1,4 +1,4 @@
-// How the vertices of P ⊕ ρD move with the radius, in doubles.
+// How the vertices of P ⊕ ρD move with the radius, as doubles.
 #pragma once
 
 #include <cstdint>
@@ -7,30 +7,30 @@
 
 namespace minkref::inline disc {
 
-/// A corner at the radius ρ: with w = ρ - r it is at a + w b + √(w (k0 + k1 w)) c, where c is a
-/// unit vector, or 0 and k0 and k1 too. r is the sum of two doubles, so that w is right where ρ is
-/// almost r: corners between walls that are nearly parallel are fast, and others start with a root.
-/// Rounded: b, k0, k1 and c by less than 2^-48 of them, r by less than 2^-100; the rest, that of a,
-/// is `error`.
+/// A corner at the radius ρ: with w = ρ - r, the corner lies at a + w b + √(w (k0 + k1 w)) c, where
+/// c is a unit vector, or c, k0 and k1 are all 0. r is the sum of two doubles, so that w stays
+/// right for ρ close to r: corners between nearly parallel walls are fast, and others start with a
+/// root. Rounding errors: b, k0, k1 and c by less than 2^-48 of each, r by less than 2^-100;
+/// `error` bounds the rest, the error of a.
 struct CornerMotion {
   double ax = 0, ay = 0, r = 0, r_low = 0, bx = 0, by = 0;
   double k0 = 0, k1 = 0, cx = 0, cy = 0;
   double error = 0;
 };
 
-/// A joint, in front of an end of an edge: a + ρ b, each rounded by less than 2^-48 of it; `error`
-/// is that of a, and of adding to it.
+/// A joint, in front of an edge's end: a + ρ b, both rounded by less than 2^-48 of each; `error`
+/// bounds the errors of a, and of adding to a.
 struct JointMotion {
   double ax = 0, ay = 0, bx = 0, by = 0;
   double error = 0;
 };
 
-/// The motion of the corner on a half of the diagram, in the frame of its curves; nothing where the
-/// radius is the same all along.
+/// The motion of the corner on a half of the diagram, within the curves' frame; empty if the radius
+/// stays the same all along.
 CornerMotion corner_motion(const DiagramEvents& diagram, const DiagramGraph& graph,
                            std::uint32_t half);
 
-/// The same corner at one radius, by its square in the frame: exact.
+/// The same corner at one radius, given by its square within the frame: exact.
 RootPoint corner_at(const DiagramEvents& diagram, const DiagramGraph& graph, std::uint32_t half,
                     const Rational& squared_radius);
 

@@ -27,7 +27,7 @@ Vector<Interval> middle_between(const Direction& first, const Direction& last) {
   const Vector<Interval> from = unit_vector(numbers<Interval>(first)),
                          to = unit_vector(numbers<Interval>(last));
   const Vector<Interval> chord = to - from;
-  // Across the chord, unless that is short.
+  // Across the chord, unless the chord is short.
   return dot(first, last) < 0 ? Vector<Interval>{chord.y, -chord.x} : from + to;
 }
 
@@ -75,7 +75,8 @@ IndexMeasures::IndexMeasures(const OffsetIndex& index)
     (is_point ? angles_ : lengths_)[index.low(k)] += magnitude(to.along - from.along);
     if (index.high(k) <= index.radii()) reached_[index.high(k)] += area_between(k, from, to);
   }
-  // From those at one radius to all up to it, and from touched ones to the others.
+  // Turns amounts at one radius into amounts up to each radius, and touched lengths and angles into
+  // untouched ones.
   for (std::size_t k = 1; k < gaps; ++k) {
     reached_[k] += reached_[k - 1];
     lengths_[k] += lengths_[k - 1];

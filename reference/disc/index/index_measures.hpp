@@ -1,4 +1,4 @@
-// Area and length of P ⊕ ρD at any radius, without its boundary.
+// Area and length of P ⊕ ρD at any radius, without the boundary.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,21 @@
 
 namespace minkref::inline disc {
 
-/// In front of each half of the diagram is a region between the boundary of P and the diagram. Sums
-/// over the regions that are reached as a whole, and over the regions not reached at all, are kept
-/// by radius; a query looks only at the other halves, which have a corner.
+/// A region between the boundary of P and the diagram lies in front of each half of the diagram.
+/// Sums over the regions reached as a whole, and over the regions not reached at all, are kept by
+/// radius; a query looks only at the remaining halves, which have a corner.
 class IndexMeasures {
  public:
   /// `index` must outlive it. O(n log n).
   explicit IndexMeasures(const OffsetIndex& index);
 
-  /// Enclosed, but perhaps not sharply (is_sharp). `at` is the place of the radius. O(n)
-  /// comparisons of whole numbers, and O(k) for k corners.
+  /// Enclosed, but perhaps not sharply (is_sharp). `at` is the radius's place. O(n) comparisons of
+  /// whole numbers, and O(k) for k corners.
   OffsetMeasures at(const OffsetIndex::Place& at, const Rational& squared_radius) const;
 
  private:
-  /// A point of the diagram as a half sees it: how far along its line, or at which angle about its
-  /// vertex; and what tells the area up to there.
+  /// A point of the diagram as a half sees it: how far along the half's line, or at which angle
+  /// about the half's vertex; and the numbers that give the area up to there.
   struct Seen {
     Interval along;
     Vector<Interval> at;

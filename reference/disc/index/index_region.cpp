@@ -14,10 +14,11 @@ std::uint32_t IndexRegions::polygon_of(std::uint32_t side) const {
   return curves_.edges[index_.diagram().walks.sides[side].edge].polygon;
 }
 
-/// The ring that has the leftmost point of a component.
+/// The ring with a component's leftmost point.
 std::uint32_t IndexRegions::outer_ring(std::uint32_t polygon, const IndexBoundary& boundary) const {
   const DiagramGraph::Leftmost& leftmost = index_.graph().leftmost[polygon];
-  // The last corner before it on its walk with which a part of the boundary starts.
+  // The last corner before the leftmost vertex along the same walk, at which a part of the boundary
+  // starts.
   const IndexCorner *before = nullptr, *last = nullptr;
   for (const IndexCorner& corner : boundary.corners) {
     if (corner.walk != leftmost.walk) continue;
@@ -51,7 +52,7 @@ IndexRegion IndexRegions::at(std::uint32_t gap) const {
   for (const ComponentJoin& join : history_.joins) {
     if (join.radius <= gap) sets.join(join.a, join.b);
   }
-  // The leftmost vertex of each component.
+  // Each component's leftmost vertex.
   std::map<std::uint32_t, std::uint32_t> leftmost;  // polygons, by root
   const auto& features = index_.diagram().curves.features;
   for (std::uint32_t k = 0; k < history_.polygons; ++k) {
@@ -79,7 +80,7 @@ IndexRegion IndexRegions::at(std::uint32_t gap) const {
   return region;
 }
 
-/// Sides that follow each other on one line are one curve.
+/// A ring's curves: consecutive sides on one line form one curve.
 std::vector<std::uint32_t> IndexRegions::curves_of(const IndexBoundary& boundary,
                                                    const IndexRing& ring) const {
   const BoundaryWalks& walks = index_.diagram().walks;

@@ -15,11 +15,12 @@ struct IndexRegion {
   std::size_t holes;
 };
 
-/// Reads regions off an index. Nothing touches between events, so each ring is simple, and each
-/// bounded component of the complement has one ring around it.
+/// Reads regions off an index. Nothing touches between events, so each ring is simple, and one ring
+/// surrounds each bounded component of the complement.
 class IndexRegions {
  public:
-  /// All must outlive it. `curves` are those of P, as they are: names in the form.
+  /// All arguments must outlive the object. `curves` holds the unmodified curves of P: names for
+  /// the form.
   IndexRegions(const OffsetIndex& index, const OffsetHistory& history, const OffsetCurves& curves)
       : index_(index), history_(history), curves_(curves) {}
 

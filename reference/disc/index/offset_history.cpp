@@ -35,7 +35,7 @@ class Parts {
     std::vector<std::vector<std::uint32_t>> by_radius(index_.radii() + 2);
     for (std::uint32_t node = 0; node < nodes(); ++node) by_radius[radius(node)].push_back(node);
     for (std::uint32_t k = index_.radii() + 2; k-- > 0;) add(by_radius[k], k);
-    // The parts that are left are components of the complement of P.
+    // The remaining parts are components of the complement of P.
     for (std::uint32_t node = 0; node < nodes(); ++node) {
       const std::uint32_t root = sets_.root(node);
       if (last_[root] == outside_ || !is_looked_at_.insert(root).second) continue;
@@ -48,7 +48,7 @@ class Parts {
   std::size_t nodes() const { return graph_.events + graph_.gaps + graph_.reflex_vertices; }
   std::uint32_t radius(std::uint32_t node) const { return index_.radius_number(node); }
 
-  /// Nodes at one radius, ascending, to those farther away.
+  /// Adds the nodes at one radius, ascending, to the nodes farther away.
   void add(const std::vector<std::uint32_t>& nodes, std::uint32_t at) {
     if (at == index_.radii() + 1) {
       for (const std::uint32_t node : nodes) join(node, outside_);
@@ -66,7 +66,7 @@ class Parts {
     }
     for (const RadiusLevel::Group& group : level.groups()) {
       const std::uint32_t node = nodes[group.nodes.front()];
-      // A greatest value, or what parts that fall away from each other leave.
+      // A greatest value, or the part that keeps its name when parts fall apart.
       const std::uint32_t goes_on =
           group.parts.empty() ? node : last_[split(level, group, nodes, at)];
       for (const std::uint32_t part : group.parts) sets_.join(part, node);
@@ -75,7 +75,7 @@ class Parts {
     }
   }
 
-  /// Picks the part that keeps its name where parts fall away from each other at one radius.
+  /// Picks the part that keeps its name when parts fall apart at one radius.
   std::uint32_t split(const RadiusLevel& level, const RadiusLevel::Group& group,
                       const std::vector<std::uint32_t>& nodes, std::uint32_t at) {
     const auto ends_later = [&](std::uint32_t a, std::uint32_t b) {
@@ -109,7 +109,7 @@ class Parts {
   std::set<std::uint32_t> is_looked_at_;
 };
 
-/// By the events at which holes end, to their numbers.
+/// Sorts the holes, and replaces the event that names the hole `from` by the hole's number.
 void name_holes(std::vector<OffsetHole>& holes) {
   std::sort(holes.begin(), holes.end(), [](const OffsetHole& a, const OffsetHole& b) {
     if (a.birth != b.birth) return a.birth < b.birth;
@@ -125,14 +125,14 @@ void name_holes(std::vector<OffsetHole>& holes) {
 
 }  // namespace
 
-/// A hole is an open set, and is there at the radius of its birth.
+/// A hole, being an open set, exists at its birth radius.
 std::uint32_t OffsetHistory::holes(const OffsetIndex::Place& at) const {
   return static_cast<std::uint32_t>(std::count_if(
       all_holes.begin(), all_holes.end(),
       [&](const OffsetHole& hole) { return hole.birth <= at.gap && at.gap < hole.end; }));
 }
 
-/// Where components only touch they are not one yet.
+/// Components that only touch still count separately.
 std::uint32_t OffsetHistory::components(const OffsetIndex::Place& at) const {
   return polygons - static_cast<std::uint32_t>(
                         std::count_if(joins.begin(), joins.end(), [&](const ComponentJoin& join) {

@@ -1,4 +1,4 @@
-// Holes and components of P ⊕ ρD from radius to radius: when they are born, join and end.
+// Holes and components of P ⊕ ρD from radius to radius: births, joins and ends.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace minkref::inline disc {
 
-/// A hole that exists for birth <= radius < end. Radii are numbered from 1 on, as in OffsetIndex; a
+/// A hole that exists for birth <= radius < end. Radius numbers start from 1, as for OffsetIndex; a
 /// hole of P has birth 0.
 struct OffsetHole {
   std::uint32_t birth, end;
@@ -16,7 +16,7 @@ struct OffsetHole {
   std::uint32_t from;              ///< the hole that it was a part of; 0: of the outside, or of P
 };
 
-/// Polygons of P whose components are one from a radius on.
+/// Two polygons of P that share a component from a radius on.
 struct ComponentJoin {
   std::uint32_t radius;  ///< 0 where they touch
   std::uint32_t a, b;    ///< polygons
@@ -24,10 +24,10 @@ struct ComponentJoin {
   bool at_radius;        ///< at the radius itself too: they face each other there
 };
 
-/// Where the complement of the sum falls apart as the radius grows, the part goes on under the name
-/// of the hole that ends last; that of the outside is 0, and it never ends. So each greatest value
-/// of the distance from P is the end of one hole (the elder rule). Where two end at one radius the
-/// one whose last event comes first in the list goes on.
+/// If the sum's complement falls apart as the radius grows, the part whose hole ends last keeps the
+/// name; the outside has the name 0, and never ends. So each greatest value of the distance from P
+/// ends one hole (the elder rule). If two holes end at one radius, the hole whose last event comes
+/// first among the events keeps the name.
 struct OffsetHistory {
   std::vector<OffsetHole> all_holes;  ///< from 1 on, by birth, then by end, the last first
   std::vector<ComponentJoin> joins;   ///< ascending

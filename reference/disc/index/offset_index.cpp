@@ -16,14 +16,14 @@ constexpr double widest_error = 0x1p-43;  // in the frame, of its size and the r
 constexpr double least = 0x1p-1070;       // more than what is lost below the range of doubles
 constexpr std::uint32_t most_spans = 64;  // of gaps
 
-/// At a radius that is known up to `off`.
+/// The corner at a radius known up to `off`.
 BoundedPoint corner_of(const CornerMotion& m, const TwoDoubles& rho, double off) {
   constexpr double turn = 1.5;  // at least the sum of both coordinates of a unit vector
   const double way = ((rho.high - m.r) - m.r_low) + rho.low;
   const double way_off = off + 0x1p-50 * std::abs(way) + 0x1p-98 * (rho.high + m.r);
   const double square = way * (m.k0 + m.k1 * way);
   const double root = std::sqrt(std::max(square, 0.0));
-  // The error of the square; the root is off by this error over the root, or by its square root.
+  // The square's error; the root errs by this error over the root, or by its square root.
   const double square_off =
       (m.k0 + 2.1 * m.k1 * std::abs(way)) * way_off + rounding * std::abs(square) + 0x1p-1000;
   const double root_off = square > square_off ? 2 * square_off / root : 2 * std::sqrt(square_off);
@@ -52,7 +52,7 @@ OffsetIndex::OffsetIndex(DiagramEvents diagram)
   origin_error_ = 0x1p-52 * (std::abs(x_) + std::abs(y_));
 }
 
-/// Events are in the order of their radii.
+/// Numbers the radii; events come ordered by radius.
 void OffsetIndex::number_radii() {
   for (std::uint32_t k = 0; k < diagram_.events.size(); ++k) {
     const Interval& squared = diagram_.events[k].squared_radius;
@@ -92,7 +92,7 @@ void OffsetIndex::part_gaps() {
   }
 }
 
-/// How far each half goes along the sides of its walk.
+/// Counts how far each half goes along the sides of its walk.
 void OffsetIndex::count_sides() {
   for (std::size_t number = 0; number < graph_.walks.size(); ++number) {
     const DiagramGraph::Walk& walk = graph_.walks[number];
@@ -157,7 +157,7 @@ void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
   const FloatEnvironment standard;
   found.clear();
   const auto walks = static_cast<std::uint32_t>(graph_.walks.size());
-  // The corners in order along the walks: each starts a part of the boundary, or ends one.
+  // The corners, ordered along the walks: each starts or ends a part of the boundary.
   thread_local std::vector<std::uint32_t> there, place, bounds, walk_of;
   const std::size_t halves = low_.size();
   const Span& span = spans_[gap / gaps_of_span_];
@@ -197,7 +197,7 @@ void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
     ring.last_corner = static_cast<std::uint32_t>(found.corners.size());
     found.rings.push_back(ring);
   }
-  // Walks without corners: all of it is free, or nothing.
+  // Walks without corners: wholly free, or not at all.
   for (std::uint32_t walk = 0; walk < walks; ++walk) {
     const DiagramGraph::Walk& own = graph_.walks[walk];
     if (bounds[walk] != bounds[walk + 1]) continue;
@@ -223,8 +223,8 @@ BoundedPoint OffsetIndex::corner(std::uint32_t half, const FrameRadius& radius) 
   return {x, y, 0x1p-53 * std::max(std::abs(x), std::abs(y)) + least};
 }
 
-/// Calls do(first, last) for the joints at the ends of so many sides of a walk, which may go on
-/// from its last side to its first.
+/// Calls do(first, last) for the joints at the ends of so many consecutive sides; the walk may go
+/// on from the last side to the first.
 template <class Do>
 void OffsetIndex::for_joints(std::uint32_t walk, std::uint32_t side, std::uint32_t sides,
                              Do&& act) const {

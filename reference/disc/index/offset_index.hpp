@@ -1,5 +1,5 @@
-// P ⊕ ρD for all ρ: which parts of the outer Voronoi diagram its corners are on, between any two
-// events that follow each other.
+// P ⊕ ρD for all ρ: the parts of the outer Voronoi diagram that carry the corners, between any two
+// consecutive events.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace minkref::inline disc {
 
-/// The boundary of the sum at one radius: rings, the sum on the left, as sides of P.
+/// The sum's boundary at one radius: rings, with the sum on the left, as sides of P.
 struct IndexRing {
-  /// Corners, by the halves of the diagram that they are on: the ring starts to be on the boundary
-  /// there. None of a ring without corners, that of the walk.
+  /// Corners, named by the diagram halves that carry them: the ring joins the boundary there. A
+  /// ring without corners is the whole walk.
   std::uint32_t first_corner, last_corner;  ///< of IndexBoundary::corners, last excluded
   std::uint32_t walk;
 };
 
-/// From one corner to the next: the sides of a walk from that of the first on, so many.
+/// From one corner to the next: so many sides of a walk, from the first corner's side on.
 struct IndexCorner {
   std::uint32_t half;
   std::uint32_t walk, first_side, sides;
@@ -35,37 +35,36 @@ struct IndexBoundary {
   }
 };
 
-/// A point, within `error` of where it is in each coordinate.
+/// A point, off by at most `error` along each axis.
 struct BoundedPoint {
   double x, y, error;
 };
 
-/// A radius in the frame of the curves: its square, and within `off` the sum of two doubles.
+/// A radius within the curves' frame: the square, and the sum of two doubles, off by at most `off`.
 struct FrameRadius {
   Rational squared;
   TwoDoubles near;
   double off;
 };
 
-/// Built once. Each decision of a query is one about the order of the radius among those of events:
-/// exact.
+/// Built once. Each decision of a query compares the radius with event radii: exact.
 class OffsetIndex {
  public:
   /// The index of a valid polygon set, a point or a segment. Errors and cost as for diagram_events.
   explicit OffsetIndex(const PolygonSet& P, const BuildOptions& options = {})
       : OffsetIndex(diagram_events(P, options)) {}
-  /// The index of a complete list of events.
+  /// Builds the index from a complete event list.
   explicit OffsetIndex(DiagramEvents diagram);
 
   const DiagramEvents& diagram() const { return diagram_; }
   const DiagramGraph& graph() const { return graph_; }
-  /// How many different radii there are at which something changes.
+  /// The number of different radii at which something changes.
   std::uint32_t radii() const { return static_cast<std::uint32_t>(radii_.size()); }
-  /// One of the events at the k-th radius, from 0 on.
+  /// An event at the k-th radius, from 0 on.
   std::uint32_t event_at(std::uint32_t radius) const { return radii_[radius].event; }
 
-  /// The number of the radius of a node, from 1 on: 0 for a reflex vertex, and infinity comes last.
-  /// `low(half)`, `high(half)`: radius numbers of its lower and upper end.
+  /// The number of a node's radius, from 1 on: 0 for a reflex vertex, and infinity comes last.
+  /// `low(half)`, `high(half)`: radius numbers at the half's lower and upper end.
   std::uint32_t radius_number(std::uint32_t node) const {
     if (graph_.is_event(node)) return numbers_[node];
     return graph_.is_infinite(node) ? radii() + 1 : 0;
@@ -78,22 +77,22 @@ class OffsetIndex {
     std::uint32_t gap;  ///< how many radii of events are not above
     bool at_event;      ///< the last of them is this one
   };
-  /// Where a radius is among those of the events, by its square. Exact. O(log n).
+  /// Finds a radius among the event radii, by squares. Exact. O(log n).
   Place place(const Rational& squared_radius) const;
 
   /// The boundary at the radii of a gap. O(n) for n halves of the diagram with a corner near it.
   void boundary(std::uint32_t gap, IndexBoundary& found) const;
 
-  /// All vertices of the boundary at a radius of the gap, ring by ring: corners, and joints, where
-  /// lines go on as arcs. `starts` are of rings. The error of each is at most 2^-42 of the size of
-  /// P and of the radius, and 2^-50 of its coordinates. One rounded square root a corner; one that
-  /// is not known so well by doubles is found in roots.
+  /// All vertices of the boundary at a radius within the gap, ring by ring: corners, and joints,
+  /// where lines go on as arcs. `starts` holds the rings' starts. Each vertex errs by at most 2^-42
+  /// of the size of P and of the radius, and 2^-50 of the vertex's coordinates. Each corner takes
+  /// one rounded square root; a corner that doubles do not know so well is found from roots.
   void vertices(const IndexBoundary& boundary, double radius, std::vector<BoundedPoint>& found,
                 std::vector<std::uint32_t>& starts) const;
 
-  /// A radius in the frame, from its square in coordinates of P.
+  /// Converts a squared radius from coordinates of P to the frame.
   FrameRadius in_frame(const Rational& squared_radius) const;
-  /// The corner on a half that has one, in the frame; the error as above.
+  /// The corner on a half that has one, within the frame; error as above.
   BoundedPoint corner(std::uint32_t half, const FrameRadius& radius) const;
 
  private:
@@ -101,8 +100,8 @@ class OffsetIndex {
     std::uint32_t event;
     Interval squared;  ///< in the frame of the curves
   };
-  /// Some gaps that follow each other, and the halves that have a corner in one of them, in order
-  /// along the walks.
+  /// Consecutive gaps, and the halves with a corner within any of these gaps, ordered along the
+  /// walks.
   struct Span {
     struct Half {
       std::uint32_t number, low, high;
@@ -126,7 +125,7 @@ class OffsetIndex {
   std::vector<char> is_rising_;
   std::uint32_t gaps_of_span_ = 1;
   std::vector<Span> spans_;
-  /// Links of corners to rings, by half.
+  /// Links from corners to rings, by half.
   struct Way {
     std::uint32_t twin, to_side;
     std::uint32_t start, end;  ///< sides of the walk that are passed

@@ -14,7 +14,7 @@ constexpr std::array<ContactSlot, 5> all_contact_slots{ContactSlot::a_first, Con
 template <class N>
 struct AskedIn {};  // the numbers that a sign is asked in
 
-/// The feature of which an end is, and which of its ends.
+/// The feature with an end, and the end's number.
 std::size_t owner_of(ContactSlot slot) { return slot < ContactSlot::b_first ? 0 : 1; }
 std::size_t own_end_of(ContactSlot slot) { return static_cast<std::size_t>(slot) % 2; }
 
@@ -59,7 +59,7 @@ RootNumber FeaturePair::squared_radius(const PairContact& contact) const {
   return solved<RootNumber>(contact.slot, contact.staying).squared_radius();
 }
 
-/// The sign of a number, found in intervals, or in roots where intervals leave it open.
+/// The sign of a number, found by intervals, or by roots if intervals leave the sign open.
 template <class Value>
 int FeaturePair::sign_of(Value&& value) {
   if (const auto certain = certified_sign(value(AskedIn<Interval>{}))) return *certain;
@@ -76,8 +76,8 @@ void FeaturePair::find_kind() {
   kind_ = turn_ == 0 ? Kind::parallel_edges : Kind::edges;
 }
 
-/// By one product, in intervals: an end that is behind a line never comes to it, and one that goes
-/// away from a centre never comes to the circle.
+/// Decides by one interval product: an end behind a line never reaches the line, and an end that
+/// moves away from a centre never reaches the circle.
 bool FeaturePair::certainly_never(ContactSlot slot) const {
   const FeatureNumbers<Interval>&a = *near_[0], &b = *near_[1];
   if (slot == ContactSlot::tangent) return false;
@@ -88,7 +88,7 @@ bool FeaturePair::certainly_never(ContactSlot slot) const {
                       : dot(other.way[0], way).upper() <= 0;
 }
 
-/// None where the condition holds at no radius, or at every one.
+/// Empty if the condition holds at no radius, or at every radius.
 std::optional<PairContact> FeaturePair::contact(ContactSlot slot, bool staying) {
   if (certainly_never(slot)) return std::nullopt;
   PairContact found{slot, staying, true, 0, {}};
@@ -100,7 +100,7 @@ std::optional<PairContact> FeaturePair::contact(ContactSlot slot, bool staying) 
   return found;
 }
 
-/// How far beyond the start of an offset edge a place is, along it: the sign.
+/// The sign of a place's distance beyond the start of an offset edge, along the edge.
 int FeaturePair::side_of_start(const PairContact& contact, std::size_t edge) {
   return sign_of([&]<class N>(AskedIn<N>) {
     const FeatureNumbers<N>& own = of<N>(edge);
@@ -126,8 +126,8 @@ bool FeaturePair::is_on(const PairContact& contact, std::size_t which) {
   return turn_from(0) >= 0 && turn_from(1) <= 0;
 }
 
-/// The side along the edge from the foot of the centre, or on the left from one centre to the
-/// other. Two edges that are not parallel have one branch.
+/// Finds the side: along the edge from the centre's foot, or on the left from one centre to the
+/// other. Nonparallel edges have a single branch.
 void FeaturePair::find_branch(PairContact& contact) {
   if (kind_ == Kind::edges || planted(Fault::branches_alike)) {
     contact.branch = 1;
@@ -142,8 +142,9 @@ void FeaturePair::find_branch(PairContact& contact) {
 }
 
 /// Whether a branch, as the radius grows, comes from beyond an end of a feature to its other side.
-/// On an edge it goes away from the foot. About the centres of two circles it turns away from the
-/// way between them, about that of an arc that meets an edge from the way to the edge.
+/// On an edge the branch goes away from the foot. About two circles' centres the branch turns away
+/// from the way between the centres; about an arc's centre, if the arc meets an edge, away from the
+/// way to the edge.
 bool FeaturePair::enters(const PairContact& contact, int branch) const {
   const bool is_first = own_end_of(contact.slot) == 0, of_a = owner_of(contact.slot) == 0;
   int way = branch;
@@ -221,7 +222,7 @@ bool FeaturePair::is_there(std::size_t branch, std::size_t after_events) const {
   return next != turns.end() && next->before;
 }
 
-/// The number of places of contacts of parallel edges: 1, or FeatureEvent::segment.
+/// The number of contact places for parallel edges: 1, or FeatureEvent::segment.
 std::uint8_t FeaturePair::distinct_places(const FeatureEvent& event) const {
   const auto along = [&](const PairContact& each) {
     const std::size_t of = owner_of(each.slot);
@@ -234,7 +235,7 @@ std::uint8_t FeaturePair::distinct_places(const FeatureEvent& event) const {
   return is_one ? 1 : FeatureEvent::segment;
 }
 
-/// At the radius of a true event, or right before it.
+/// Counts points at a true event's radius, or right before.
 void FeaturePair::count_points(FeatureEvent& event, std::size_t number, bool is_true) const {
   const auto count = [&](std::size_t after_events) {
     return static_cast<std::uint8_t>((is_there(0, after_events) ? 1 : 0) +
@@ -269,13 +270,13 @@ void FeaturePair::count_points(FeatureEvent& event, std::size_t number, bool is_
   }
 }
 
-/// Whether the Appendix, as read, has a contact; sets whether it is there in truth.
+/// Whether the Appendix, as read, has a contact; sets whether the contact exists in truth.
 bool FeaturePair::is_printed(PairContact& each, const DiscReadings& readings,
                              bool has_unit_radius) {
   if (each.slot == ContactSlot::tangent) return is_on(each, 0) && is_on(each, 1);
   const std::size_t own = owner_of(each.slot), other = 1 - own;
   if (each.staying) {
-    // Along the edge; the place is on its line where that is touched only.
+    // Along the edge; the place lies on the edge's line only if the line is just touched.
     if (side_of_start(each, other) < 0 || side_of_end(each, other) > 0) return false;
     each.meets = sign_of([&]<class N>(AskedIn<N>) {
                    return cross(of<N>(own).way[own_end_of(each.slot)], of<N>(other).way[0]);
@@ -289,7 +290,7 @@ bool FeaturePair::is_printed(PairContact& each, const DiscReadings& readings,
     return true;
   }
   if (!is_on(each, other)) return false;
-  // Two equations for the radius, which have a root for r = 1, or where the branches are one.
+  // Two equations for the radius, with a root for r = 1, or where the branches coincide.
   const bool is_wrong =
       (kind_ == Kind::arcs && readings.radical == Form::printed && !has_unit_radius) ||
       (kind_ == Kind::arc_and_edge && readings.line == Form::printed);

@@ -1,5 +1,5 @@
-// Two offset features: at which radii they start or stop to share points (Behar & Lien 2012,
-// Appendix), as it is and as printed.
+// Two offset features: the radii at which they start or stop to share points (Behar & Lien 2012,
+// Appendix), both true and as printed.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace minkref::inline disc {
 
-/// How sentences of the Appendix are read (docs/disc.md, "Pair events").
+/// Readings of sentences from the Appendix (docs/disc.md, "Pair events").
 struct DiscReadings {
   Form rejected = Form::corrected;  ///< "rejecting solutions for which 0 < t or t > 1"
   Form number = Form::corrected;    ///< two segments have "exactly two events", or never meet
@@ -47,10 +47,10 @@ enum class PairChange : std::uint8_t {
 };
 std::string_view name(PairChange change);
 
-/// The order of squared radii. Exact.
+/// Orders squared radii. Exact.
 int compare_squares(const RootNumber& a, const RootNumber& b);
 
-/// All contacts at one radius.
+/// All contacts for a radius.
 struct FeatureEvent {
   static constexpr std::uint8_t segment = 255;  ///< so many points: all of a segment
 
@@ -65,10 +65,10 @@ struct FeatureEvent {
 /// Two features that differ. Features that share a line or circle at every radius, or an end, share
 /// the same points at every radius: nothing becomes of these.
 ///
-/// Law: lines or circles of two features that are not parallel meet in one or two points, its
-/// *branches*. On a branch each condition holds on one side of one radius, so that a branch is
-/// there on an interval of radii, which ends where an end of a feature is on it, or where both
-/// branches are one, at a tangent.
+/// Law: the lines or circles of two features that are not parallel meet at one or two points, the
+/// pair's *branches*. On a branch each condition holds on one side of one radius, so that the
+/// branch exists for an interval of radii, which ends where a feature's end reaches the branch, or
+/// where both branches coincide, at a tangent.
 class FeaturePair {
  public:
   FeaturePair(const OffsetFeature& a, const OffsetFeature& b,
@@ -77,14 +77,14 @@ class FeaturePair {
 
   /// Ascending. Exact: intervals, then roots.
   std::vector<FeatureEvent> events();
-  /// Those of the Appendix as it stands. `has_unit_radius`: whether the disc of the scale 1, by
-  /// whose radius r formulas are written, is of radius 1. After events().
+  /// The events of the Appendix as it stands. `has_unit_radius`: whether the disc at scale 1, whose
+  /// radius r the formulas use, has radius 1. Call after events().
   std::vector<FeatureEvent> printed_events(const DiscReadings& readings, bool has_unit_radius);
 
   RootNumber squared_radius(const PairContact& contact) const;
   /// "end on line", "end on circle", "circle on line" or "circles".
   static std::string_view name(ContactSlot slot, bool a_is_arc, bool b_is_arc);
-  /// In intervals or in roots.
+  /// The place as intervals or as roots.
   template <class N>
   Vector<N> place(const PairContact& contact) const;
 
@@ -92,7 +92,7 @@ class FeaturePair {
 
  private:
   enum class Kind : std::uint8_t { edges, parallel_edges, arc_and_edge, arcs };
-  /// One branch at one radius where a contact is on it.
+  /// A branch at one radius, with a contact there.
   struct Turn {
     std::size_t event;
     bool before, after;
@@ -108,7 +108,7 @@ class FeaturePair {
   }
   template <class N>
   Contact<N> solved(ContactSlot slot, bool staying) const;
-  /// The solution for a contact. The last solution in intervals is kept for the next call.
+  /// The solution for a contact. Keeps the last interval solution for the next call.
   template <class N>
   decltype(auto) solved(const PairContact& contact) const {
     if constexpr (std::is_same_v<N, Interval>) {

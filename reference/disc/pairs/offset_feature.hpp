@@ -8,26 +8,26 @@
 
 namespace minkref::inline disc {
 
-/// At the radius ρ an edge of P, moved outwards, or an arc about a convex vertex. Its ends are the
-/// points `at[k]` + ρ `way[k]` / |`way[k]`|, in the order in which P is on the left.
+/// At the radius ρ an edge of P, moved outwards, or an arc about a convex vertex. The ends are the
+/// points `at[k]` + ρ `way[k]` / |`way[k]`|, ordered with P on the left.
 struct OffsetFeature {
   bool is_arc = false;
   std::array<Point, 2> at;       ///< the ends of the edge; of an arc its centre, twice
   std::array<Direction, 2> way;  ///< outwards at both ends; of an edge as long as it is
   VertexId id{};                 ///< of an edge: where it starts
 
-  /// From p to q, with P on the left. Throws BadInput ("bad-feature") if they are one.
+  /// From p to q, with P on the left. Throws BadInput ("bad-feature") if p equals q.
   static OffsetFeature edge(const Point& p, const Point& q);
   /// About a vertex at which P turns left, or back, between edges along `in` and `out`. Throws
   /// BadInput ("bad-feature") if it does not.
   static OffsetFeature arc(const Point& centre, const Direction& in, const Direction& out);
 };
 
-/// Edges in the order of the curves, then arcs: one about a vertex, whatever parts it was cut into.
-/// A circle about a point is left out: it has no ends, and nothing to meet. O(n log n).
+/// Edges in the curves' order, then arcs: one about each vertex, however many parts it was cut
+/// into. A circle about a point is left out: it has no ends, and nothing to meet. O(n log n).
 std::vector<OffsetFeature> offset_features(const OffsetCurves& curves);
 
-/// A feature in intervals or in roots.
+/// A feature as intervals or as roots.
 template <class N>
 struct FeatureNumbers {
   bool is_arc = false;

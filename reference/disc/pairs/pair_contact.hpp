@@ -8,7 +8,7 @@
 
 namespace minkref::inline disc {
 
-/// Which condition of two features a and b holds with equality.
+/// The condition on two features a and b that holds with equality.
 enum class ContactSlot : std::uint8_t {
   a_first,  ///< the first end of a is on the line or circle of b
   a_last,
@@ -17,9 +17,9 @@ enum class ContactSlot : std::uint8_t {
   tangent  ///< two circles touch, or a circle and a line
 };
 
-/// The place base + t way at the radius t |way|, with t = top / under, where both are positive;
-/// where one is not, the condition holds at no radius, or at every one. Each condition is linear in
-/// the radius, and t is of Q(√(L M)), with the squared lengths L and M of two ways.
+/// The place base + t way at the radius t |way|, with t = top / under, both positive; otherwise the
+/// condition holds at no radius, or at every radius. Each condition is linear over the radius, and
+/// t lies within Q(√(L M)), with the squared lengths L and M of two ways.
 template <class N>
 struct Contact {
   Vector<N> base, way;
@@ -67,7 +67,7 @@ Contact<N> circle_on_line(const FeatureNumbers<N>& arc, const FeatureNumbers<N>&
   return {arc.at[0], N(-1) * line.way[0], length, height, N(2) * length};
 }
 
-/// The circles of two arcs touch, in the middle of the centres.
+/// The circles of two arcs touch, halfway between the centres.
 template <class N>
 Contact<N> circles(const FeatureNumbers<N>& a, const FeatureNumbers<N>& b) {
   const Vector<N> D = b.at[0] - a.at[0];
@@ -75,8 +75,8 @@ Contact<N> circles(const FeatureNumbers<N>& a, const FeatureNumbers<N>& b) {
   return {a.at[0], D, square, square, N(2) * square};
 }
 
-/// As printed, "consider the tangent line x0 = xc - s0 r": an end of an arc on the line of an edge
-/// that stays where the circle touches it.
+/// As printed, "consider the tangent line x0 = xc - s0 r": an arc's end on an edge's line that
+/// stays where the circle touches the line.
 template <class N>
 Contact<N> end_on_staying_line(const FeatureNumbers<N>& arc, std::size_t end,
                                const FeatureNumbers<N>& line) {

@@ -122,8 +122,8 @@ class DiscPairSearch {
     events.erase(last, events.end());
   }
 
-  /// By the lower bounds first; then, in runs of bounds that overlap, by exact numbers, which are
-  /// made once.
+  /// Sorts by lower bounds first; then, within runs of overlapping bounds, by exact numbers, each
+  /// computed once.
   void sort() {
     auto& events = result_.events;
     std::sort(events.begin(), events.end(), [](const auto& x, const auto& y) {

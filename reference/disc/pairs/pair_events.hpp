@@ -1,6 +1,5 @@
 // All radii at which two offset features of P start or stop to share points (Behar & Lien 2012,
-// Appendix): events of the convolution of P with a disc, whether or not they are on the boundary of
-// the sum.
+// Appendix): events of the convolution of P with a disc, on the sum's boundary or not.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +11,7 @@
 
 namespace minkref::inline disc {
 
-/// One radius of the pair of features a < b.
+/// One radius for the pair of features a < b.
 struct DiscPairEvent {
   std::uint32_t a = 0, b = 0;
   std::uint32_t rank = 0;     ///< events of one radius have one rank
@@ -38,7 +37,7 @@ struct DiscPairEvents {
   std::vector<OffsetFeature> features;  ///< edges first
   std::vector<DiscPairEvent> events;    ///< by radius, then a, then b
   std::uint64_t count = 0;              ///< of all events, kept or not
-  /// Counts of all events: by change, and by the name of the first contact.
+  /// Counts over all events: by change, and by the first contact's name.
   std::map<std::string, std::uint64_t, std::less<>> changes, kinds;
   std::uint64_t true_count = 0;   ///< events in truth: as many if all readings are corrected
   std::uint64_t right_count = 0;  ///< of the events: something changes there
@@ -51,8 +50,8 @@ struct DiscPairEvents {
 };
 
 /// Finds the events of a valid polygon set, a point or a segment. Complete and exact: looks at all
-/// pairs of features except those that boxes tell apart up to the radius `to`; by intervals first,
-/// then in roots. O(n² + k log k) for n features and k events.
+/// feature pairs except pairs that boxes tell apart up to the radius `to`; by intervals first, then
+/// by roots. O(n² + k log k) for n features and k events.
 DiscPairEvents disc_pair_events(const PolygonSet& P, const DiscPairOptions& options = {});
 
 }  // namespace minkref::inline disc

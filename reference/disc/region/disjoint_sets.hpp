@@ -1,4 +1,4 @@
-// Sets that are joined two at a time.
+// Disjoint sets, joined two at a time.
 #pragma once
 
 #include <cstdint>
@@ -24,9 +24,9 @@ class DisjointSets {
     parents_[a] = b;
     --count_;
   }
-  /// How many there are.
+  /// The set count.
   std::size_t count() const { return count_; }
-  /// How many elements they have in all.
+  /// The element count over all sets.
   std::size_t size() const { return parents_.size(); }
 
  private:

@@ -12,8 +12,8 @@
 namespace minkref::inline disc {
 namespace {
 
-/// With c and s the radius squared times cosine and sine of the angle, the tangent of its half is
-/// s / (ρ² + c).
+/// With c and s the squared radius times the angle's cosine and sine, the half angle's tangent is s
+/// / (ρ² + c).
 double bulge_of(const ExactPiece& piece, const Rational& squared_radius) {
   const RootPoint centre = numbers<RootNumber>(piece.patch->centre);
   const RootPoint a = piece.from - centre, b = piece.to - centre;

@@ -1,4 +1,4 @@
-// The boundary of P ⊕ ρD in doubles, for drawings.
+// The boundary of P ⊕ ρD as doubles, for drawings.
 #pragma once
 
 #include <vector>
@@ -15,17 +15,17 @@ struct DrawnPiece {
 };
 using DrawnRing = std::vector<DrawnPiece>;
 
-/// Where a drawing has its origin, and by what it multiplies lengths.
+/// A drawing's origin, and the factor for lengths.
 struct DrawingFrame {
   Point origin{0, 0};
   Rational factor = 1;
 };
 
-/// The lower left corner of P's box, and a power of two with which the longer side of the box, or
-/// the radius where it is larger, is about 1.
+/// The lower left corner of P's box, and a power of two that brings the longer side of the box, or
+/// a larger radius, to about 1.
 DrawingFrame drawing_frame(const OffsetRegion& region);
 
-/// Each number is the double nearest to the exact one. An infinity beyond the range of doubles.
+/// Each number is the double nearest to the exact number. Infinite beyond the range of doubles.
 DrawnRing drawn_ring(const OffsetRegion& region, const OffsetRing& ring,
                      const DrawingFrame& frame = {});
 

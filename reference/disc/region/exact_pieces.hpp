@@ -1,4 +1,4 @@
-// The pieces of a boundary in exact numbers, for what is written of them.
+// A boundary's pieces as exact numbers, for output.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace minkref::inline disc {
 
-/// A piece of a ring, in the frame of the region.
+/// A ring's piece, within the region's frame.
 struct ExactPiece {
   const OffsetPatch* patch;  ///< of an arc with its centre
   RootPoint from, to;
@@ -15,8 +15,8 @@ struct ExactPiece {
   bool is_arc() const { return patch->edge == OffsetPatch::none; }
 };
 
-/// One after the other. Each corner is found in roots, which takes some hundred microseconds at
-/// most.
+/// The pieces, one after the other. Each corner is found from roots, which takes some hundred
+/// microseconds at most.
 std::vector<ExactPiece> exact_pieces(const OffsetRegion& region, const OffsetRing& ring);
 
 }  // namespace minkref::inline disc

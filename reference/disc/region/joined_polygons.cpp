@@ -10,8 +10,8 @@
 namespace minkref::inline disc {
 namespace {
 
-/// Whether two edges that do not cross are nearer than the root of a number (-1), as near (0) or
-/// farther (1): the least distance is one from an end.
+/// Whether two edges that do not cross are nearer than a number's root (-1), as near (0) or farther
+/// (1): the least distance starts at an end.
 template <class N>
 int sign_between(const EdgeNumbers<N>& a, const EdgeNumbers<N>& b, const N& square) {
   return std::min({sign_of_distance(a, b.start, square), sign_of_distance(a, b.end, square),

@@ -1,4 +1,4 @@
-// Which polygons of P are in one component of the interior of P ⊕ ρD.
+// The polygons of P that share a component of the interior of P ⊕ ρD.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,9 @@
 
 namespace minkref::inline disc {
 
-/// By polygon, the same number for those in one component. Two that are nearer to each other than
-/// twice the radius are in one, and two that are as near along facing edges. Exact.
+/// By polygon, the same number for all polygons of one component. Two polygons share a component if
+/// they are nearer to each other than twice the radius, or exactly as near along facing edges.
+/// Exact.
 std::vector<std::uint32_t> joined_polygons(const PatchesAt& at, std::size_t polygons);
 
 }  // namespace minkref::inline disc

@@ -38,8 +38,8 @@ class MeasureSums {
     return place.at == PatchPlace::At::start ? 0 : 1;
   }
 
-  /// On it the product of a point with the normal is one number, and the area of the triangle that
-  /// the piece spans with the origin half of that times its part of the edge.
+  /// Along a line a point's product with the normal stays the same; the triangle that the piece
+  /// spans with the origin has half this product times the piece's part of the edge as area.
   void add_line(const OffsetPiece& piece, const OffsetEdge& edge) {
     const Rational height = edge.normal.x * edge.start.x + edge.normal.y * edge.start.y;
     for (const int end : {-1, 1}) {
@@ -87,7 +87,7 @@ class MeasureSums {
            goes_on(offset_, piece, next);
   }
 
-  /// Arcs of one curve that go on into each other are one.
+  /// Adds angles; arcs of one curve that go on into each other count once.
   void add_angles(const std::vector<std::uint32_t>& pieces) {
     const std::size_t count = pieces.size();
     std::size_t first = 0;

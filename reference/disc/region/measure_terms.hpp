@@ -1,4 +1,4 @@
-// Area and length of P ⊕ ρD, exact, as sums of terms.
+// Area and length of P ⊕ ρD, exact, as term sums.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,11 @@ struct TermAngle {
   RootPoint from, to;
 };
 
-/// With Θ the sum of the angles, in radians, the length is the sum of `length` and ρ Θ, and the
-/// area the sum of `area` and ρ² Θ / 2.
+/// With Θ the angle sum, as radians, the length is the `length` sum plus ρ Θ, and the area is the
+/// `area` sum plus ρ² Θ / 2.
 struct MeasureTerms {
   RootTerms length, area;
-  /// Angles of the arcs of the boundary: one for each curve between two corners or joints.
+  /// Angles of the boundary's arcs: one for each curve between two corners or joints.
   std::vector<TermAngle> angles;
 };
 

@@ -28,8 +28,8 @@ class Measuring {
     });
   }
 
-  /// Both are transcendental: the angles of a component's outer ring are one turn at least. So bits
-  /// tell which doubles they are between.
+  /// Both measures are transcendental: the angles of a component's outer ring add up to at least
+  /// one turn. So enough bits tell the two doubles around each measure.
   OffsetMeasures found() const {
     if (pieces_.empty()) return {Interval(0), Interval(0)};
     const auto between = [&](auto&& part) {

@@ -79,7 +79,7 @@ class PatchLeft {
  private:
   int order(const PatchPlace& a, const PatchPlace& b) { return at_.compare(patch_, a, b, counts_); }
 
-  /// Closed, if it is anything.
+  /// Leaves a closed part, if any.
   void leave(const PatchPlace& from, const PatchPlace& to) {
     const int way = order(from, to);
     if (way > 0) return;
@@ -164,7 +164,7 @@ void sort_and_unite(std::vector<OffsetPassage>& passages) {
   passages = std::move(found);
 }
 
-/// The features of an edge at the distance ρ of x: of its line, or about one of its ends.
+/// The edge's feature at the distance ρ from x: the line, or the circle about an end.
 template <class N>
 std::uint32_t contact_with(const PatchesAt& at, const EdgeNumbers<N>& numbers, std::uint32_t number,
                            const Vector<N>& x) {
@@ -188,8 +188,8 @@ class PassagesOfDisc {
   }
 
  private:
-  /// Lone points of patches, unless a part of another patch has them: then what is as far as ρ
-  /// goes on there.
+  /// The lone points of patches, unless part of another patch contains them: then the points at the
+  /// distance ρ go on there.
   std::vector<OffsetPassage> points() {
     std::vector<plane::Box> boxes;
     if (found_.lone.empty()) return {};
@@ -230,7 +230,7 @@ class PassagesOfDisc {
     return found;
   }
 
-  /// Each is found from both of its sides. Those that go on straight are one.
+  /// Finds each segment from both sides. Joins segments that go straight on.
   std::vector<OffsetPassage> segments() {
     std::vector<OffsetPassage> parts;
     for (const RidgePart& part : found_.ridges) {
@@ -258,7 +258,7 @@ class PassagesOfDisc {
     return segments;
   }
 
-  /// They share a line of P, which both run along beside, and a point.
+  /// Whether both share a point, and a line of P beside which both run.
   bool goes_on_straight(const OffsetPassage& a, const OffsetPassage& b) const {
     std::vector<std::uint32_t> shared;
     std::set_intersection(a.contacts.begin(), a.contacts.end(), b.contacts.begin(),

@@ -1,4 +1,5 @@
-// Tight passages of P ⊕ ρD: what the closed sum covers and the sum of the interiors does not.
+// Tight passages of P ⊕ ρD: the points that the closed sum covers and the sum of the interiors does
+// not.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +10,17 @@
 
 namespace minkref::inline disc {
 
-/// A point, or a segment by its ends, the lesser one (x, then y) first.
+/// A point, or a segment's two ends, the lesser end (x, then y) first.
 struct OffsetPassage {
   std::vector<RootPoint> points;
-  /// Features that are at the distance of the radius: of a point all, of a segment those that it
-  /// runs along. Ascending.
+  /// Features at the distance of the radius: for a point all, for a segment the features along
+  /// which the segment runs. Ascending.
   std::vector<std::uint32_t> contacts;
 };
 
-/// The closure of the points with the distance ρ from P around which none is farther
-/// (docs/disc.md), in the order of their points. No two share more than a point. Exact. All pairs
-/// of a curve and an edge near it, as static_offset looks at them, on `options.threads`.
+/// The closure of the points at the distance ρ from P without farther points around (docs/disc.md),
+/// ordered by their points. No two share more than a point. Exact. Examines all pairs of a curve
+/// and a nearby edge, as static_offset does, on `options.threads`.
 std::vector<OffsetPassage> offset_passages(const PatchesAt& at, const BuildOptions& options = {});
 
 }  // namespace minkref::inline disc

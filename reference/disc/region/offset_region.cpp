@@ -15,8 +15,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// The curves of pieces that follow each other, by features: where one goes on into the next as the
-/// same curve they are one.
+/// The curves of consecutive pieces, by feature: pieces that go on as the same curve count once.
 std::vector<std::uint32_t> curves_of(const StaticOffset& offset,
                                      const std::vector<std::uint32_t>& pieces) {
   const auto feature = [&](std::uint32_t piece) {
@@ -33,7 +32,7 @@ std::vector<std::uint32_t> curves_of(const StaticOffset& offset,
   return found;
 }
 
-/// `origin`: P has been moved from it.
+/// `origin`: the frame's origin, already subtracted from P.
 OffsetRegion region_of(const PolygonSet& P, const Point& origin, const Rational& squared_radius,
                        const BuildOptions& options, OffsetRoute route) {
   OffsetRegion region;

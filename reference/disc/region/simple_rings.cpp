@@ -17,7 +17,7 @@ bool overlap(const Interval& a, const Interval& b) {
   return a.lower() <= b.upper() && b.lower() <= a.upper();
 }
 
-/// The starts of all pieces: those in one place have one number.
+/// The starts of all pieces; starts at one place share a number.
 class Places {
  public:
   explicit Places(const StaticOffset& offset) : offset_(offset), numbers_(offset.pieces.size()) {
@@ -56,7 +56,7 @@ class Places {
   std::vector<std::uint32_t> numbers_;
 };
 
-/// A closed walk that does not cross itself falls into simple ones in one way.
+/// Splits a closed walk that does not cross itself into simple rings; only one way exists.
 void split(const Places& all, const std::vector<std::uint32_t>& walk,
            std::vector<SimpleRing>& rings) {
   std::vector<std::uint32_t> open;               // pieces
@@ -82,7 +82,8 @@ void split(const Places& all, const std::vector<std::uint32_t>& walk,
   rings.push_back({std::move(open), false});
 }
 
-/// How many faces the rings leave, the unbounded one too: by Euler, as a graph in the plane.
+/// The number of faces that the rings leave, the unbounded face included: by Euler's formula for
+/// plane graphs.
 std::size_t faces(const Places& places, const std::vector<SimpleRing>& rings) {
   std::map<std::uint32_t, std::uint32_t> visited;  // places, by the ring that first does
   DisjointSets parts(rings.size());
@@ -97,7 +98,7 @@ std::size_t faces(const Places& places, const std::vector<SimpleRing>& rings) {
   return pieces - visited.size() + parts.count() + 1;
 }
 
-/// The first coordinate of a point of the boundary.
+/// A boundary point's first coordinate.
 struct Leftmost {
   Interval near;
   std::uint32_t patch;
@@ -108,9 +109,9 @@ class Orientation {
  public:
   explicit Orientation(const StaticOffset& offset) : offset_(offset), at_(*offset.at) {}
 
-  /// All arcs turn left and all corners right. At the leftmost point of a ring the sum is on the
-  /// right if the boundary is smooth there, and then the ring goes round it; at a corner what is
-  /// not in the sum is there.
+  /// All arcs turn left and all corners right. At a ring's leftmost point the sum lies on the right
+  /// if the boundary is smooth there, and then the ring goes round the sum; at a corner the
+  /// complement lies there.
   bool is_hole(const SimpleRing& ring) const {
     std::optional<Leftmost> smooth, corner;
     const auto take = [&](std::optional<Leftmost>& least, Leftmost other) {
@@ -131,7 +132,7 @@ class Orientation {
   }
 
  private:
-  /// Whether the leftmost point of its circle is on it.
+  /// Whether a piece contains the leftmost point of its circle.
   bool has_leftmost(const OffsetPiece& piece) const {
     const OffsetPatch& patch = at_.curves().patches[piece.patch];
     const Direction left{-1, 0};

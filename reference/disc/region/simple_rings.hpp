@@ -18,13 +18,13 @@ bool goes_on(const StaticOffset& offset, std::uint32_t piece, std::uint32_t next
 
 struct SimpleRings {
   std::vector<SimpleRing> rings;
-  /// How many parts the plane falls into: components of the interior and of the complement. There
-  /// may be a hole between components that touch, without a ring of its own.
+  /// The number of parts into which the plane falls: components of the interior and of the
+  /// complement. Components that touch may have a hole between them without a separate ring.
   std::size_t faces;
 };
 
-/// The rings, split at points that they visit more than once. Exact. O(n log n), and O(k^2) for k
-/// corners that doubles do not tell apart.
+/// The rings, split at points visited more than once. Exact. O(n log n), and O(k^2) for k corners
+/// that doubles do not tell apart.
 SimpleRings simple_rings(const StaticOffset& offset);
 
 }  // namespace minkref::inline disc
