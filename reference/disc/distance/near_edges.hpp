@@ -1,4 +1,4 @@
-// Which edges of P may be nearer to an offset curve than the radius, and which curves lie inside.
+// The edges of P that may be nearer to an offset curve than the radius, and the curves inside.
 #pragma once
 
 #include <cstdint>

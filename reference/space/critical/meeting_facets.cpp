@@ -131,7 +131,7 @@ class ConcurrentSearch {
                          events);
   }
 
-  /// Which of three facets crosses the others' common plane, if they share one.
+  /// The facet among three that crosses the others' common plane, if they share one.
   static std::size_t across(const Neighbour& j_of_i, const Neighbour& k_of_i,
                             const Neighbour& k_of_j) {
     if (!k_of_i.is_coplanar && !k_of_j.is_coplanar) return 2;
