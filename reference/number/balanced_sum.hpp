@@ -1,4 +1,4 @@
-// Sums of many exact fractions.
+// Exact sums of many fractions.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace minkref {
 
-/// The sum, taken in pairs, pairs of pairs and so on: denominators that share nothing grow long in
-/// the last few additions only. Exact.
+/// Adds terms by pairs, pairs of pairs and so on: denominators without common factors grow long
+/// only during the last few additions. Exact.
 inline Rational balanced_sum(std::vector<Rational> terms) {
   if (terms.empty()) return 0;
   for (std::size_t step = 1; step < terms.size(); step *= 2) {

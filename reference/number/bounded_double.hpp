@@ -1,4 +1,4 @@
-// Doubles that carry a bound of their error: the filter before exact integers.
+// Doubles with a bound of their error: the filter before exact integers.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +10,17 @@
 
 namespace minkref {
 
-/// A real number within `error` of `value`. Where the error is 0 the number is exact and an integer
-/// of at most 53 bits: sums and products of such are exact as long as they are that short, so that
-/// a zero among small integers is certain too. Bounds that overflow are infinite or NaN, and then
-/// decide nothing. Bounds hold where a FloatEnvironment is held; one that is made of an integer
-/// elsewhere throws UnsafeFloats.
+/// A real number within `error` of `value`. An error of 0 means an exact integer of at most 53
+/// bits: sums and products of exact integers stay exact up to this length, so a zero among small
+/// integers is certain too. Infinite or NaN bounds, after overflow, decide nothing. Bounds hold
+/// while a FloatEnvironment is held; without a FloatEnvironment, construction from an Integer
+/// throws UnsafeFloats.
 struct BoundedDouble {
   double value = 0, error = 0;
 
   BoundedDouble() = default;
   BoundedDouble(double value_, double error_) : value(value_), error(error_) {}
-  /// An integer of at most 53 bits.
+  /// Requires an integer of at most 53 bits.
   BoundedDouble(int integer) : value(integer) {}  // NOLINT: implicit, since it is exact
   /// integer * 2^-shift, shift >= 0.
   explicit BoundedDouble(const Integer& integer, long shift = 0) {
@@ -33,7 +33,7 @@ struct BoundedDouble {
     if (!exact) error = enlarged(std::abs(value) * 0x1p-52);
   }
 
-  /// Returned by certain_sign where the sign is not certain.
+  /// Returned by certain_sign for an uncertain sign.
   static constexpr int undecided = 2;
   int certain_sign() const {
     if (value > error) return 1;
@@ -53,7 +53,7 @@ struct BoundedDouble {
         std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error;
     return rounded(a.value * b.value, inherited, both_exact(a, b));
   }
-  /// Never exact. Unbounded where the divisor may be 0.
+  /// Never exact. Unbounded if the divisor may be 0.
   friend BoundedDouble operator/(const BoundedDouble& a, const BoundedDouble& b) {
     const double divisor = std::abs(b.value) - b.error;
     if (!(divisor > 0)) return {0, std::numeric_limits<double>::infinity()};
@@ -70,7 +70,7 @@ struct BoundedDouble {
   static double enlarged(double error) {
     return error * (1 + 0x1p-49) + std::numeric_limits<double>::min();
   }
-  /// Not whether the inherited error is 0: products of errors may underflow.
+  /// Looks at both errors, not at the inherited error: products of errors may underflow.
   static bool both_exact(const BoundedDouble& a, const BoundedDouble& b) {
     return a.error == 0 && b.error == 0;
   }

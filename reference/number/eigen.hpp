@@ -1,8 +1,7 @@
 // Small vectors and matrices over the scalars: Eigen.
 //
-// No tolerance is offered: epsilon and dummy_precision are zero, so that whatever compares
-// "fuzzily" in Eigen compares exactly. Use sums, products, dot, cross, determinant; nothing that
-// takes a root.
+// No tolerance is offered: epsilon and dummy_precision are zero, so that Eigen's "fuzzy"
+// comparisons are exact. Use sums, products, dot, cross, determinant; nothing that takes a root.
 #pragma once
 
 #include <Eigen/Core>

@@ -2,8 +2,8 @@
 
 namespace minkref::error_free::scaled {
 
-// Both bring the operands to [1/2, 1) by powers of two, which is exact, and the rounded result to
-// the same scale: exact too, since a subnormal result is brought up. One fma then cannot underflow.
+// Both scale the operands to [1/2, 1) by powers of two (exact), and the rounded result to the same
+// scale (exact too, since a subnormal result is scaled up). One fma then cannot underflow.
 
 double product_residual(double a, double b, double product) {
   int a_exponent = 0, b_exponent = 0;

@@ -1,9 +1,10 @@
-// Error-free transforms: on which side of a rounded sum, product or quotient the exact one lies.
+// Error-free transforms: the side of a rounded sum, product or quotient on which the exact result
+// lies.
 //
-// Doubles are IEEE 754 binary64, rounding is to nearest and is never changed. Each `*_residual`
-// returns a double with the sign of (exact result - rounded result), zero iff the operation was
-// exact; operands and result must be finite. Sources: Knuth (TwoSum), Dekker 1971 (TwoProduct),
-// Boldo, Graillat & Muller 2017 (overflow in TwoSum).
+// Doubles are IEEE 754 binary64, rounded to nearest; the rounding mode is never changed. Each
+// `*_residual` returns a double with the sign of (exact result - rounded result), zero iff the
+// operation was exact; operands and result must be finite. Sources: Knuth (TwoSum), Dekker 1971
+// (TwoProduct), Boldo, Graillat & Muller 2017 (overflow in TwoSum).
 #pragma once
 
 #include <cmath>
@@ -19,7 +20,7 @@ inline double sum_residual(double a, double b, double sum) {
     const double a_part = sum - b_part;
     return (a - a_part) + (b - b_part);
   }
-  // Ordered by magnitude the shorter transform does, which does not overflow where `sum` did not.
+  // After ordering by magnitude the shorter transform does; it overflows only where `sum` did.
   return std::abs(a) < std::abs(b) ? a - (sum - b) : b - (sum - a);
 }
 

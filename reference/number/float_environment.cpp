@@ -11,7 +11,7 @@ void FloatEnvironment::set() {
   __builtin_ia32_ldmxcsr((before_ & ~controls) | masked_to_nearest);
   changed_ = true;
 #else
-  // FE_DFL_ENV is what a thread of a fresh program has: to nearest, no traps, no flushing.
+  // FE_DFL_ENV is a fresh program's environment: to nearest, no traps, no flushing.
   changed_ = std::fegetenv(&before_) == 0 && std::fesetenv(FE_DFL_ENV) == 0;
 #endif
   if (is_standard()) return;

@@ -1,10 +1,10 @@
 // How this thread computes doubles: the rounding mode, and whether subnormal numbers are flushed to
 // zero.
 //
-// Any library of a process may have changed it: a shared library linked with -ffast-math flushes
-// from when it is loaded, and a guard of another library rounds upwards. Filters and intervals are
-// proved for rounding to nearest with subnormal numbers. So each door of the library holds a
-// FloatEnvironment, and its caller finds the environment again as it was.
+// Any library of a process may have changed both: a shared library linked with -ffast-math flushes
+// once loaded, and another library's guard rounds upwards. Filters and intervals are proved for
+// rounding to nearest with subnormal numbers. So each door of the library holds a FloatEnvironment,
+// and its caller finds the environment again as it was.
 #pragma once
 
 #include <cfenv>
@@ -21,10 +21,10 @@ class UnsafeFloats : public Error {
   using Error::Error;
 };
 
-/// While it lives this thread rounds to nearest, keeps subnormal numbers and traps no exception;
-/// its end brings back what was there before. Throws UnsafeFloats where that cannot be had: a part
-/// of the program was compiled with flags that change what doubles are (float_self_test.hpp). Takes
-/// some nanoseconds where nothing is to be changed.
+/// A guard of this thread: while it lives, the thread rounds to nearest, keeps subnormal numbers
+/// and traps no exception; its end restores the former environment. Throws UnsafeFloats if part of
+/// the program was compiled with flags that change the arithmetic of doubles (float_self_test.hpp),
+/// or the environment cannot be set. Takes some nanoseconds where nothing has to change.
 class FloatEnvironment {
  public:
   FloatEnvironment() {
@@ -53,12 +53,12 @@ class FloatEnvironment {
 #endif
   }
 
-  /// Throws UnsafeFloats unless it does.
+  /// Throws UnsafeFloats unless this thread's environment is standard.
   static void require() {
     if (!is_standard()) refuse();
   }
 
-  /// The fault that a self-test has found: from then on there is no FloatEnvironment.
+  /// The fault that a self-test has found: afterwards every FloatEnvironment is refused.
   static const char* fault() { return fault_; }
   static void report(const char* fault) { fault_ = fault; }
 
@@ -67,14 +67,14 @@ class FloatEnvironment {
   void restore();
   [[noreturn]] static void refuse();
   static bool is_standard_as_measured();
-  /// Doubles in memory are not read, computed with and written beyond it.
+  /// Keeps the compiler from moving accesses to doubles across this point.
   static void fence() { asm volatile("" ::: "memory"); }
 
   inline static const char* fault_ = nullptr;
   bool changed_ = false;
 #if defined(__x86_64__)
-  // Bits of the word MXCSR: flushing, rounding, masks of exceptions. Doubles are computed nowhere
-  // else.
+  // Bits of the word MXCSR: flushing, rounding, masks of exceptions. No other unit computes
+  // doubles.
   static constexpr unsigned controls = 0xffc0, masked_to_nearest = 0x1f80;
   unsigned before_;
 #else

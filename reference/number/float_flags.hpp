@@ -1,10 +1,10 @@
 // Refuses compilers' flags under which doubles are not computed as written. Every header that
-// counts on them includes this one: their inline code is compiled with the flags of whoever
-// includes it.
+// counts on exact doubles includes this file, since its inline code is compiled with the includer's
+// flags.
 //
-// gcc names such flags in macros. clang names -ffast-math and -ffinite-math-only only; the rest is
-// found when the program starts (float_self_test.hpp). Contraction to fused multiply-add is no
-// fault: the code here is right with it and without it.
+// gcc names such flags in macros. clang names -ffast-math and -ffinite-math-only only; the start of
+// the program finds the rest (float_self_test.hpp). Contraction to fused multiply-add is no fault:
+// the code here is right with it and without it.
 #pragma once
 
 #include <cfloat>
@@ -25,9 +25,9 @@ static_assert(1.0 + 0x1p-49 != 1.0,
               "minkref needs constants in double precision: compile without "
               "-fsingle-precision-constant");
 
-// Where the instruction set has a fused multiply-add it does the work of Dekker's product. As a
-// function call it would cost more; and where there is none, nothing in that product can be
-// contracted.
+// A fused multiply-add, where the instruction set has it, does the work of Dekker's product. As a
+// function call it would cost more; and without the instruction the compiler cannot contract any
+// part of that product.
 #if defined(FP_FAST_FMA) || defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__FMA4__) || \
     defined(__aarch64__) || defined(__ARM_FEATURE_FMA) || defined(__powerpc64__) ||            \
     defined(__s390x__) || defined(__riscv_d)

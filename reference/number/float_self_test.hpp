@@ -1,4 +1,4 @@
-// Tests that this translation unit computes doubles as written: what no macro tells.
+// Tests that this translation unit computes doubles as written, for flags without a macro.
 #pragma once
 
 #include "reference/number/error_free.hpp"
@@ -7,8 +7,7 @@
 namespace minkref::float_self_test {
 namespace {  // each translation unit has its own flags, and so its own test
 
-/// The first fault; null if there is none. The compiler knows no value: each is read from
-/// volatile memory.
+/// The first fault, or null. The compiler knows no value: each comes from volatile memory.
 [[gnu::noinline, maybe_unused]] const char* first_fault() {
   constexpr double smallest = std::numeric_limits<double>::denorm_min();
   const auto read = [](double value) -> double {
@@ -47,7 +46,7 @@ namespace {  // each translation unit has its own flags, and so its own test
   return nullptr;
 }
 
-/// Reports the fault, if there is one: all doors are closed then.
+/// Reports a fault, if any: all doors are closed then.
 [[maybe_unused]] bool test() {
   if (FloatEnvironment::fault() != nullptr) return false;
   try {

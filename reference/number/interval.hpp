@@ -1,10 +1,10 @@
 // Intervals with double bounds that enclose the exact result, without changing the rounding mode.
 //
-// Each bound of + - * / is the double next to the exact bound on the outer side, and equal to it
-// where it is a double: an operation on points that is exact gives a point. Laws: the result of an
-// expression encloses its exact value; a sign that is returned is right. NaN never appears; a bound
-// may be infinite. An interval that is made of numbers throws UnsafeFloats where the thread does
-// not round to nearest or flushes subnormal numbers: hold a FloatEnvironment while you compute.
+// Each bound of + - * / is the exact bound if this is a double, else the next double outwards: an
+// exact operation on points gives a point. Laws: an expression's result encloses its exact value; a
+// returned sign is right. NaN never appears; a bound may be infinite. Making an interval of numbers
+// throws UnsafeFloats where the thread does not round to nearest or flushes subnormal numbers: hold
+// a FloatEnvironment while you compute.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class Interval {
     FloatEnvironment::require();
   }
 
-  /// The integer as a point, or its tightest enclosure where it is no double.
+  /// The integer as a point, or the tightest enclosure of an integer that is no double.
   template <std::integral T>
   Interval(T value) {  // NOLINT: implicit
     if constexpr (sizeof(T) < 8) {
@@ -46,8 +46,8 @@ class Interval {
     FloatEnvironment::require();
   }
 
-  /// [lower, upper]; the whole line if one is NaN. Throws BadInput (code "empty-interval") if they
-  /// are in the wrong order or both the same infinity.
+  /// [lower, upper]; the whole line if either is NaN. Throws BadInput (code "empty-interval") for
+  /// bounds out of order, and for two equal infinities.
   Interval(double lower, double upper) {
     FloatEnvironment::require();
     if (std::isnan(lower) || std::isnan(upper)) {
@@ -89,8 +89,8 @@ class Interval {
     return whole();
   }
 
-  /// The root of a number that is not below 0, from the part of `a` that is not. Within one double
-  /// of the tightest bounds, and a point where the root is a double.
+  /// The root of the part of `a` that is not negative. Bounds lie within one double of the tightest
+  /// ones, and form a point if the root is a double.
   friend Interval sqrt(const Interval& a) {
     return {root_below(a.lower_), a.upper_ > 0 ? root_above(a.upper_) : 0, Trusted{}};
   }
@@ -108,8 +108,8 @@ class Interval {
 
   bool straddles_zero() const { return lower_ < 0 && upper_ > 0; }
 
-  // The largest double <= the exact result, from the finite rounded one and the side on which the
-  // exact one lies. Without a branch, since that side is as good as random. `above` mirrors it.
+  // The largest double <= the exact result, from the finite rounded result and the exact result's
+  // side of it. Branch-free, since the side is as good as random. `above` mirrors it.
   static double below(double rounded, double residual) {
     if (rounded == 0) return residual < 0 ? -std::numeric_limits<double>::denorm_min() : 0;
     const auto bits = std::bit_cast<std::int64_t>(rounded);
@@ -186,7 +186,7 @@ class Interval {
   double lower_ = 0, upper_ = 0;
 };
 
-/// The sign that all numbers of the interval share, if they do. Certified.
+/// The sign that all numbers of the interval share, if any. Certified.
 inline std::optional<int> certified_sign(const Interval& value) {
   if (value.lower() > 0) return 1;
   if (value.upper() < 0) return -1;
@@ -194,7 +194,7 @@ inline std::optional<int> certified_sign(const Interval& value) {
   return std::nullopt;
 }
 
-/// As certified_sign; throws UndecidedSign where there is none.
+/// The sign as in certified_sign; throws UndecidedSign if no sign is certain.
 inline int sign(const Interval& value) {
   const std::optional<int> certified = certified_sign(value);
   if (!certified) throw UndecidedSign();

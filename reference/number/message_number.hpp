@@ -1,4 +1,4 @@
-// Numbers as messages show them.
+// Numbers for messages.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,15 @@
 
 namespace minkref {
 
-/// The number in plain decimal notation, no exponent ("-30.7428"); none where the denominator has a
+/// The number in plain decimal notation, no exponent ("-30.7428"); none if the denominator has a
 /// prime factor other than 2 and 5. Exact.
 std::optional<std::string> exact_decimal(const Rational& value);
 
 /// Whether exact_decimal gives a text.
 bool has_exact_decimal(const Rational& value);
 
-/// A number for a message, where it stands beside what a file says: a decimal where there is a
-/// short one, else "n/d"; what has more than 60 characters is cut.
+/// A number for a message, to be read beside the text of a file: a short decimal if possible, else
+/// "n/d"; longer text than 60 characters is cut.
 std::string message_text(const Rational& value);
 
 }  // namespace minkref

@@ -1,11 +1,10 @@
 // Floating-point numbers of a precision in bits chosen at run time, value by value: MPFR.
 //
 // The paper computes with such numbers (Behar & Lien 2012, Sec. 4.2.2). They round, so they decide
-// nothing here: they show what this arithmetic answers. Each value carries its precision; no state
-// of the process (MPFR's default precision, exponent range or rounding mode) is read or written.
-// Results are those of IEEE 754 arithmetic with that many bits of significand, rounded to nearest,
-// ties to even, as long as they stay in the exponent range of the IEEE format: MPFR's own is far
-// larger.
+// nothing here: they show what this arithmetic answers. Each value carries its precision; the
+// process state (MPFR's default precision, exponent range or rounding mode) is neither read nor
+// written. Results equal IEEE 754 arithmetic with as many bits of significand, rounded to nearest,
+// ties to even, within the exponent range of the IEEE format: MPFR's own range is far larger.
 #pragma once
 
 #include <mpfr.h>
@@ -22,14 +21,14 @@ namespace minkref {
 
 class Mpfr {
  public:
-  /// Bits of significand that one value may have.
+  /// The most bits of significand for one value.
   static constexpr long largest_precision = 1L << 24;
 
   /// Zero, at the smallest precision: it never lowers or raises the precision of a result.
   Mpfr() : Mpfr(0) {}
 
-  /// The integer, exactly, at the smallest precision that holds it: a literal beside a value of
-  /// more bits takes that value's precision. (1 / 3 between two literals has two bits: avoid it.)
+  /// The integer, exactly, at the smallest sufficient precision: a literal beside a value of more
+  /// bits takes that value's precision. (1 / 3 between two literals has two bits: avoid it.)
   template <std::integral T>
   Mpfr(T value)  // NOLINT: implicit, since it is exact
       : Mpfr(Integral{value < T{0}, value < T{0} ? 0 - static_cast<std::uint64_t>(value)
@@ -108,8 +107,8 @@ class Mpfr {
   void end() {
     if (!is_short()) mpfr_clear(value_);
   }
-  /// The value of another one, which has none after this but zero if it was long. There is none
-  /// here yet.
+  /// Takes the value of `other`; a long `other` becomes zero, without memory. Requires that no
+  /// value is here yet.
   void take(Mpfr& other) noexcept {
     *value_ = *other.value_;
     if (is_short()) {

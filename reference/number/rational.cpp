@@ -55,8 +55,7 @@ bool take_sign(std::string_view& rest) {
   return false;
 }
 
-/// The parts of the text of a number, nothing evaluated. Either `denominator` or the last two
-/// apply.
+/// The parts of a number's text, nothing evaluated. Either `denominator` or the last two apply.
 struct Parts {
   bool negative = false, is_fraction = false, exponent_negative = false;
   std::string_view whole, denominator, fraction, exponent;
@@ -126,8 +125,8 @@ struct Nearest {
   int residual = 0;
 };
 
-/// `quotient` units of 2^unit, of which bits below 2^lowest are rounded half to even; `beyond` says
-/// whether something below the quotient's last bit was cut off.
+/// Rounds `quotient` * 2^unit, half to even, to a multiple of 2^lowest; `beyond` says whether
+/// something below the quotient's last bit was cut off.
 Nearest round_half_even(std::uint64_t quotient, long unit, long lowest, bool beyond) {
   const long cut = lowest - unit;  // bits to drop, 1 to 64 here
   const std::uint64_t kept = cut >= 64 ? 0 : quotient >> cut;
@@ -150,7 +149,7 @@ Nearest nearest_magnitude(const Rational& value) {
   const long magnitude = bits(n) - bits(d);  // 2^(magnitude-1) < |value| < 2^(magnitude+1)
   if (magnitude > 1025) return {std::numeric_limits<double>::infinity(), -1};
   if (magnitude < -1080) return {0, 1};
-  // A quotient of 63 or 64 bits: |n/d| = (quotient + something in [0, 1)) 2^-shift.
+  // The quotient has 63 or 64 bits: |n/d| = (quotient + something below 1) 2^-shift.
   const long shift = 63 - magnitude;
   Integer numerator, denominator, quotient, remainder;
   mpz_abs(numerator.backend().data(), n);

@@ -1,9 +1,8 @@
 // The geometry's demands on a number, and the four models: Rational, Interval, Mpfr, double.
 //
-// `sign` answers with -1, 0 or 1. The sign of a Rational is exact; an Interval certifies its sign
-// or throws UndecidedSign; an Mpfr and a double give the sign of the rounded value, and NaN, of
-// which nothing is known, throws UndecidedSign. `approximate` gives a double for drawing, never for
-// deciding.
+// `sign` answers with -1, 0 or 1. A Rational's sign is exact; an Interval certifies its sign or
+// throws UndecidedSign; an Mpfr and a double give the sign of the rounded value, and throw
+// UndecidedSign for NaN. `approximate` gives a double for drawing, never for deciding.
 #pragma once
 
 #include <cmath>
@@ -25,8 +24,8 @@ inline int sign(double value) {
 inline double approximate(double value) { return value; }
 inline double approximate(const Rational& value) { return to_double(value); }
 
-/// Takes exact numbers to the scalar T: the entrance of a computation in T. `name()` is the word of
-/// the command line. Specialised for the four models.
+/// Takes exact numbers to the scalar T: the entrance of a computation with T. `name()` is the
+/// command line's word. Specialised for the four models.
 template <class T>
 class Arithmetic;
 
@@ -46,7 +45,7 @@ class Arithmetic<Interval> {
   std::string name() const { return "interval"; }
 };
 
-/// The nearest value of `precision` bits. The constructor throws as Mpfr's does.
+/// The nearest value with `precision` bits. The constructor throws as Mpfr's does.
 template <>
 class Arithmetic<Mpfr> {
  public:
@@ -68,7 +67,7 @@ class Arithmetic<double> {
 };
 
 /// A number that the geometry can be written against. Default construction gives zero; integers
-/// convert exactly. Ordering is not asked for: compare by the sign of a difference.
+/// convert exactly. Ordering is not required: compare by the sign of a difference.
 template <class T>
 concept Scalar =
     std::default_initializable<T> && std::copyable<T> && std::constructible_from<T, int> &&

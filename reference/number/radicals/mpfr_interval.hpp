@@ -1,4 +1,4 @@
-// Intervals between two numbers of a precision in bits: bounds are rounded outwards by MPFR.
+// Intervals between two numbers of a chosen precision: MPFR rounds the bounds outwards.
 #pragma once
 
 #include <mpfr.h>
@@ -7,7 +7,7 @@
 
 namespace minkref {
 
-/// Holds the exact result of each operation. No state of the process is read or written.
+/// Holds the exact result of each operation. Process state is neither read nor written.
 class MpfrInterval {
  public:
   MpfrInterval(const Rational& value, long precision);
@@ -23,13 +23,13 @@ class MpfrInterval {
   /// The whole line where the divisor contains zero.
   friend MpfrInterval operator/(const MpfrInterval& a, const MpfrInterval& b);
   friend MpfrInterval operator-(const MpfrInterval& a);
-  /// The root of a number that is not below 0, from the part of `a` that is not.
+  /// The root of the part of `a` that is not negative.
   friend MpfrInterval sqrt(const MpfrInterval& a);
-  /// The angle of (x, y), between -π and π. From -4 to 4 where the interval of x reaches below 0
-  /// and that of y contains 0: nothing is known there.
+  /// The angle of (x, y), between -π and π. From -4 to 4, that is unknown, where x's interval
+  /// reaches below 0 and y's contains 0.
   friend MpfrInterval atan2(const MpfrInterval& y, const MpfrInterval& x);
 
-  /// 1 or -1 where that is certain, 0 where it is not or both bounds are 0.
+  /// 1 or -1 if certain; 0 if uncertain, or if both bounds are 0.
   int certain_sign() const;
   bool is_below(const MpfrInterval& other) const { return mpfr_less_p(high_, other.low_) != 0; }
   Rational low() const;
@@ -38,7 +38,7 @@ class MpfrInterval {
   /// The doubles nearest to the bounds, and those next to them on the outer side. An infinity
   /// beyond the range of doubles; no -0.
   Enclosure nearest() const;
-  /// Whether it is between two numbers, neither of which is a bound.
+  /// Whether the interval lies between two numbers, and neither is a bound.
   bool is_strictly_between(double low, double high) const {
     return mpfr_cmp_d(low_, low) > 0 && mpfr_cmp_d(high_, high) < 0;
   }

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// As a number that goes on where doubles end, for what is right between two.
+/// The double as a rational, with ±2^1024 for the infinities: the numbers next beyond the greatest
+/// doubles, so that midpoints exist.
 Rational finite(double value) {
   if (std::isfinite(value)) return from_double(value);
   const Rational beyond(Integer(1) << 1024U);
@@ -22,7 +23,7 @@ Rational finite(double value) {
 
 bool is_even(double value) { return (std::bit_cast<std::uint64_t>(value) & 1U) == 0; }
 
-/// The nearer of two neighbouring doubles, by the side of their middle on which the number is.
+/// The nearer of two neighbouring doubles, given the number's side of their midpoint.
 double nearer(double low, double high, int side) {
   if (side != 0) return side < 0 ? low : high;
   return is_even(low) ? low : high;
@@ -108,7 +109,7 @@ Enclosure enclose(const RealNumber& value) {
       if (bits >= RealNumber::most_bits) refuse_to_tell();
       continue;
     }
-    // One of these doubles may be the number: the bounds, or the one between.
+    // The number may equal a double: a bound, or the double between.
     const double middle = is_told ? low : std::nextafter(low, infinity);
     if (!is_told && std::nextafter(middle, infinity) != high) continue;
     const auto order = [&](double at) { return value.order(finite(at)); };

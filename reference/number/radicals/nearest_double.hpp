@@ -1,8 +1,8 @@
-// The doubles that are written for exact numbers: the nearest one, and the two next to it.
+// The doubles written for exact numbers: the nearest double, and the neighbours on both sides.
 //
 // Every double that leaves the library for a number with roots or angles is made here. Intervals of
-// more and more bits are asked until they tell; where they never would, since the number is a
-// double or right between two, its exact order does.
+// more and more bits are asked until they tell; for a number that equals a double, or lies right
+// between two, they never would, and its exact order decides.
 #pragma once
 
 #include <functional>
@@ -15,19 +15,19 @@ namespace minkref {
 
 /// A real number that can be known as closely as asked.
 struct RealNumber {
-  /// Holds the number; shrinks to it as the precision in bits grows.
+  /// An interval that holds the number, and shrinks to it as the precision in bits grows.
   std::function<MpfrInterval(long)> near;
-  /// The sign of the number less a rational. Exact. Empty for numbers of which no exact order is
-  /// known: then what cannot be told by `most_bits` is off by less than one unit in the last place.
+  /// The sign of the number less a rational. Exact. Empty for numbers without a known exact order:
+  /// then a result that `most_bits` cannot tell is off by less than one unit in the last place.
   std::function<int(const Rational&)> order;
-  /// The bounds that are known already; the whole line if none are.
+  /// Bounds known already; the whole line if none.
   Interval known = Interval::whole();
 
   static constexpr long first_bits = 128, most_bits = 1L << 14;
 };
 
 RealNumber real(const RootNumber& value);
-/// The root of a number that is not negative.
+/// The root; requires a number >= 0.
 RealNumber root_of(const RootNumber& square);
 
 /// The nearest double, ties to even; an infinity beyond the range of doubles, and 0 only where the
@@ -35,16 +35,16 @@ RealNumber root_of(const RootNumber& square);
 double nearest_double(const RealNumber& value);
 double nearest_double(const RootNumber& value);
 
-/// The tightest pair of doubles around a number: equal iff it is a double.
+/// The tightest pair of doubles around a number: two equal doubles iff the number is a double.
 Enclosure enclose(const RealNumber& value);
 Enclosure enclose(const RootNumber& value);
 
-/// A number as the sum of two doubles, the first one the nearest.
+/// A number as the sum of two doubles, the nearest double first.
 struct TwoDoubles {
   double high = 0, low = 0;
 };
 
-/// Within 2^-100 of the number, as far as the range of doubles allows.
+/// Two doubles within 2^-100 of the number, as far as the range of doubles allows.
 TwoDoubles two_doubles(const RealNumber& value);
 
 }  // namespace minkref

@@ -15,7 +15,7 @@ void make_monic(Polynomial& p) {
   for (Rational& c : p) c /= lead;
 }
 
-/// The remainder of a by b, which is not zero.
+/// The remainder of a by b; requires b != 0.
 Polynomial remainder(Polynomial a, const Polynomial& b) {
   trim(a);
   while (a.size() >= b.size()) {

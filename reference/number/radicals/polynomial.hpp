@@ -10,13 +10,13 @@ namespace minkref {
 
 using Polynomial = std::vector<Rational>;
 
-/// Monic; empty where both are zero. Euclid.
+/// The common divisor, monic; empty if both are zero. Euclid.
 Polynomial common_divisor(Polynomial a, Polynomial b);
 
 /// The same roots, each once; monic.
 Polynomial without_multiple_roots(const Polynomial& p);
 
-/// How many different real roots there are in (low, high], by Sturm's theorem.
+/// The count of different real roots in (low, high], by Sturm's theorem.
 std::size_t count_roots(const Polynomial& p, const Rational& low, const Rational& high);
 
 template <class Number>

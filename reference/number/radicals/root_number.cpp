@@ -14,7 +14,7 @@ namespace minkref {
 namespace {
 
 using Coefficients = std::vector<Rational>;
-/// The radicands of a field: the k-th root is the root of a number with 2^k coefficients.
+/// A field's radicands: the k-th root is the root of a number with 2^k coefficients.
 using Radicands = std::vector<Coefficients>;
 /// 2^level coefficients from here on: a, then b, of a + b √m.
 using Part = const Rational*;
@@ -179,7 +179,7 @@ RootNumber operator*(const RootNumber& a, const RootNumber& b) {
 
 RootNumber operator/(const RootNumber& a, const RootNumber& b) {
   if (sign(b) == 0) throw std::domain_error("division by zero");
-  // b = u + v √m: times its conjugate it is of the field below; where that is 0, b is 2 u.
+  // b = u + v √m: b times its conjugate belongs to the field below; if the product is 0, b = 2 u.
   RootNumber top = a, bottom = b;
   while (bottom.field_->roots() > 0) {
     const auto below = bottom.field_->base();
@@ -226,7 +226,8 @@ MpfrInterval RootNumber::enclosure(long precision) const {
 }
 
 std::vector<Rational> RootNumber::polynomial() const {
-  // X - x, then times what it is with each root of the other sign, from the last root to the first.
+  // Starts with X - x and multiplies by its conjugate for each root, from the last root to the
+  // first.
   std::size_t level = field_->roots();
   std::vector<Coefficients> terms(2, Coefficients(size_of(level)));
   for (std::size_t k = 0; k < size_of(level); ++k) terms[0][k] = -coefficients_[k];

@@ -13,22 +13,22 @@ namespace minkref {
 
 class RootNumber;
 
-/// The rationals, to which roots have been adjoined one after the other, each of a number of the
-/// field before it. A root may be in that field already: then numbers have several names, and
-/// signs and equality are still right.
+/// The rationals with roots adjoined one after the other, each the root of a number of the field
+/// before. A root may belong to that field already: then numbers have several names, and signs and
+/// equality are still right.
 class RootField {
  public:
   static constexpr std::size_t most_roots = 4;
 
   static std::shared_ptr<const RootField> rationals();
-  /// √radicand, which is not negative, adjoined to the field of the radicand. Throws LimitExceeded
+  /// The radicand's field with √radicand adjoined; requires radicand >= 0. Throws LimitExceeded
   /// ("too-many-roots") beyond most_roots.
   static std::shared_ptr<const RootField> with_root_of(const RootNumber& radicand);
 
   std::size_t roots() const { return radicands_.size(); }
   /// The field before the last root; none of the rationals.
   const std::shared_ptr<const RootField>& base() const { return base_; }
-  /// The coefficients of those whose roots have been adjoined: 2^k of the k-th.
+  /// The coefficients of the adjoined roots' radicands: 2^k for the k-th.
   const std::vector<std::vector<Rational>>& radicands() const { return radicands_; }
 
  private:
@@ -47,20 +47,20 @@ class RootNumber {
   RootNumber(const Rational& value);                      // NOLINT: implicit, since it is exact
   RootNumber(int value) : RootNumber(Rational(value)) {}  // NOLINT
 
-  /// √value, in a field that has it: that of `value` where a rational is a square.
+  /// √value, in the field of `value` if this is a rational's square, else with a root adjoined.
   friend RootNumber sqrt(const RootNumber& value);
-  /// The same number in a field that was made from its own.
+  /// The same number as an element of a field made from its own.
   RootNumber in(const std::shared_ptr<const RootField>& field) const;
 
   const std::shared_ptr<const RootField>& field() const { return field_; }
   const std::vector<Rational>& coefficients() const { return coefficients_; }
 
-  // One of the fields was made from the other: else std::logic_error.
+  // Requires that one field was made from the other; throws std::logic_error otherwise.
   friend RootNumber operator-(const RootNumber& a);
   friend RootNumber operator+(const RootNumber& a, const RootNumber& b);
   friend RootNumber operator-(const RootNumber& a, const RootNumber& b);
   friend RootNumber operator*(const RootNumber& a, const RootNumber& b);
-  /// Throws std::domain_error for a divisor that is zero.
+  /// Throws std::domain_error if the divisor is zero.
   friend RootNumber operator/(const RootNumber& a, const RootNumber& b);
 
   /// Exact: doubles, then MPFR, then a + b √m by the signs of a, b and a² - b² m.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr long first_bits = 128;
 
-/// Whether a number is a root.
+/// Whether x is a root of p.
 bool is_root(const Polynomial& p, const RootNumber& x) { return sign(value_at(p, x)) == 0; }
 
 }  // namespace
@@ -30,7 +30,7 @@ int compare(const RootNumber& a, const RootNumber& b) {
       may_be_equal = common.size() > 1 && is_root(common, a) && is_root(common, b);
       if (!may_be_equal) continue;
     }
-    // Both are roots between these bounds. Half-open: from a little below.
+    // Both are roots between these bounds. `low` counts apart, since count_roots leaves it out.
     const Rational low = std::min(x.low(), y.low()), high = std::max(x.high(), y.high());
     const bool at_low = value_at(common, low) == 0;
     if (count_roots(common, low, high) + (at_low ? 1 : 0) == 1) return 0;

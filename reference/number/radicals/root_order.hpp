@@ -1,13 +1,13 @@
-// The order of numbers of different fields.
+// The order of numbers from different fields.
 #pragma once
 
 #include "reference/number/radicals/root_number.hpp"
 
 namespace minkref {
 
-/// The sign of a - b. Exact: doubles and MPFR where they tell; else both are equal iff both are
-/// roots of the common divisor of their polynomials and only one of its roots is where they are
-/// (Sturm). Ends, since numbers that differ are told apart by enough bits.
+/// The sign of a - b. Exact: by doubles and MPFR if they tell; else a and b are equal iff both are
+/// roots of the common divisor of their polynomials, and this has only one root near them (Sturm).
+/// Ends, since enough bits tell different numbers apart.
 int compare(const RootNumber& a, const RootNumber& b);
 
 }  // namespace minkref

@@ -14,7 +14,7 @@ struct PlainRoot {
   Integer inside;
 };
 
-/// √(square), with small square factors in front of it.
+/// √square as a product: small square factors stand before the root.
 PlainRoot plain_root(const Rational& square) {
   namespace mp = boost::multiprecision;
   const Integer bottom = mp::denominator(square);
@@ -32,8 +32,8 @@ PlainRoot plain_root(const Rational& square) {
   return {Rational(outside, bottom), inside};
 }
 
-/// Adds each product of roots of a number, times a factor and a root. Bit k of the number of a
-/// product says whether the k-th root is in it.
+/// Adds each product of the number's roots, times a factor and a root. Bit k of a product's index
+/// says whether the product contains the k-th root.
 void add_products(std::map<std::string, Rational>& terms,
                   const std::vector<RootCoefficients>& radicands,
                   const RootCoefficients& coefficients, const Rational& factor,

@@ -8,15 +8,16 @@
 
 namespace minkref {
 
-/// A sum of rational multiples of products of roots, of numbers of any fields. Roots of rational
-/// numbers in a product are one, without square factors below 1000^2. Equal sums may still look
+/// A sum of rational multiples of products of roots, for numbers of any fields. A product joins its
+/// roots of rational numbers to one, without square factors below 1000^2. Equal sums may still look
 /// different.
 class RootTerms {
  public:
   /// Adds value · factor · √square, square > 0.
   void add(const RootNumber& value, const Rational& factor = 1, const Rational& square = 1);
 
-  /// Factors by products, `sqrt(2)*sqrt(3 + sqrt(5))`; of 1: the empty text. None are zero.
+  /// Factors, none zero, by products such as `sqrt(2)*sqrt(3 + sqrt(5))`; the product 1 is the
+  /// empty text.
   const std::map<std::string, Rational>& terms() const { return terms_; }
   /// `1/2 - 3/4*sqrt(5)`, the rational term first.
   std::string text() const;
