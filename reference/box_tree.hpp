@@ -1,4 +1,4 @@
-// A bounding-volume hierarchy over boxes: pairs of boxes that overlap, boxes that meet a box.
+// A bounding-volume hierarchy over boxes: overlapping pairs, and boxes that meet a given box.
 #pragma once
 
 #include <algorithm>
@@ -39,15 +39,15 @@ class BasicBoxTree {
     return !nodes_.empty() && query_node(0, box, report);
   }
 
-  /// Calls report(i, j), i and j different, once for every pair of boxes that overlap. Where report
-  /// returns a bool, stops when it is true, and then returns true.
+  /// Calls report(i, j), i and j different, once for every pair of boxes that overlap. If report
+  /// returns a bool, stops at the first true, and then returns true.
   template <class Report>
   bool pairs(Report&& report) const {
     return !nodes_.empty() && self_pairs(0, report);
   }
 
   /// Calls report(i, j) for every box i of this tree and j of `other` with overlap(box_i, box_j),
-  /// where overlap on boxes of inner nodes is implied by overlap on their leaves; stops early when
+  /// where overlap of leaves must imply overlap of their inner nodes' boxes; stops early when
   /// report returns true.
   template <class Overlap, class Report>
   bool pairs_with(const BasicBoxTree& other, Overlap&& overlap, Report&& report) const {

@@ -15,7 +15,7 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Where in an input a fault lies. Fields that do not apply stay empty.
+/// The place of a fault within an input. Fields that do not apply stay empty.
 struct Place {
   std::string source;                       ///< file name, or "P", "Q"
   std::optional<std::size_t> line;          ///< 1-based line of a text file
@@ -28,8 +28,8 @@ struct Place {
   std::vector<std::size_t> other_vertices;  ///< 0-based indices within the second ring
 };
 
-/// An input that is refused: `code` is a stable word (for example "self-intersection"), `problem`
-/// says in one sentence what is wrong, `mend` how to put it right. what() joins place, problem and
+/// The refusal of an input: `code` is a stable word (for example "self-intersection"), `problem`
+/// says the fault as one sentence, `mend` says how to put it right. what() joins place, problem and
 /// mend.
 class BadInput : public Error {
  public:
@@ -38,7 +38,7 @@ class BadInput : public Error {
   const std::string& problem() const { return problem_; }
   const std::string& mend() const { return mend_; }
   const Place& place() const { return place_; }
-  /// The same refusal with the source (file name) filled in where it was empty.
+  /// The same refusal, with an empty source (file name) filled in.
   BadInput from(const std::string& source) const;
 
  private:

@@ -15,7 +15,7 @@ constexpr auto names = std::to_array<std::string_view>({
 #undef MINKREF_FAULT_NAME
 });
 
-/// The number of the fault asked for; as many as there are: none.
+/// The index of the requested fault; the fault count for none.
 std::size_t asked_for() {
   const char* text = std::getenv("MINKREF_FAULT");
   if (text == nullptr || *text == '\0') return names.size();

@@ -1,12 +1,12 @@
 // Faults that a test build can put into the reference, to see which check catches each
-// (reports/faults). In every other build they do not exist.
+// (reports/faults). Other builds do not have them.
 #pragma once
 
 #include <cstdint>
 
 namespace minkref {
 
-// X(name, what is wrong).
+// X(name, the fault).
 #define MINKREF_FAULTS_IN_PLANE(X)                                                            \
   X(turn_ends_alike, "both sides of the convolution take the turn [in, out)")                 \
   X(reflex_vertices_kept, "the reduced convolution takes reflex vertices")                    \

@@ -1,4 +1,4 @@
-// Which form of a formula of the paper is meant, where the printed one does not hold.
+// The form of a paper's formula that is meant, if the printed form does not hold.
 #pragma once
 
 namespace minkref {

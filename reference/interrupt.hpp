@@ -7,7 +7,7 @@ namespace minkref {
 
 /// While an Interruptible lives, the long loops of this thread call `look`, some hundred times a
 /// second or more. An exception from `look` ends the work: its unfinished result is lost, its
-/// arguments are as they were. An inner Interruptible takes the place of the outer one.
+/// arguments keep their values. An inner Interruptible replaces the outer one.
 class Interruptible {
  public:
   explicit Interruptible(std::function<void()> look);
@@ -20,10 +20,10 @@ class Interruptible {
   const std::function<void()>* before_;
 };
 
-/// In each turn of a loop whose turns take a millisecond.
+/// For each turn of a loop whose turns take a millisecond.
 void look_for_interrupt_now();
 
-/// In each turn of a loop that may be long; looks now and then. A turn costs next to nothing.
+/// For each turn of a possibly long loop; looks now and then. A turn costs next to nothing.
 inline void look_for_interrupt() {
   constexpr unsigned turns_between_looks = 64;
   static thread_local unsigned turns = 0;

@@ -31,7 +31,7 @@ std::uint64_t available_on_machine() {
   return unlimited;
 }
 
-/// The memory that a control group and the groups above it leave.
+/// The memory left by a control group and the groups above.
 std::uint64_t available_below(const std::string& root, std::string group, const char* limit,
                               const char* usage) {
   std::uint64_t least = unlimited;

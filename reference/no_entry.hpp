@@ -4,7 +4,7 @@
 
 namespace minkref {
 
-// In the place of an index: there is no such entry.
+// Stands for an index, where no entry exists.
 inline constexpr std::uint32_t no_entry = 0xffffffffU;
 
 }  // namespace minkref
