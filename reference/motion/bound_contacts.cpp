@@ -28,7 +28,7 @@ bool holds_point(const ConvexCorners& piece, const Point& p) {
   return true;
 }
 
-/// The vertex at a point of the boundary of a set, or the edge through it.
+/// The vertex at a boundary point of a set, or the edge through the point.
 std::optional<TouchingFeature> feature_at(const PolygonSet& set, const Point& p) {
   std::vector<const Ring*> rings;
   for (const Polygon& polygon : set.polygons) {
@@ -48,7 +48,7 @@ std::optional<TouchingFeature> feature_at(const PolygonSet& set, const Point& p)
   return edge;
 }
 
-/// Where two pieces touch that share no area: a corner of one that is in the other.
+/// A contact of two pieces without a common area: a corner of either piece on the other.
 struct TouchingPoint {
   Point at;
   TouchingFeature part, obstacle;

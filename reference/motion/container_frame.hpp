@@ -5,14 +5,14 @@
 
 namespace minkref::inline paths {
 
-/// A box less a container, so wide that a part which does not meet it is in the container, or all
-/// outside of the box.
+/// A box less a container, so wide that a part which does not meet the set lies inside the
+/// container or all outside the box.
 struct ContainerFrame {
   PolygonSet set;
   ScaleWindow window;  ///< scales at which the part has room in the box of the container, twice
 
-  /// For a part at scales at which its box fits into that of the container. `about`: places of the
-  /// part that are asked for; there it is not outside of the box. Exact. Throws BadInput
+  /// For a part at scales at which its box fits into the container's box. `about`: places of the
+  /// part for later questions; there the part is not outside the box. Exact. Throws BadInput
   /// ("point-part") for a part without any extent.
   ContainerFrame(const PolygonSet& part, const PolygonSet& container,
                  const std::vector<Point>& about);

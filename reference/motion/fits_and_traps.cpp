@@ -84,8 +84,8 @@ class FreePlaces {
   Passages passages() const {
     return rule_ == ContactRule::allowed ? Passages::find : Passages::leave;
   }
-  /// The answer, if the list of events or a place that is not free tells it: all places that were
-  /// asked for have to be free; if there are none, a hole of the sum is enough.
+  /// The answer, if the list of events or a place without freedom tells it: every place asked for
+  /// has to be free; without places, a hole of the sum is enough.
   std::optional<bool> without_boundary(const Rational& scale) const {
     for (const std::vector<ScaleRange>& free : free_) {
       if (std::none_of(free.begin(), free.end(),
@@ -101,8 +101,8 @@ class FreePlaces {
   FreeSpace free_space(const Sum& sum) const { return {sum, rule_, places_}; }
   void add(FreeBound cause) { causes_.try_emplace(cause.scale, cause); }
 
-  /// Adds the corners of the free places in space and scale: free places where contacts meet.
-  /// Places that are free at one scale only, or along tight passages, show in these corners alone.
+  /// Adds the corners of the free places over space and scale: free places where contacts meet.
+  /// Places free only at one scale, or only along tight passages, show at these corners alone.
   void add_free_vertices() {
     for (const PolygonSet* set : {&part_, &obstacles_}) {
       if (wedge_walks(*set)) {
@@ -133,7 +133,7 @@ class FreePlaces {
     }
   }
 
-  /// The causes at the ends, and static sums there and on either side of them.
+  /// Adds the causes at the ends, and static sums there and on either side.
   void add_bounds(const ScaleSet& found, const Question& question, FreeScales& result) const {
     const auto prove = [&](const Rational& scale) {
       const Sum sum =
@@ -208,9 +208,9 @@ struct FreeProblem {
   }
 };
 
-/// Two scales up to the first of which a question holds and from the second of which on it does
-/// not, near to each other. None where it does not hold at a small scale, or holds at `to`. For a
-/// question that holds up to some scale and no more above it.
+/// Two close scales: a question holds up to the first and no longer from the second on. None if the
+/// question fails at a small scale, or holds at `to`. For a question that holds up to some scale
+/// and never above.
 std::optional<std::pair<Rational, Rational>> bracket(
     const std::function<bool(const Rational&)>& holds, const std::optional<Rational>& from,
     const Rational& to) {
@@ -232,14 +232,14 @@ std::optional<std::pair<Rational, Rational>> bracket(
     Rational middle = (low + high) / 2;
     (holds(middle) ? low : high) = std::move(middle);
   }
-  // The scale that is looked for is no end of what is looked through, other than of the window.
+  // The scale sought may be an end of the searched window only if the whole window ends there.
   const Rational wider = (high - low) / 3;
   const Rational least = low - wider, most = high + wider;
   return std::pair{from ? std::max(least, *from) : least, std::min(most, to)};
 }
 
 /// Rooms of the obstacles: the parts of their complement. A part that holds its origin never leaves
-/// the room in which that is, however small, other than through a point in which rings touch.
+/// the origin's room, however small, other than through a point at which rings touch.
 class Rooms {
  public:
   explicit Rooms(const FreeProblem& problem)
@@ -266,8 +266,7 @@ class Rooms {
   bool are_apart_;
 };
 
-/// The contact at the greatest free scale of a place, where a trap ends, after the bounds that
-/// there are.
+/// Adds the contact at a place's greatest free scale, where a trap ends, after the other bounds.
 void add_last_contact(const FreeProblem& problem, const Question& trapped,
                       const ScaleWindow& window, const PathBound& last, const Rational& before,
                       FreeScales& result) {
@@ -299,9 +298,9 @@ FreeScales up_to_a_scale(const FreeProblem& problem, const Question& question,
   return result;
 }
 
-/// The scales at which a part that is star-shaped about its origin is free at a place are those up
-/// to one, and so are those at which it also gets away; trapped it is between the two. None where
-/// no bracket is found.
+/// The scales of a trap, for a part that is star-shaped about its origin: at a place, it is free up
+/// to some scale, and gets away up to another; between the two it is trapped. None if no bracket is
+/// found.
 std::optional<FreeScales> narrowed_trap(const FreeProblem& problem, const Question& trapped,
                                         const ScaleWindow& window) {
   const Point& at = problem.places[0];

@@ -1,4 +1,4 @@
-// At which scales a part fits into a container, passes from one place in it to another, or is
+// The scales at which a part fits into a container, passes from one of its places to another, or is
 // trapped: all by translations alone (Behar & Lien 2012, Section 8.1).
 #pragma once
 
@@ -19,7 +19,7 @@ struct FreeBound {
   std::optional<PathBound> contact;
 };
 
-/// A scale at which the answer was found again by a static sum.
+/// A scale at which a static sum confirmed the answer.
 struct StaticProof {
   Rational scale;
   bool holds = false;
@@ -32,25 +32,25 @@ struct FreeScales {
   std::uint64_t critical_scales = 0;
 };
 
-/// How the scales are found at which the answer may change. `narrowed`: where the part has a point
-/// that sees all of it (for a trap and a way between places: that is its origin), what is asked
-/// holds up to some scale and no more above it. Sums at single scales bracket that scale, and the
-/// index is that of the bracket alone. `all`: of all scales, whatever the part.
+/// The search for the scales at which the answer may change. `narrowed`: if some point of the part
+/// sees the whole part (for a trap and a way between places: the origin has to), the question holds
+/// up to some scale and never above. Sums at single scales bracket this scale, and the index covers
+/// the bracket alone. `all`: the index covers all scales, whatever the part.
 enum class FitSearch : std::uint8_t { narrowed, all };
 
-/// The scales at which the part may be at `at`, and no translation along which it does not collide
-/// takes it to infinity: its place lies in a bounded component of the free places (FreeSpace). A
-/// rotation may still free it. Critical scales are those of holes in the index, those at which the
-/// place starts or stops to be free, and where contact is allowed all at which three contacts meet
-/// in a free place. Exact. Throws BadInput as valid_scales, and "touching-rings" where contact is
-/// allowed and rings of a set touch.
+/// The scales at which the part may be at `at`, and no translation without collision takes it to
+/// infinity: its place lies within a bounded component of the free places (FreeSpace). A rotation
+/// may still free it. Critical scales come from holes of the index, from the start or stop of the
+/// place's freedom, and, if contact is allowed, from three contacts that meet at a free place.
+/// Exact. Throws BadInput as valid_scales, and "touching-rings" if contact is allowed and rings of
+/// a set touch.
 FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, const Point& at,
                           ContactRule rule = ContactRule::allowed, const ScaleWindow& window = {},
                           FitSearch search = FitSearch::narrowed);
 
-/// The scales at which the part lies in the container (with contact forbidden in its interior): at
-/// a place, at some place, or at two places and all along some way from one to the other. Throws
-/// BadInput as above, and "point-part" where the part is a point.
+/// The scales at which the part lies inside the container (with contact forbidden: its interior):
+/// at a place, at some place, or at two places and along some whole way between the two. Throws
+/// BadInput as above, and "point-part" if the part is a point.
 FreeScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& container, const Point& at,
                               ContactRule rule = ContactRule::allowed);
 FreeScales scales_that_fit(const PolygonSet& part, const PolygonSet& container,

@@ -78,7 +78,7 @@ bool FreeSpace::on_passage(const TightPassage& passage, const Point& x) {
   return false;
 }
 
-/// Cells and passages that have a point in common: a vertex of one of them is on the other.
+/// Joins cells and passages with a common point: a vertex of either lies on the other.
 void FreeSpace::join_touching() {
   const std::size_t cells = cells_.size();
   const auto holds = [&](std::size_t k, const Point& x) {

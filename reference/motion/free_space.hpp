@@ -9,16 +9,16 @@
 
 namespace minkref::inline paths {
 
-/// The complement of a sum, in parts: with contact forbidden the connected components of the open
-/// complement of the closed sum; with contact allowed those of the closed complement of the sum of
-/// the interiors, so of the closures of the former and the tight passages.
+/// A sum's complement as parts: with contact forbidden, the connected components of the closed
+/// sum's complement; with contact allowed, the components of the closed complement of the
+/// interiors' sum, that is, of the tight passages and the closures of the former components.
 class FreeSpace {
  public:
-  /// `sum`: canonical, and with tight passages where contact is allowed. `about`: points that will
-  /// be asked for. Exact. O(b^2) for a boundary of b vertices.
+  /// `sum`: canonical, and with tight passages if contact is allowed. `about`: points for later
+  /// questions. Exact. O(b^2) for a boundary with b vertices.
   FreeSpace(const Sum& sum, ContactRule rule, const std::vector<Point>& about);
 
-  /// Number of the part that holds a point; none where it is not free. Part 0 is the unbounded one.
+  /// The index of the part that holds a point; none if the point is not free. Part 0 has no bound.
   std::optional<std::size_t> part_of(const Point& x) const;
   std::size_t parts() const { return parts_; }  ///< the unbounded one included
 

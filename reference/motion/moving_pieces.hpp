@@ -1,4 +1,4 @@
-// Convex pieces in the plane that move along a path.
+// Convex pieces that move along a path of the plane.
 #pragma once
 
 #include "reference/motion/moving_pieces_of.hpp"
@@ -17,7 +17,7 @@ struct SidedPiece {
   Rational reach(const Point& direction) const;
 };
 
-/// The Geometry of MovingPiecesOf in the plane.
+/// The plane's Geometry for MovingPiecesOf.
 struct PathsInThePlane {
   using Point = plane::Point;
   using Piece = SidedPiece;
@@ -27,7 +27,7 @@ struct PathsInThePlane {
   static std::vector<NearVector<2>> across(const Point& from, const Point& to);
   static std::vector<StripCondition> conditions(const SidedPiece& robot, const SidedPiece& obstacle,
                                                 const Point& from, const Point& to);
-  /// Sides tell all there is to tell.
+  /// Returns false: the sides alone tell everything.
   static bool apart(const SidedPiece&, const SidedPiece&, const NearVector<2>&,
                     const NearVector<2>&, const ScaleGap&, bool) {
     return false;
@@ -37,7 +37,7 @@ extern template class MovingPiecesOf<PathsInThePlane>;
 
 class MovingPieces : public MovingPiecesOf<PathsInThePlane> {
  public:
-  /// Pieces of -R, which slide over the obstacles, and of these.
+  /// Takes the pieces of -R, which slide over the obstacles, and of the obstacles.
   MovingPieces(const PolygonSet& robot, const PolygonSet& obstacles, const std::vector<Point>& path,
                bool strict);
 };

@@ -1,6 +1,5 @@
-// All triples of a piece of the part, a piece of the obstacles and a segment of the path, and the
-// scales at which each of them collides; doubles leave out those that cannot matter. In the plane
-// and in space.
+// All triples of a piece of the part, a piece of the obstacles and a segment of the path, and each
+// triple's colliding scales; doubles leave out triples without influence. For plane and space.
 #pragma once
 
 #include <algorithm>
@@ -42,17 +41,17 @@ Interval reach_of(const std::vector<NearVector<Dimension>>& corners,
   return most;
 }
 
-/// Scales from and to, the latter infinity where there is none.
+/// The scales from and to; a gap without an upper end goes to infinity.
 using ScaleGap = std::array<double, 2>;
 
-/// Numbers of a segment, a piece of the part and a piece of the obstacles.
+/// Indices of a segment, a piece of the part and a piece of the obstacles.
 struct PieceTriple {
   std::uint32_t segment = 0, robot = 0, obstacle = 0;
 };
 
-/// How much room a direction leaves between a piece of obstacles that reaches as far as `obstacle`,
-/// and a piece of -R that reaches `robot`, over the gap; `least`: the least product of the segment.
-/// No more than there is; less than nothing where there may be none.
+/// The room that a direction leaves, over the gap, between an obstacle piece that reaches
+/// `obstacle` and a piece of -R that reaches `robot`; `least`: the segment's least product. Never
+/// more than the true room; negative if there may be no room.
 inline double room_across(double least, const Interval& robot, const Interval& obstacle,
                           const ScaleGap& gap) {
   const double none = -1, reach = robot.upper();
@@ -62,14 +61,14 @@ inline double room_across(double least, const Interval& robot, const Interval& o
   return (Interval(least) - Interval(obstacle.upper()) - at * Interval(reach)).lower();
 }
 
-/// Collisions are strict (interiors meet) or not (points in common). `Geometry` has the types Point
+/// Collisions are strict (interiors meet) or not (common points). `Geometry` has the types Point
 /// and Piece (a convex piece: its `near_corners`, and `near_across`, directions across its sides to
 /// the outside), the number of `dimensions`, and
 /// - near(point), point_at(from, to, t);
 /// - across(from, to): directions at right angles to a segment;
-/// - conditions(robot, obstacle, from, to): which places of a segment and scales collide; exact;
-/// - apart(robot, obstacle, from, to, gap, strict): whether doubles show otherwise that they never
-///   collide, or (unless `strict`) touch, at scales of the gap.
+/// - conditions(robot, obstacle, from, to): the colliding places of a segment and scales; exact;
+/// - apart(robot, obstacle, from, to, gap, strict): whether doubles prove by other means that the
+///   two never collide, or (unless `strict`) touch, at scales of the gap.
 template <class Geometry>
 class MovingPiecesOf {
  public:
@@ -79,14 +78,14 @@ class MovingPiecesOf {
   using Triple = PieceTriple;
   using Gap = ScaleGap;
 
-  /// Pieces of -R, which slide over the obstacles, and of these. O((a + k) b) in doubles for a, b
-  /// sides of pieces and k segments.
+  /// Takes the pieces of -R, which slide over the obstacles, and of the obstacles. O((a + k) b)
+  /// doubles for a, b sides of pieces and k segments.
   MovingPiecesOf(std::vector<Piece> robot, std::vector<Piece> obstacles, std::vector<Point> path,
                  bool strict);
 
-  /// Calls `take` with each triple that may collide at some scale of one of the gaps, the likely
-  /// ones first. `gaps` is read anew each time and may change; `touching`: also with those that may
-  /// only touch there.
+  /// Calls `take` with each triple that may collide at some scale of any gap, likely triples first.
+  /// `gaps` is read anew each time and may change; `touching`: also with triples that may only
+  /// touch there.
   void each(const std::vector<Gap>& gaps, bool touching,
             const std::function<void(const Triple&)>& take) const;
 
@@ -97,7 +96,7 @@ class MovingPiecesOf {
     return scales_of(*polygon);
   }
 
-  /// The places and scales at which it does, between two scales, of which one is below the other.
+  /// The triple's colliding places and scales between two different scales, the lower scale first.
   /// Exact.
   std::optional<StripPolygon> polygon(const Triple& triple, const Rational& from,
                                       const Rational& to) const {
@@ -117,7 +116,7 @@ class MovingPiecesOf {
   }
 
  private:
-  /// Across which direction two pieces and a segment are looked at, in doubles.
+  /// A direction across which two pieces and a segment are compared, with doubles.
   struct Side {
     Near direction;
     std::vector<Interval> path;       ///< products with the vertices of the path
@@ -203,7 +202,7 @@ auto MovingPiecesOf<Geometry>::side(const Near& direction, bool robots, bool all
   return result;
 }
 
-/// Segments and pieces of obstacles, those that are near to each other first: a guess, in doubles.
+/// Sorts segments and obstacle pieces, near pairs first: a guess from doubles.
 template <class Geometry>
 void MovingPiecesOf<Geometry>::put_in_order() {
   using Rounded = std::array<double, Geometry::dimensions>;

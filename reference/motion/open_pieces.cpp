@@ -75,7 +75,7 @@ class Joining {
     if (a == b) return;
     Corners& first = pieces_[a];
     Corners& second = pieces_[b];
-    // The first from the end of the side round to its start, then the second's other corners.
+    // The first runs from the side's end round to its start; then come the second's other corners.
     const auto turned_to = [](Corners& corners, std::uint32_t start) {
       std::rotate(corners.begin(), std::find(corners.begin(), corners.end(), start), corners.end());
     };
@@ -96,8 +96,8 @@ class Joining {
   std::vector<std::uint32_t> owner_;
 };
 
-/// How far one may go from m, away from `apex`, in a triangle on whose border m lies: a factor of
-/// m - apex, half of the most.
+/// The room behind m, away from `apex`, inside a triangle with m on its border: half the greatest
+/// factor of m - apex.
 std::optional<Rational> room_behind(const Point& apex, const Point& m, const Triangle& triangle) {
   const Point way{m.x - apex.x, m.y - apex.y};
   std::optional<Rational> most;
@@ -114,7 +114,7 @@ std::optional<Rational> room_behind(const Point& apex, const Point& m, const Tri
   return *most / 2;
 }
 
-/// Kites that hold the seams: four corners, with a part of a seam, free of vertices, as a diagonal.
+/// Adds kites that hold the seams: four corners, with a vertex-free part of a seam as a diagonal.
 void add_kites(const PolygonSet& set, const std::vector<Triangle>& triangles,
                std::vector<ConvexCorners>& pieces) {
   std::vector<Point> vertices;

@@ -1,4 +1,4 @@
-// A polygon set as convex pieces, the interiors of which cover what they have to.
+// A polygon set as convex pieces whose interiors cover the interior as far as needed.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,13 @@
 
 namespace minkref::inline paths {
 
-/// Corners counter-clockwise, perhaps with straight ones; of a segment two, of a point one.
+/// Corners counter-clockwise, straight ones allowed; two for a segment, a single corner for a
+/// point.
 using ConvexCorners = std::vector<Point>;
 
-/// Convex polygons whose union is the set. `open`: each point of the interior lies in the interior
-/// of a piece, also where pieces meet; needed beside a point or a segment, which may lie along the
-/// seam of two. Otherwise seams do no harm: interiors that meet share an area. Exact. O(n^2).
+/// Convex polygons whose union is the set. `open`: each interior point lies inside some piece, also
+/// where pieces meet; needed beside a point or a segment, which may lie along the seam of two.
+/// Otherwise seams do no harm: interiors that meet share an area. Exact. O(n^2).
 std::vector<ConvexCorners> open_pieces(const PolygonSet& set, bool open);
 
 }  // namespace minkref::inline paths

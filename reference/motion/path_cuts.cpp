@@ -11,7 +11,7 @@ Point from_to(const Point& a, const Point& b) { return {b.x - a.x, b.y - a.y}; }
 Rational area_of(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 Rational product_of(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 
-/// Where a segment meets that from `start` along `way`, as parts of it.
+/// Adds the fractions of `way` at which another segment meets the line from `start` along `way`.
 void add_cuts(const Point& start, const Point& way, const Segment& other,
               std::vector<Rational>& at) {
   const Point to_start = from_to(start, other.start), to_end = from_to(start, other.end);

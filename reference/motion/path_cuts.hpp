@@ -1,4 +1,4 @@
-// A path at one scale, cut where segments meet it.
+// A path at one scale, cut by segments.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace minkref::inline paths {
 
-/// Points of a path: where segments cross it, touch it or stop running along it, its vertices, and
-/// one point between any two of these.
+/// Points of a path: its vertices, the points where a segment crosses, touches or leaves the path,
+/// and a point between any two neighbours.
 struct PathCuts {
   std::vector<Point> cuts, between;
 };
 
-/// Exact. O(k n + c log c) for k segments of the path, n others and c cuts. A segment of the path
-/// without length is a cut; a path of one vertex too.
+/// Exact. O(k n + c log c) for k path segments, n others and c cuts. A path segment without length
+/// gives a cut; so does a path with a single vertex.
 PathCuts path_cuts(const std::vector<Point>& path, const std::vector<Segment>& segments);
 
 }  // namespace minkref::inline paths

@@ -11,8 +11,8 @@ Point opposite(const Point& a) { return {-a.x, -a.y}; }
 Rational cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 Rational dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 
-/// The scale at which a point a + s b is on the line through `on` with a direction; none where it
-/// is at all scales, or never.
+/// The scale at which a point a + s b meets the line through `on` with a direction; none if the
+/// point stays on the line at all scales, or never meets it.
 std::optional<Rational> scale_on_line(const Track& track, const Point& on, const Point& along) {
   const Rational slope = cross(along, track.b);
   if (slope == 0) return std::nullopt;
@@ -40,8 +40,8 @@ std::vector<Ring> walks_of(const PolygonSet& set) {
   return rings;
 }
 
-/// Calls take(a, b, v): the edge from a to b of one set has the sides at the vertex v of the other
-/// on its right.
+/// Calls take(a, b, v): the edge from a to b of one set has the other set's sides at v on its
+/// right.
 template <class Take>
 void each_contact(const std::vector<Ring>& edges, const std::vector<Ring>& vertices, Take&& take) {
   for (const Ring& ring : edges) {

@@ -1,4 +1,4 @@
-// Edges that move with the scale, and the scales at which they start or stop meeting a path.
+// Edges that move with the scale, and the scales at which edges start or stop meeting a path.
 #pragma once
 
 #include <vector>
@@ -8,22 +8,22 @@
 
 namespace minkref::inline paths {
 
-/// From one track to another; its direction is that of `along` at all scales.
+/// An edge between two tracks; `along` gives its direction at all scales.
 struct PathEdge {
   Track from, to;
   Point along;
 };
 
-/// The scales s > 0 at which an end of the edge lies on the path, or a vertex of the path on the
-/// edge, and did not at all scales; and those at which an end of the edge is a vertex of the path.
-/// Exact. O(k) for k vertices.
+/// Adds the scales s > 0 at which an edge's end lies on the path, or a path vertex on the edge, and
+/// did not at all scales; also the scales at which an edge's end equals a path vertex. Exact. O(k)
+/// for k vertices.
 void add_meeting_scales(const PathEdge& edge, const std::vector<Point>& path,
                         std::vector<Rational>& scales);
 
 /// A convolution edge of O and -sR at which both may touch without an overlap: a vertex of the part
-/// whose sides lie on the outer side of an edge of the obstacles, or the other way round, in the
-/// order of wedges where rings touch. Every contact of R and O without an overlap is on one, and is
-/// an end of one if it is a contact of two vertices. Exact. O(m n).
+/// whose sides lie on the outer side of an edge of the obstacles, or with the roles exchanged;
+/// touching rings count as ordered wedges. Every contact of R and O without an overlap lies on such
+/// an edge, and equals an edge's end if two vertices touch. Exact. O(m n).
 std::vector<PathEdge> contact_edges(const PolygonSet& robot, const PolygonSet& obstacles);
 
 }  // namespace minkref::inline paths

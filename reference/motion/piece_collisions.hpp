@@ -1,4 +1,4 @@
-// Scales at which convex pieces that move along a path collide: in the plane and in space.
+// Scales at which convex pieces collide while moving along a path, for plane and space.
 #pragma once
 
 #include <limits>
@@ -39,8 +39,7 @@ ScaleSet collisions_of(const MovingPiecesOf<Geometry>& pieces, const ScaleWindow
   return collisions;
 }
 
-/// A triple whose collisions begin (`blocks`) or end at a scale, and the place of the path where
-/// they do.
+/// A triple whose collisions begin (`blocks`) or end at a scale, with their place on the path.
 template <class Point>
 struct CollisionEnd {
   Rational scale;
@@ -49,8 +48,8 @@ struct CollisionEnd {
   PieceTriple triple;
 };
 
-/// For each end of the valid scales that is no end of the window the triple that is first along the
-/// path. Ascending. Exact.
+/// For each end of the valid scales within the window, the first triple along the path. Ascending.
+/// Exact.
 template <class Geometry>
 std::vector<CollisionEnd<typename Geometry::Point>> ends_of_collisions(
     const MovingPiecesOf<Geometry>& pieces, const ScaleWindow& window,

@@ -8,8 +8,8 @@
 namespace minkref::inline paths {
 namespace {
 
-/// Whether the path meets the sum at one scale: its points between two contact edges by one of
-/// them, since between two of these nothing changes.
+/// Whether the path meets the sum at one scale. A single point stands for each stretch between two
+/// contact edges, since nothing changes along the stretch.
 bool meets_sum(const PathProblem& problem, const PolygonSet& turned,
                const std::vector<PathEdge>& edges, const Rational& scale) {
   const Membership sum(turned, problem.obstacles, scale);

@@ -34,7 +34,7 @@ bool on_passage(const Point& p, const std::vector<TightPassage>& passages) {
   return false;
 }
 
-/// The sums of an index, asked whether the path meets them.
+/// The sums of an index, for the question whether the path meets them.
 class IndexedSums {
  public:
   IndexedSums(const PathProblem& problem, PolygonSet turned)
@@ -60,7 +60,7 @@ class IndexedSums {
         std::none_of(points.cuts.begin(), points.cuts.end(), is_in_region)) {
       return false;
     }
-    // Inside of the closed sum; valid all the same where that is along tight passages only.
+    // Inside the closed sum; still valid if the points lie along tight passages only.
     const auto collides = [&](const Point& p) {
       return is_in_region(p) && inside_.inside(p, scale);
     };
@@ -85,8 +85,8 @@ class IndexedSums {
   InteriorTest inside_;
 };
 
-/// Where the boundary of the sums starts or stops meeting the path: its events, and the ends of its
-/// links.
+/// The scales at which the sums' boundary starts or stops meeting the path: the index's events, and
+/// scales from the ends of its links.
 std::vector<Rational> meetings_with(const ScaleIndex& index, const std::vector<Point>& path) {
   std::vector<Rational> scales;
   for (std::uint32_t k = 0; k < index.events(); ++k) scales.push_back(index.event(k));
@@ -113,7 +113,7 @@ std::vector<Rational> meetings_with(const ScaleIndex& index, const std::vector<P
 ScaleSet collisions_by_index(const PathProblem& problem, PathStatistics& statistics) {
   const IndexedSums sums(problem, half_turned(problem.robot));
   std::vector<Rational> critical = meetings_with(sums.index(), problem.path);
-  // An opening at one scale only leaves no trace in the boundary of closed sums.
+  // An opening at a single scale leaves no trace on the closed sums' boundary.
   if (problem.rule == ContactRule::allowed) {
     for (const PathEdge& edge : contact_edges(problem.robot, problem.obstacles)) {
       add_meeting_scales(edge, problem.path, critical);

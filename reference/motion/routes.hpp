@@ -1,4 +1,4 @@
-// The three routes, as valid_scales calls them: the scales of the window that are not valid.
+// The three routes, as valid_scales calls them: each returns the window's invalid scales.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,8 @@
 
 namespace minkref::inline paths {
 
-/// Operands are neither empty nor both without area; the path has a vertex; the window is one.
+/// Requires operands that are not empty and not both without area, a path with a vertex, and a
+/// valid window.
 struct PathProblem {
   const PolygonSet& robot;
   const PolygonSet& obstacles;
@@ -24,15 +25,15 @@ ScaleSet collisions_of_pieces(const PathProblem& problem, PathStatistics& statis
 ScaleSet collisions_by_contacts(const PathProblem& problem, PathStatistics& statistics);
 ScaleSet collisions_by_index(const PathProblem& problem, PathStatistics& statistics);
 
-/// The contacts at the ends of the valid scales, by pairs of convex pieces, whichever route found
-/// these. Sorted by scale; of the contacts of one end the first along the path. Exact.
+/// The contacts at the ends of the valid scales, by pairs of convex pieces, whatever the route.
+/// Sorted by scale; an end takes its first contact along the path. Exact.
 std::vector<PathBound> bounds_of(const PathProblem& problem, const std::vector<ScaleRange>& valid);
 
 /// The set -R, by a half-turn.
 PolygonSet half_turned(const PolygonSet& set);
 
 /// Decides the window scale by scale: at its ends, at each critical scale, and at one between any
-/// two. Exact if between two critical scales nothing changes.
+/// two. Exact if nothing changes between two critical scales.
 ScaleSet decided_at(std::vector<Rational> critical, const ScaleWindow& window,
                     const std::function<bool(const Rational&)>& collides);
 

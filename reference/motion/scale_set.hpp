@@ -9,7 +9,7 @@
 
 namespace minkref::inline paths {
 
-/// Where the scales are cut: just below a scale, or just above it.
+/// A cut of the scales: just below a scale, or just above.
 struct ScaleCut {
   Rational scale;
   bool above = false;
@@ -29,7 +29,7 @@ struct ScaleRange {
   bool to_in() const { return to && to->above; }  ///< so does the greatest
   bool is_one_scale() const { return to && from.scale == to->scale; }
   bool holds(const Rational& scale) const;
-  /// A scale of the range; the only one, or one strictly between its ends.
+  /// A scale of the range: the only scale, or a scale strictly between the ends.
   Rational sample() const;
   friend bool operator==(const ScaleRange&, const ScaleRange&) = default;
 };
@@ -37,8 +37,8 @@ struct ScaleRange {
 /// A union of ranges, kept sorted and apart.
 class ScaleSet {
  public:
-  /// Adds what lies between two cuts; nothing where they are one or in the wrong order. Exact.
-  /// O(log n) and what is merged.
+  /// Adds the range between two cuts; nothing if the cuts are equal or out of order. Exact. O(log
+  /// n) plus the merged ranges.
   void add(const ScaleCut& from, const std::optional<ScaleCut>& to);
   const std::vector<ScaleRange>& ranges() const { return ranges_; }
   bool holds(const Rational& scale) const;

@@ -1,13 +1,13 @@
-// Whether a point of a set sees all of it.
+// Whether some point of a set sees the whole set.
 #pragma once
 
 #include "reference/plane/polygon_set.hpp"
 
 namespace minkref::inline paths {
 
-/// Whether the set has a point to which the segment from each of its points lies in the set. Moved
-/// so that this point is the origin, a smaller one lies in a larger one. Never says so of a set
-/// that has none; of several polygons that touch it does not find it. Exact. O(n^2), for a convex
+/// Whether some point of the set sees every other along a segment inside the set. With such a point
+/// at the origin, a smaller copy of the set lies inside a larger copy. Never true for a set without
+/// star centre, but overlooks the centre of several touching polygons. Exact. O(n^2), for a convex
 /// set O(n).
 bool has_star_centre(const PolygonSet& set);
 

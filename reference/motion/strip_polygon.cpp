@@ -5,7 +5,7 @@
 namespace minkref::inline paths {
 namespace {
 
-/// A corner of the polygon; `far`: the point at infinity that all lines of constant t share.
+/// A corner of the polygon; `far`: the common point at infinity of all lines of constant t.
 struct Corner {
   Rational t, s;
   bool far = false;
@@ -39,7 +39,7 @@ std::optional<StripPolygon> strip_polygon(const std::vector<StripCondition>& con
       values.push_back(value_at(condition, corner));
       some_below = some_below || values.back() < 0;
     }
-    // A corner strictly below: then so is a part of the inside. Otherwise nothing of it is.
+    // A corner strictly below proves that a part of the inside lies below; otherwise no part does.
     if (strict && !some_below) return std::nullopt;
     std::vector<Corner> rest;
     const auto add = [&](Corner corner) {

@@ -1,4 +1,4 @@
-// Where linear conditions on a place of a segment and a scale hold.
+// The region where linear conditions on a segment's place and a scale hold.
 #pragma once
 
 #include <optional>
@@ -32,9 +32,9 @@ struct StripScales {
   Rational t_at_from, t_at_to;
 };
 
-/// The places of the segment and scales that meet all conditions: a polygon, of which the sides on
-/// a condition do not belong to the set where conditions are `strict` (they exclude equality);
-/// none where there is no place. `is_point`: t is 0 only. Exact. O(n^2) for n conditions.
+/// The segment's places and the scales that meet all conditions: a polygon. With `strict`
+/// conditions, which exclude equality, the sides on a condition do not belong to the region. None
+/// without any place. `is_point`: t is 0 only. Exact. O(n^2) for n conditions.
 std::optional<StripPolygon> strip_polygon(const std::vector<StripCondition>& conditions,
                                           bool strict, bool is_point);
 

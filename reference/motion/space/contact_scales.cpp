@@ -13,8 +13,8 @@
 namespace minkref::inline space {
 namespace {
 
-/// An operand by what may touch: vertices with the edges that leave them, edges with a direction
-/// into each face beside them, faces in triangles.
+/// An operand's parts for contacts: vertices with their outgoing edges, edges with a direction into
+/// each adjacent face, faces as triangles.
 struct TouchingParts {
   struct Edge {
     SpacePoint from, along;

@@ -7,11 +7,11 @@
 
 namespace minkref::inline space {
 
-/// Scales s > 0 at which a vertex of x + sR and an edge of O, or the other way round, have a point
-/// in common for some x of the path, and did not for all s; and those at which, for x a vertex of
-/// the path, a vertex lies on a face, all edges at it on the outer side, or two edges cross, all
-/// faces at them on either side of their plane. Between two of these nothing changes
-/// (docs/paths.md). Either operand may be thin. Exact. O(m n k) for m and n edges and k segments.
+/// Scales s > 0 at which a vertex of x + sR and an edge of O, or the other way round, have a common
+/// point for some x of the path, and did not for all s. Also scales at which, for a path vertex x,
+/// a vertex lies on a face with all edges at it on the outer side, or two edges cross with their
+/// faces on either side of their plane. Between two of these nothing changes (docs/paths.md).
+/// Either operand may be thin. Exact. O(m n k) for m and n edges and k segments.
 std::vector<Rational> contact_scales(const Polyhedron& robot, const Polyhedron& obstacles,
                                      const std::vector<SpacePoint>& path);
 

@@ -1,4 +1,4 @@
-// The outside of a container as an obstacle, and what fits into it at a place.
+// The outside of a container as an obstacle, and the scales at which a part fits there.
 #include <algorithm>
 #include <stdexcept>
 
@@ -33,7 +33,7 @@ Polyhedron box_surface(const SpacePoint& a, const SpacePoint& b) {
           {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 }
 
-/// A box less a container, so wide that a part which does not meet it lies in the container.
+/// A box less a container, so wide that a part which does not meet it lies inside the container.
 struct SpaceFrame {
   Polyhedron set;  ///< the container's vertices and faces first, these turned over
   ScaleWindow window;

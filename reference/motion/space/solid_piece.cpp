@@ -32,7 +32,7 @@ double rounded_dot(const RoundedVector& a, const RoundedVector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// An edge with the vectors that decide along which directions it is farthest.
+/// An edge with the vectors that decide the directions of its farthest reach.
 struct FarEdge {
   NearVector<3> near_along;
   std::vector<NearVector<3>> near_beside;
@@ -51,7 +51,7 @@ std::vector<FarEdge> far_edges(const SolidPiece& piece) {
   return result;
 }
 
-/// Which of n and -n may have the edge among the farthest.
+/// The signs of n, plus or minus, for which the edge may be among the farthest.
 struct FarSides {
   bool plus = true, minus = true;
   void look(const NearVector<3>& normal, const FarEdge& edge) {

@@ -1,4 +1,4 @@
-// Convex pieces in space that move along a path.
+// Convex pieces that move along a path through space.
 #pragma once
 
 #include <utility>
@@ -18,7 +18,7 @@ Polyhedron half_turned(const Polyhedron& robot);
 /// A convex polyhedron or plane polygon, a segment or a point, with all that its sums with others
 /// take their planes from.
 struct SolidPiece {
-  /// Two corners of an edge, and one more of each face beside it.
+  /// An edge's two corners, and a further corner of each adjacent face.
   struct Edge {
     std::uint32_t from, to;
     std::vector<std::uint32_t> beside;
@@ -37,11 +37,10 @@ struct SolidPiece {
   Rational reach(const SpacePoint& direction) const;
   /// Exact.
   bool contains(const SpacePoint& point) const;
-  /// The middle of the corners.
   SpacePoint middle() const;
 };
 
-/// The Geometry of MovingPiecesOf in space.
+/// The space Geometry for MovingPiecesOf.
 struct PathsInSpace {
   using Point = SpacePoint;
   using Piece = SolidPiece;
@@ -53,11 +52,11 @@ struct PathsInSpace {
     return from + t * (to - from);
   }
   static std::vector<NearVector<3>> across(const SpacePoint& from, const SpacePoint& to);
-  /// A facet of B ⊕ -sA is parallel to a face of one, or to an edge of each.
+  /// Each facet of B ⊕ -sA is parallel to a face of A or B, or to an edge from each.
   static std::vector<StripCondition> conditions(const SolidPiece& robot, const SolidPiece& obstacle,
                                                 const SpacePoint& from, const SpacePoint& to);
-  /// Looks for a plane between the obstacle and what the part covers on its way at all scales of
-  /// the gap (Gilbert's descent, in doubles), and proves it by intervals.
+  /// Looks for a plane between the obstacle and the part's sweep at all scales of the gap
+  /// (Gilbert's descent, with doubles), and proves the plane by intervals.
   static bool apart(const SolidPiece& robot, const SolidPiece& obstacle, const NearVector<3>& from,
                     const NearVector<3>& to, const ScaleGap& gap, bool strict);
 };

@@ -1,4 +1,4 @@
-// Whether a part collides on a path at one scale: what each piece of it sweeps, against obstacles.
+// Whether a part collides on a path at one scale: the sweep of each piece, against obstacles.
 #pragma once
 
 #include "reference/motion/space/solid_piece.hpp"
@@ -7,12 +7,12 @@
 
 namespace minkref::inline space {
 
-/// A convex piece A of the part sweeps the convex set of all x + sA, x on a segment. It meets an
-/// obstacle B in its interior iff a face of what is swept has a point strictly inside of B, or an
-/// inner point of B lies strictly inside of what is swept.
+/// A convex piece A of the part sweeps the convex set of all x + sA, x on a segment. The sweep
+/// meets an obstacle B's interior iff some face of the sweep has a point strictly inside B, or an
+/// inner point of B lies strictly inside the sweep.
 class SweptPieces {
  public:
-  /// One of the operands at most is thin.
+  /// Requires that at most one operand is thin.
   SweptPieces(const Polyhedron& robot, const Polyhedron& obstacles,
               const std::vector<SpacePoint>& path, ContactRule rule);
 

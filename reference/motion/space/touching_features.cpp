@@ -14,7 +14,7 @@ bool is_on_edge(const SpacePoint& a, const SpacePoint& b, const SpacePoint& p) {
   return dot(to_a, to_b) <= 0 && is_zero(cross(to_a, to_b));
 }
 
-/// Whether a point of the plane of a simple face, but not of its border, lies inside of it.
+/// Whether a point on a simple face's plane, off the face's border, lies inside the face.
 bool is_inside_face(const std::vector<SpacePoint>& ring, const IntegerVector& normal,
                     const SpacePoint& point) {
   const std::size_t axis = viewing_axis(normal);

@@ -6,12 +6,12 @@
 
 namespace minkref::inline space {
 
-/// The vertex at a point, the edge through it, or the face that has it inside; none of a point off
-/// the surface. Exact. Linear.
+/// The vertex at a point, the edge through it, or the face around it; none for a point off the
+/// surface. Exact. Linear.
 std::optional<SpaceFeature> feature_at(const Polyhedron& operand, const SpacePoint& point);
 
-/// Points in which two convex pieces meet that share no volume: corners of one that are in the
-/// other, and where their edges cross; by coordinates. Not empty where they meet. Exact.
+/// The common points of two convex pieces without a common volume: corners of either inside the
+/// other, and crossings of edges; sorted by coordinates. Not empty if the pieces meet. Exact.
 std::vector<SpacePoint> touching_points(const SolidPiece& a, const SolidPiece& b);
 
 }  // namespace minkref::inline space

@@ -17,7 +17,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// The part, the obstacles and a path, none of them empty.
+/// The part, the obstacles and a path, all non-empty.
 struct SpaceProblem {
   const Polyhedron& robot;
   const Polyhedron& obstacles;
@@ -58,7 +58,7 @@ ScaleSet collisions_by_contacts_in_space(const SpaceProblem& problem, PathStatis
                     });
 }
 
-/// The piece of -R as one of x + sR.
+/// The piece of x + sR from a piece of -R.
 SolidPiece placed_piece(const SolidPiece& turned, const SpacePoint& x, const Rational& scale) {
   Polyhedron result{{}, turned.faces};
   for (const SpacePoint& p : turned.corners) result.vertices.push_back(x - scale * p);

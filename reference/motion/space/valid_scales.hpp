@@ -8,8 +8,8 @@ namespace minkref::inline space {
 
 using SpacePathPlace = PathPlaceOf<SpacePoint>;
 
-/// The feature of a polyhedron that touches: a vertex (`first`), the edge between two (`first`
-/// below `second`), or the inside of a face (`first` is its number).
+/// A polyhedron's touching feature: a vertex (`first`), the edge between two vertices (`first`
+/// below `second`), or the inside of a face (`first` is the face's index).
 struct SpaceFeature {
   enum class Kind : std::uint8_t { vertex, edge, face };
   Kind kind = Kind::vertex;
@@ -20,23 +20,24 @@ struct SpaceFeature {
 using SpacePathBound = PathBoundOf<SpacePoint, SpaceFeature>;
 using SpaceValidScales = ValidScalesOf<SpacePathBound>;
 
-/// As in the plane: the scales s of the window at which the part s R, carried along the polyline
-/// with its origin on it and never turned, does not meet the obstacles; with contact allowed
-/// interiors count. Polyhedra of any shape; one operand may be a point, a segment or a plane
-/// polygon, which counts without its border. Exact: a union of intervals, which may be single
-/// scales. Both must have passed `validate_summand`. Throws BadInput ("bad-path", "bad-window",
-/// "degenerate-operands" where both are without volume; "no-route" for `index`, which is of the
-/// plane), and as convex_pieces does. For a and b convex pieces and k segments O(k a b) in doubles,
-/// memory O(k (a + b)); beside them some ten planes for each piece.
+/// As for the plane: the scales s of the window at which the part s R, carried along the polyline
+/// with its origin on it and never turned, does not meet the obstacles; with contact allowed only
+/// interiors count. Polyhedra of any shape; either operand may be a point, a segment or a plane
+/// polygon, which counts without its border. Exact: a union of intervals, single scales included.
+/// Both must have passed `validate_summand`. Throws BadInput ("bad-path", "bad-window",
+/// "degenerate-operands" if both lack volume; "no-route" for `index`, a route of the plane only),
+/// and as convex_pieces does. For a and b convex pieces and k segments O(k a b) doubles, memory O(k
+/// (a + b)); beside them some ten planes for each piece.
 SpaceValidScales valid_scales(const Polyhedron& robot, const Polyhedron& obstacles,
                               const std::vector<SpacePoint>& path,
                               ContactRule rule = ContactRule::allowed,
                               const ScaleWindow& window = {}, PathRoute route = PathRoute::pieces);
 
-/// Most pairs of pieces, or of a piece and a vertex of the path; some 300 bytes each.
+/// The most pairs of pieces, or of a piece and a path vertex; some 300 bytes each.
 constexpr std::size_t most_pairs_on_a_path = std::size_t{1} << 22;
 
-/// Whether each point of the part sees the origin in it. Exact. Linear.
+/// Whether the segment from each point of the part to the origin lies inside the part. Exact.
+/// Linear.
 bool star_shaped(const Polyhedron& robot);
 
 /// A scale at which the answer was found again from what the pieces sweep (swept_pieces.hpp).
@@ -50,9 +51,9 @@ struct SpaceFit {
   std::vector<SweptProof> proofs;  ///< at each bound, just below and just above it
 };
 
-/// The scales at which the part, with its origin at a place, lies in the container, a solid (with
-/// contact forbidden: in its interior). Exact. Throws BadInput as valid_scales, and "point-part"
-/// where the part is a point, "degenerate-operands" where the container has no volume.
+/// The scales at which the part, with its origin at a place, lies inside the container, a solid
+/// (with contact forbidden: its interior). Exact. Throws BadInput as valid_scales, and "point-part"
+/// if the part is a point, "degenerate-operands" if the container has no volume.
 SpaceFit scales_that_fit_at(const Polyhedron& part, const Polyhedron& container,
                             const SpacePoint& at, ContactRule rule = ContactRule::allowed);
 
