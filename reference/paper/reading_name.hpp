@@ -8,7 +8,7 @@
 
 namespace minkref {
 
-/// One choice: its name with its values, and where in the paper it is.
+/// One choice: its name with its values, and the section of the paper.
 struct ReadingName {
   std::string_view name;
   std::vector<std::string_view> values;  ///< the first is the printed one
@@ -16,15 +16,15 @@ struct ReadingName {
   std::string_view section;
 };
 
-/// Throws BadInput ("unknown-reading") that lists what there is.
+/// Throws BadInput ("unknown-reading") with a list of all choices.
 [[noreturn]] void refuse_reading(const std::vector<ReadingName>& known, std::string_view name,
                                  std::string_view value);
 
-/// The values of a choice, each with what it means.
+/// A choice's values with their meanings.
 template <class Value>
 using Words = std::initializer_list<std::pair<std::string_view, Value>>;
 
-/// Sets the field to what the value means; throws as refuse_reading does where it means nothing.
+/// Sets the field to the meaning of `value`; throws as refuse_reading does if the value has none.
 template <class Value>
 void choose_reading(const std::vector<ReadingName>& known, std::string_view name,
                     std::string_view value, Value& field, Words<Value> words) {

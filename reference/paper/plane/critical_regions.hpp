@@ -14,7 +14,7 @@
 
 namespace minkref::inline plane {
 
-/// Two edges, the scales s > 0 in which they meet (closed; without a bound down to 0 or up to
+/// Two edges, the scales s > 0 at which they meet (closed; without a bound down to 0 or up to
 /// infinity), and their point of intersection.
 template <class T>
 struct CriticalRegion {
@@ -24,7 +24,7 @@ struct CriticalRegion {
   MovingPoint<T> x{Vector2<T>(T(0), T(0)), Vector2<T>(T(0), T(0))};
 };
 
-/// Values of an edge that the formulas need again with each other edge, found once.
+/// An edge's values that the formulas need again with each other edge, computed once.
 template <class T>
 struct PlacedEdge {
   explicit PlacedEdge(const MovingEdge<Vector2<T>>& edge)
@@ -44,7 +44,7 @@ namespace detail {
 /// s alpha = beta for an end point (Sec. 4.2.1 and 4.2.2), and both along the edge's direction.
 template <class T>
 struct EndEquation {
-  /// Both ends of an edge have one alpha or one beta: of the second only the other is computed.
+  /// Both ends of an edge share alpha or beta: the second end computes only the other vector.
   void set(const PlacedEdge<T>& edge, bool is_start, const MovingPoint<T>& x,
            const Vector2<T>& x0_less_sigma) {
     const auto& [p, q] = edge.ends[is_start ? 0 : 1];
@@ -66,12 +66,12 @@ struct EndEquation {
 template <class T>
 class RegionBounds {
  public:
-  /// `zero`: what counts as zero with a tolerance. `finite`: no number that follows is NaN.
+  /// `zero`: the tolerance below which numbers count as zero. `finite`: no later number is NaN.
   RegionBounds(const Readings& readings, const T& zero, bool finite)
       : readings_(readings), zero_(zero), finite_(finite) {}
 
-  /// Whether the edges may meet still. Where all numbers are finite it ends as soon as nothing is
-  /// left, and does not divide where the sign of the root is enough: the answer is the same.
+  /// Whether the edges may still meet. With finite numbers the test ends once nothing is left, and
+  /// does not divide where the root's sign is enough: the answer is the same.
   bool take(const EndEquation<T>& end, bool is_start) {
     const ScaleSolution<T> solution = solve(end);
     const auto below = bounds_from_below(end, is_start);
@@ -80,7 +80,7 @@ class RegionBounds {
         return false;
       }
       if (below || readings_.interval == Form::printed) return true;  // it bounds nothing
-      // The point keeps its distance from the end: before the edge, on it, or beyond it.
+      // The point keeps its distance from the end: before the edge, on it, or beyond.
       const int ahead = sign_of(end.beta, end.value);
       return is_start ? ahead >= 0 : ahead <= 0;
     }
@@ -91,7 +91,7 @@ class RegionBounds {
     return tighten(solution.scale, *below);
   }
 
-  /// Cut to s > 0; nothing where nothing is left.
+  /// Cuts the bounds to s > 0; false if nothing is left.
   bool finish() {
     if (lower && sign(*lower) <= 0) lower.reset();
     if (upper && sign(*upper) <= 0) return false;
@@ -118,8 +118,9 @@ class RegionBounds {
     return {Solution::root, finite_ ? T(0) : T(end.value / end.slope)};
   }
 
-  /// Whether an end point bounds its pair from below; nothing where it does not bound it at all. As
-  /// printed a start is a lower bound and an end an upper one; in truth the sign of a slope tells.
+  /// Whether an end point bounds its pair from below; nothing if it gives no bound at all. As
+  /// printed, a start is a lower bound and an end an upper bound; the truth depends on the sign of
+  /// a slope.
   std::optional<bool> bounds_from_below(const EndEquation<T>& end, bool is_start) const {
     if (readings_.interval == Form::printed) return is_start;
     const int slope = sign_of(end.alpha, end.slope);
@@ -127,8 +128,7 @@ class RegionBounds {
     return (slope < 0) == is_start;
   }
 
-  /// The sign of a vector along the direction; 0 too where a tolerance is given and no coordinate
-  /// is beyond it.
+  /// The sign of a vector along the direction; with a tolerance also 0 if no coordinate exceeds it.
   int sign_of(const Vector2<T>& vector, const T& along) const {
     if (readings_.solve == Readings::Solve::tolerance) {
       const auto is_zero = [&](const T& x) {
@@ -154,7 +154,7 @@ class RegionBounds {
   const bool finite_;
 };
 
-/// Whether sums, products and quotients of these numbers, and of others of their size, are finite.
+/// Whether sums, products and quotients of these numbers, and of others as large, are finite.
 template <class T>
 bool stays_finite(const MovingPoint<T>& x) {
   if constexpr (std::is_same_v<T, Rational>) return true;
@@ -167,9 +167,9 @@ bool stays_finite(const MovingPoint<T>& x) {
 
 }  // namespace detail
 
-/// The region of two edges that are not parallel, as read; nothing where they never meet. Exact if
-/// T is and the readings are the corrected ones. `zero`: what counts as zero with a tolerance.
-/// Throws UndecidedSign where T cannot tell a sign.
+/// The region of two edges that are not parallel, as read; nothing if they never meet. Exact if T
+/// is exact and the readings are corrected. `zero`: the tolerance below which numbers count as
+/// zero. Throws UndecidedSign where T cannot tell a sign.
 template <class T>
 std::optional<CriticalRegion<T>> critical_region(const PlacedEdge<T>& a, const PlacedEdge<T>& b,
                                                  const Readings& readings, const T& zero) {
@@ -191,7 +191,7 @@ std::optional<CriticalRegion<T>> critical_region(const PlacedEdge<T>& a, const P
   return region;
 }
 
-/// The same of two parallel edges: nothing where they are never on one line, or never meet.
+/// The region of two parallel edges: nothing if they never share a line, or never meet.
 template <class T>
 std::optional<CriticalRegion<T>> parallel_region(const PlainKernel<T>& kernel,
                                                  const MovingEdge<Vector2<T>>& a,

@@ -9,8 +9,8 @@
 
 namespace minkref::inline plane {
 
-/// For each edge the regions that intersect it. With Order::kept each is put among the others where
-/// it lies at the scale of its event, and stays there; else the order means nothing.
+/// Each edge's intersecting regions. With Order::kept each region is inserted at its place at the
+/// scale of its event, and stays there; otherwise the order means nothing.
 template <class T>
 class IntersectionLists {
  public:
@@ -43,7 +43,7 @@ class IntersectionLists {
 
   const std::vector<std::uint32_t>& along(std::uint32_t edge) const { return lists_[edge]; }
 
-  /// How far an intersection is from the start of an edge, along its direction.
+  /// An intersection's distance from an edge's start, along the edge's direction.
   T place(std::uint32_t edge, std::uint32_t region, const T& scale) const {
     const MovingEdge<Vector2<T>>& e = edges_[edge];
     return T(e.d.dot(Vector2<T>(regions_[region].x.at(scale) - at(start_of(e), scale))));

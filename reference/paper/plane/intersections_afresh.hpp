@@ -1,5 +1,5 @@
-// All intersections of the convolution at one scale, found without events: what the paper's update
-// is measured against (Behar & Lien 2012, Sec. 7).
+// All intersections of the convolution at one scale, found without events: the measure of the
+// paper's update (Behar & Lien 2012, Sec. 7).
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace minkref::inline plane {
 
-/// The points in which edges that are not parallel meet at a scale, ends included, by Observation 1
+/// The points where edges that are not parallel meet at a scale, ends included, by Observation 1
 /// for every pair. As exact as T. Throws UndecidedSign where T cannot tell a sign. O(N^2).
 template <class T>
 std::vector<Vector2<T>> intersections_afresh(const std::vector<MovingEdge<Vector2<T>>>& edges,

@@ -1,4 +1,4 @@
-// The lists of intersections as contacts of the arrangement at one scale.
+// The intersection lists as contacts of the arrangement at one scale.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace minkref::inline plane {
 
-/// The vertices of the convolution at a scale, after them the intersections x0 + (s - 1) sigma, and
-/// where each lies along its edges.
+/// The vertices of the convolution at a scale, then the intersections x0 + (s - 1) sigma, with
+/// their places along their edges.
 template <class T>
 class ListedIntersections {
  public:
   using K = PlainKernel<T>;
 
-  /// An intersection that rounding puts before or beyond an edge on which the list has it counts as
-  /// the end of the edge. Along an edge that another overlaps they are sorted. O(k).
+  /// An intersection that the list puts on an edge, but rounding puts before or beyond it, counts
+  /// as the edge's end. Along an edge that another edge overlaps, intersections are sorted. O(k).
   ListedIntersections(const K& kernel, const std::vector<MovingEdge<Vector2<T>>>& edges,
                       const std::vector<CriticalRegion<T>>& regions,
                       const IntersectionLists<T>& lists, Readings::Order order, const T& scale,
@@ -58,7 +58,7 @@ class ListedIntersections {
   std::vector<ListedContact<K>> contacts;
 
  private:
-  /// From 0 at the start of the edge to 1 at its end.
+  /// The position along the edge: 0 at its start, 1 at its end.
   T position(std::uint32_t edge, std::uint32_t point) const {
     const IndexedSegment& s = convolution_.segments[edge];
     const Vector2<T> d(vertices[s.to] - vertices[s.from]);
@@ -86,7 +86,7 @@ class ListedIntersections {
     }
   }
 
-  /// The ends of `other` that lie within `edge`, on whose line it is.
+  /// Adds the ends of `other`, which shares the line of `edge`, that lie within `edge`.
   void overlap(std::uint32_t edge, std::uint32_t other) {
     for (const std::uint32_t end :
          {convolution_.segments[other].from, convolution_.segments[other].to}) {

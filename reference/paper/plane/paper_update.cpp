@@ -168,7 +168,7 @@ class UpdateIn : public PaperUpdate {
     return event.insertion ? order <= 0 : order < 0;
   }
 
-  /// The arrangement at the first scale: every region that holds it.
+  /// Starts the arrangement at the first scale with every region that holds the scale.
   void start(const T& scale) {
     scale_ = scale;
     while (next_ < events_.size() && is_due(events_[next_], scale)) ++next_;
@@ -194,7 +194,7 @@ class UpdateIn : public PaperUpdate {
     }
   }
 
-  /// Ascending; at one scale insertions come first, for regions are closed.
+  /// Sorts ascending; at equal scales insertions come first, for regions are closed.
   void sort_events() {
     for (std::uint32_t i = 0; i < regions_.size(); ++i) {
       if (regions_[i].lower) events_.push_back({i, true});

@@ -1,5 +1,5 @@
-// The paper's program of Sec. 4, from its first page to its last: sP + Q followed from one scale to
-// another in one arithmetic, each formula as read.
+// The paper's whole program of Sec. 4: sP + Q followed from one scale to another with one
+// arithmetic, each formula as read.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,10 @@ class PaperUpdate {
  public:
   /// Finds the critical regions of all pairs of edges of the reduced convolution and the
   /// arrangement at the first scale. `arithmetic`: "rational", "interval", "double", "mpfr:BITS".
-  /// Exact if the arithmetic is and the readings are the corrected ones; otherwise what the paper's
-  /// formulas give. Throws BadInput for bad operands, scales and arithmetics, LimitExceeded where
-  /// the regions take more than `memory` bytes (0: no limit), UndecidedSign where "interval" cannot
-  /// tell a sign. The same whatever the number of threads. O(N^2 + k log k) for N edges and k
-  /// regions.
+  /// Exact with exact arithmetic and corrected readings; otherwise the paper's formulas decide the
+  /// result. Throws BadInput for bad operands, scales and arithmetics, LimitExceeded if the regions
+  /// take more than `memory` bytes (0: no limit), UndecidedSign where "interval" cannot tell a
+  /// sign. The same whatever the number of threads. O(N^2 + k log k) for N edges and k regions.
   static std::unique_ptr<PaperUpdate> make(const PolygonSet& P, const PolygonSet& Q,
                                            const Rational& first_scale,
                                            const std::string& arithmetic, const Readings& readings,
@@ -38,19 +37,19 @@ class PaperUpdate {
   /// the length of an edge's list.
   virtual Step move_to(const Rational& scale) = 0;
 
-  /// Gives each intersection on the list its place, x0 + (s - 1) sigma, where the walk stands
-  /// ("we update all of the remaining nodes"), and says how many they are; those of parallel edges
-  /// have none. O(N + k).
+  /// Gives each intersection on the list its place, x0 + (s - 1) sigma, at the walk's current scale
+  /// ("we update all of the remaining nodes"), and returns their number; intersections of parallel
+  /// edges have no place. O(N + k).
   virtual std::size_t place_intersections() = 0;
 
   /// Does the work that the update saves: finds the intersections at a scale s > 0 by Observation 1
-  /// for all pairs of edges, in the same arithmetic, without the list; returns how many they are.
+  /// for all pairs of edges, with the same arithmetic, without the list; returns their number.
   /// Unlike the list, this number counts the common vertices of edges, once for each pair. Throws
   /// BadInput for other scales, UndecidedSign. O(N^2).
   virtual std::size_t search_intersections(const Rational& scale) const = 0;
 
-  /// Loops, nesting and collision detection (Sec. 3) in the list of intersections where it stands:
-  /// what the arithmetic answers, in canonical form. O((N + k) log N).
+  /// Loops, nesting and collision detection (Sec. 3) at the list's current scale: the arithmetic's
+  /// answer, as a canonical form. O((N + k) log N).
   virtual Sum sum() = 0;
 
   /// An event of the array: two edges of the reduced convolution begin or cease to meet.

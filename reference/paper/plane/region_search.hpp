@@ -24,7 +24,7 @@ struct RegionList {
 
 namespace detail {
 
-/// The pairs of one edge with those after it.
+/// The pairs of an edge with all later edges.
 template <class T>
 class RegionRow {
  public:
@@ -87,10 +87,10 @@ struct RowControl {
 
 }  // namespace detail
 
-/// Those of all pairs of edges, as read; `segments` are the same edges by their vertices. The list
-/// is the same whatever the number of threads. `zero`: what counts as zero with a tolerance. Throws
-/// LimitExceeded beyond `memory` bytes (0: no limit), UndecidedSign where an interval cannot tell a
-/// sign. O(N^2) for N edges.
+/// The critical regions of all pairs of edges, as read; `segments` are the same edges by their
+/// vertices. The list is the same whatever the number of threads. `zero`: the tolerance below which
+/// numbers count as zero. Throws LimitExceeded beyond `memory` bytes (0: no limit), UndecidedSign
+/// if an interval cannot tell a sign. O(N^2) for N edges.
 template <class T>
 RegionList<T> find_regions(const std::vector<MovingEdge<Vector2<T>>>& edges,
                            const std::vector<IndexedSegment>& segments, const Readings& readings,

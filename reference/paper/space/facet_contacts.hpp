@@ -1,4 +1,4 @@
-// The paper's way to the events of two facets (Sec. 5.1, 5.2), in any arithmetic.
+// The paper's way to two facets' events (Sec. 5.1, 5.2), with any arithmetic.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,30 +13,30 @@
 
 namespace minkref::inline space {
 
-/// A corner of one facet and the other (5.1), or a side of each (5.2).
+/// A contact of one facet's corner with the other facet (5.1), or of a side of each (5.2).
 template <class T>
 struct PaperContact {
   ContactKind kind;
-  /// Solutions of the systems of equations in s - 1: for a corner one for each of its two sides,
-  /// for two sides one. There is none where the line of a side is along the other plane, or never
-  /// meets that plane.
+  /// Solutions of the equation systems for s - 1: two for a corner (a system for each of its
+  /// sides), a single solution for two sides. Missing if a side's line runs along the other plane,
+  /// or never meets it.
   std::vector<ScaleSolution<T>> solutions{};
   std::optional<T> scale{};  ///< of the event, if there is one
 };
 
 /// The events of two facets that are not parallel. `printed` follows the text sentence by sentence:
-/// x(1) and x(2), where the line of a side meets the plane of the other facet; sigma = x(2) - x(1);
-/// x(s) = x(1) + (s - 1) sigma, set equal to an end of the side, or to the point in which the line
-/// of a side of the other meets the plane of the first. Each is three equations in s, and all must
-/// agree. `corrected` has one equation: the corner is in the plane, or the sides are in one plane.
-/// It also finds what happens where a side is along the other plane, in which it is at one scale.
-/// Contacts are always in the same order, so that answers in two arithmetics can be compared.
-/// Throws UndecidedSign where T cannot tell.
+/// x(1) and x(2), where a side's line meets the other facet's plane; sigma = x(2) - x(1); x(s) =
+/// x(1) + (s - 1) sigma, set equal to an end of the side, or to the point where the line of a side
+/// of the other facet meets the first plane. Each gives three equations for s, and all must agree.
+/// `corrected` has one equation: the corner lies on the plane, or the sides share a plane. It also
+/// finds events of a side along the other plane, which holds the side at one scale. Contacts always
+/// come in the same order, so that answers of two arithmetics can be compared. Throws UndecidedSign
+/// where T cannot tell.
 template <class T>
 class FacetContacts {
  public:
   using Vector = Eigen::Matrix<T, 3, 1>;
-  /// A corner is p s + q.
+  /// The corner p s + q.
   struct Corner {
     Vector p, q;
   };
@@ -76,7 +76,7 @@ class FacetContacts {
     return c.q + c.p * s;
   }
 
-  /// Where the line of a side meets the plane of the other facet, by the equation of 5.2.
+  /// The point where a side's line meets the other facet's plane, by the equation of 5.2.
   std::optional<Vector> hit(std::size_t which, std::size_t k, const T& s) const {
     const Vector a = corner(which, k, s), b = corner(which, k + 1, s);
     const std::size_t other = 1 - which;
@@ -169,7 +169,7 @@ class FacetContacts {
     return Vector(corner(which, 1, T(1)) - a).cross(Vector(corner(which, 2, T(1)) - a));
   }
 
-  /// A point of the plane in the facet.
+  /// Whether a point of the facet's plane lies inside the facet.
   bool is_inside(std::size_t which, const Vector& x, const T& s) const {
     const Vector n = normal(which);
     for (std::size_t k = 0; k < size(which); ++k) {
@@ -179,7 +179,7 @@ class FacetContacts {
     return true;
   }
 
-  /// A point of the line between the ends of the side.
+  /// Whether a point of the line lies between the ends of the side.
   bool is_between(std::size_t which, std::size_t k, const Vector& x, const T& s) const {
     const Vector a = corner(which, k, s), b = corner(which, k + 1, s), side = b - a;
     return sign(T(side.dot(Vector(x - a)))) >= 0 && sign(T(side.dot(Vector(b - x)))) >= 0;

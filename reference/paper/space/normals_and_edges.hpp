@@ -1,5 +1,5 @@
-// The facets of one body and the edges of the other in one arithmetic: the degree of
-// incompatibility and its witness, as read.
+// One body's facets and the other's edges with one arithmetic: the degree of incompatibility and
+// its witness, as read.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ struct Fan {
 template <class T>
 class NormalsAndEdges {
  public:
-  /// `of_P`: the normals are those of P, the body that is scaled, and the edges those of Q; else
-  /// the other way round.
+  /// `of_P`: the normals belong to P, the scaled body, and the edges to Q; else the other way
+  /// round.
   NormalsAndEdges(const ConvexPolyhedron& normals, const ConvexPolyhedron& edges, bool of_P,
                   const Arithmetic<T>& arithmetic, const RepairReadings& readings)
       : normals_body_(normals), body_(edges), of_P_(of_P), readings_(readings) {
@@ -57,7 +57,7 @@ class NormalsAndEdges {
     }
   }
 
-  /// The sign of n . d. With Ties::perturbed it is never 0.
+  /// The sign of n . d; never 0 with Ties::perturbed.
   int side(std::uint32_t facet, std::uint32_t half_edge) const {
     return side(facet, half_edge, product(facet, half_edge));
   }
@@ -110,7 +110,7 @@ class NormalsAndEdges {
   int side(std::uint32_t facet, std::uint32_t half_edge, const T& product) const {
     const int above = sign(product);
     if (above != 0 || readings_.ties != RepairReadings::Ties::perturbed) return above;
-    // P moved by the infinitesimal map of facet_contact.hpp: the first n_i d_j that is not zero.
+    // P moved by the infinitesimal map of facet_contact.hpp: the first nonzero n_i d_j decides.
     const IntegerVector edge = body_.vector(half_edge);
     for (const Integer& n : normals_body_.normal(facet)) {
       for (const Integer& d : edge) {

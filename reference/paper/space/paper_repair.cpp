@@ -80,7 +80,7 @@ class RepairIn : public PaperRepair {
  private:
   using Chain = std::vector<std::uint32_t>;
 
-  /// By edge of Q the edges of P that are paired with it before the repair.
+  /// Lists, for each edge of Q, the edges of P paired with the edge before the repair.
   void find_crossings() {
     crossing_.assign(Q_.edges(), {});
     for (std::uint32_t e = 0; e < P_.edges(); ++e) {
@@ -88,7 +88,7 @@ class RepairIn : public PaperRepair {
     }
   }
 
-  /// All facets are tested; nothing where the vertex is compatible.
+  /// Tests a facet (all facets are tested); nothing if the vertex is compatible.
   std::optional<FacetError> test(const NormalsAndEdges<T>& across, std::uint32_t facet,
                                  std::uint32_t vertex) const {
     Fan<T> fan = across.look(facet, vertex);
@@ -154,7 +154,7 @@ class RepairIn : public PaperRepair {
     if (readings_.search == Search::everywhere) {
       for (std::uint32_t e = 0; e < P_.edges(); ++e) suspects.insert(e);
     }
-    // Grows while it is gone through: from each ee-error to those connected to it.
+    // The list grows during the loop: each ee-error adds the edges connected to the error.
     for (std::size_t k = 0; k < suspects.members().size(); ++k) {
       look_for_interrupt();
       const std::uint32_t e = suspects.members()[k];
@@ -175,7 +175,7 @@ class RepairIn : public PaperRepair {
     }
   }
 
-  /// Edges of P that share a vertex with `e` and were paired with one of these edges of Q.
+  /// Suspects edges of P that share a vertex with `e` and were paired with some edge of `links`.
   void suspect_connected(std::uint32_t e, const Chain& links, IndexSet& suspects) const {
     const std::uint32_t a = P_.origin(P_.half_edge(e)), b = P_.target(P_.half_edge(e));
     for (const std::uint32_t d : links) {
@@ -187,7 +187,7 @@ class RepairIn : public PaperRepair {
     }
   }
 
-  /// Whether the arcs of two half-edges intersect, in the sense of their directions.
+  /// Whether the arcs of two half-edges intersect, with regard to their directions.
   bool are_compatible(std::uint32_t h, std::uint32_t d) const {
     const int left = across_P_.side(P_.left(h), d), right = across_P_.side(P_.right(h), d);
     const int rising = across_Q_.side(Q_.left(d), h), falling = across_Q_.side(Q_.right(d), h);
@@ -201,7 +201,7 @@ class RepairIn : public PaperRepair {
 
   /// "We check each of v1's incident edges to find the edge with which e is compatible. We then
   /// replace v1 with the vertex at the other end-point ..., and repeat, ignoring the incident edge
-  /// which has already been found": which way an arc is crossed is not asked.
+  /// which has already been found": the text does not ask for the direction of a crossing.
   ChainRepair walk(std::uint32_t e) const {
     const std::uint32_t h = P_.half_edge(e);
     ChainRepair repair;

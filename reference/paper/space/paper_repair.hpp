@@ -1,5 +1,5 @@
-// The paper's repair of a convex sum after a scaling (Sec. 6), in one arithmetic, each sentence as
-// read.
+// The paper's repair of a convex sum after a scaling (Sec. 6), with one arithmetic, each sentence
+// as read.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace minkref::inline space {
 
-/// A facet whose vertex of the other body is not compatible, and the descent from it.
+/// A facet with an incompatible vertex of the other body, and the descent from this vertex.
 struct FacetError {
   bool of_P = true;  ///< an fv-error; otherwise a facet of Q and a vertex of P
   std::uint32_t facet = 0;
@@ -26,12 +26,12 @@ struct FacetError {
     Rational squared_degree;        ///< IC squared, as the arithmetic has it
   };
   std::vector<Step> steps;
-  /// The vertex that is found compatible. None: the descent came to a vertex again and so never
-  /// ends; the facet keeps the vertex that it had.
+  /// The compatible vertex found. None: the descent came to a vertex again and so never ends; the
+  /// facet keeps its former vertex.
   std::optional<std::uint32_t> end;
 };
 
-/// An edge of P whose compatible edges were looked for again.
+/// An edge of P with a new search for its compatible edges.
 struct ChainRepair {
   std::uint32_t edge = 0;
   std::vector<std::uint32_t> before, after;  ///< half-edges of Q, as in Compatibility
@@ -49,30 +49,30 @@ struct RepairReport {
 /// The interface of a PaperRepair, whatever its arithmetic.
 class PaperRepair {
  public:
-  /// The pairs at the first scaling are the exact ones. `arithmetic`: "rational", "interval",
-  /// "double", "mpfr:BITS". Exact if the arithmetic is and the readings are the corrected ones;
-  /// otherwise what the paper's text gives. P and Q have to outlive it. Throws BadInput for bad
-  /// scalings and arithmetics.
+  /// Starts from the exact pairs at the first scaling. `arithmetic`: "rational", "interval",
+  /// "double", "mpfr:BITS". Exact with exact arithmetic and corrected readings; otherwise the
+  /// paper's text decides the result. P and Q have to outlive it. Throws BadInput for bad scalings
+  /// and arithmetics.
   static std::unique_ptr<PaperRepair> make(const ConvexPolyhedron& P, const ConvexPolyhedron& Q,
                                            const Scaling& first, const std::string& arithmetic,
                                            const RepairReadings& readings);
   virtual ~PaperRepair() = default;
 
-  /// Looks for errors at the new scaling and repairs them. Throws BadInput ("bad-scale"), and the
-  /// state is as it was; UndecidedSign where the arithmetic cannot tell a sign, and the state is of
-  /// no use then. O(m + n + ee-pairs), and the descents.
+  /// Looks for errors at the new scaling and repairs them. Throws BadInput ("bad-scale"), with the
+  /// state unchanged; UndecidedSign where the arithmetic cannot tell a sign, with a useless state
+  /// afterwards. O(m + n + ee-pairs), and the descents.
   virtual RepairReport update(const Scaling& to) = 0;
 
-  /// The pairs that are claimed to be compatible. Links of a chain need not hang together.
+  /// The pairs claimed as compatible. Links of a chain need not hang together.
   virtual const Compatibility& compatibility() const = 0;
   virtual const Scaling& scaling() const = 0;
 
-  /// s_i p_i + q_i in this arithmetic, exactly what it gives, for pairs of vertices.
+  /// s_i p_i + q_i for pairs of vertices: the exact values of this arithmetic's results.
   virtual std::vector<SpacePoint> coordinates(
       const std::vector<SumVertices::Pair>& pairs) const = 0;
 };
 
-/// A facet that is claimed, as pairs of vertices, counter-clockwise seen from outside if it is one.
+/// A claimed facet as pairs of vertices, counter-clockwise seen from outside for a true facet.
 struct ClaimedFacet {
   enum class Kind : std::uint8_t { fv, vf, ee };
   Kind kind;

@@ -32,7 +32,7 @@ std::vector<typename FacetContacts<T>::Facet> facets_in(const MovingConvolution&
   return facets;
 }
 
-/// Whether an answer for another contact of the facets has the scale of this one.
+/// Whether the answer has this contact's scale at another contact of the facets.
 template <class T>
 bool another_has(const std::vector<PaperContact<Rational>>& truth,
                  const std::vector<PaperContact<T>>& answer, std::size_t k) {

@@ -1,5 +1,5 @@
-// The paper's way to the events of two facets in space (Behar & Lien 2012, Sec. 5.1, 5.2) in its
-// own arithmetic, on trial against the exact events.
+// The paper's way to the events of two facets (Behar & Lien 2012, Sec. 5.1, 5.2) with its own
+// arithmetic, on trial against the exact events.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct FacetContactTrial {
   std::uint64_t pairs = 0;            ///< of facets, not parallel
   std::uint64_t undecided_pairs = 0;  ///< the arithmetic could not tell a sign; left out below
 
-  // The systems of three equations in s.
+  // The systems of three equations for s.
   std::uint64_t roots = 0;               ///< with a root, in truth
   std::uint64_t false_inconsistent = 0;  ///< of those: answered "inconsistent"
   std::uint64_t false_identity = 0;      ///< of those: answered "identity"
@@ -28,9 +28,9 @@ struct FacetContactTrial {
   std::uint64_t misplaced = 0;  ///< answered, off by more than an ulp of the scale
 };
 
-/// All pairs of facets of the convolution of sP and Q; the truth is the corrected form in rational
-/// numbers. "rational", "interval", "double" or "mpfr:BITS". O(N^2) pairs, of up to 40 systems
-/// each; refuses operands with more than some thousand facets.
+/// Tries all pairs of facets of the convolution of sP and Q; the truth is the corrected form with
+/// rational numbers. "rational", "interval", "double" or "mpfr:BITS". O(N^2) pairs, of up to 40
+/// systems each; refuses operands with more than some thousand facets.
 FacetContactTrial facet_contact_trial(const Polyhedron& P, const Polyhedron& Q,
                                       const std::string& arithmetic, Form form);
 

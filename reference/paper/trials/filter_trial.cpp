@@ -20,7 +20,7 @@ FilterTrial filter_trial(std::uint64_t seed, std::uint64_t count) {
     const unsigned bits = 8 + static_cast<unsigned>(random() % 22);
     K::Vector u(integer(bits), integer(bits)), v(integer(bits), integer(bits));
     if (trial.trials % 4 != 0) {
-      // Both are near multiples of one direction; the last bits differ by chance.
+      // Both are near multiples of a common direction; the last bits differ by chance.
       const K::Vector d(integer(bits), integer(bits));
       const std::int64_t a = integer(29), b = integer(29);
       u = K::Vector(a * d.x() + integer(2), a * d.y() + integer(2));

@@ -1,4 +1,4 @@
-// How the float filter of the grid kernel fares on turns that are hard to decide.
+// A trial of the grid kernel's float filter on turns that are hard to decide.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ struct FilterTrial {
   std::uint64_t doubles_wrong = 0;  ///< of those, how many a plain double determinant gets wrong
 };
 
-/// Random pairs of vectors of up to 60 bits, three quarters of them nearly or exactly parallel;
-/// every sign is checked by exact integers. The same seed gives the same trial on every machine.
+/// Tries random pairs of vectors of up to 60 bits, three quarters nearly or exactly parallel; exact
+/// integers check every sign. The same seed gives the same trial on every machine.
 FilterTrial filter_trial(std::uint64_t seed, std::uint64_t count);
 
 }  // namespace minkref

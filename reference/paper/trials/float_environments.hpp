@@ -1,12 +1,12 @@
-// The trial in each floating-point environment that another library may leave behind.
+// The trial under each floating-point environment that another library may leave behind.
 #pragma once
 
 #include "reference/paper/trials/float_filters.hpp"
 
 namespace minkref::float_trial {
 
-/// While it lives the thread rounds in another mode; in the last one it flushes subnormal numbers
-/// (where that is known how).
+/// A guard: while it lives, the thread rounds by the mode of `way`; the last way flushes subnormal
+/// numbers (on x86-64).
 class Spoiled {
  public:
   static constexpr int ways = 5;
@@ -27,8 +27,8 @@ class Spoiled {
   std::fenv_t before_;
 };
 
-/// `count` rounds for each environment, which is put right for what is not a door itself; without
-/// that, it is refused.
+/// Runs `count` rounds for each environment. A guard sets the standard environment for functions
+/// that are not doors themselves; without a guard they refuse a spoiled environment.
 [[gnu::noinline]] inline Counts run(std::uint64_t seed, std::uint64_t count) {
   Counts counts;
   for (int way = 0; way < Spoiled::ways; ++way) {

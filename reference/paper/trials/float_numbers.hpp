@@ -38,7 +38,7 @@ class Numbers {
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(finite());
     return std::bit_cast<double>((bits << 1) == 0 ? bits + 1 : bits);
   }
-  /// A few doubles away, or the same one in magnitude.
+  /// A few doubles away, or the same magnitude.
   double near(double value) {
     const auto bits = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(value) << 1 >> 1);
     const std::int64_t moved = bits + static_cast<std::int64_t>(below(7)) - 3;

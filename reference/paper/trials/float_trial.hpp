@@ -1,5 +1,5 @@
 // Doubles on trial: each operation of intervals and bounded doubles, the error-free transforms and
-// the float filters, against rationals. All in headers, to be compiled with the flags of anybody.
+// the float filters, against rationals. Headers only, to be compiled with anybody's flags.
 #pragma once
 
 #include <cfenv>
@@ -38,7 +38,7 @@ class Counts {
 
 inline int sign_of(const Rational& value) { return value.sign(); }
 
-/// Whether `bound` is the greatest double that is not above the exact number; -infinity below all.
+/// Whether `bound` is the greatest double not above the exact number; -infinity below all.
 inline bool is_tight_below(double bound, const Rational& exact) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double next = std::nextafter(bound, infinity);

@@ -13,7 +13,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// A segment in doubles and its box.
+/// A segment and its box, with doubles.
 struct Placed {
   double x0, y0, x1, y1;
   double left, right, low, high;
@@ -27,7 +27,7 @@ bool boxes_meet(const Placed& a, const Placed& b) {
   return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
 }
 
-/// Appends the point in which two segments meet.
+/// Appends the point where two segments meet.
 void meet(const Placed& a, const Placed& b, std::vector<double>& points) {
   const double b0 = side(a, b.x0, b.y0), b1 = side(a, b.x1, b.y1);
   if ((b0 > 0 && b1 > 0) || (b0 < 0 && b1 < 0) || b0 == b1) return;
@@ -106,7 +106,7 @@ std::size_t ContactSearch::run(const Rational& scale) const {
       s = {representative[s.from], representative[s.to]};
     }
     SegmentContacts<K> found(frame.kernel, convolution.vertices, convolution.segments);
-    // A crossing is a contact of each of its two segments.
+    // A crossing counts as a contact for both of its segments.
     return found.contacts().size() - found.crossings().size();
   });
 }

@@ -16,7 +16,7 @@ long precision(const Arithmetic<T>&) {
 }
 
 inline bool misplaced(const Rational& truth, const Rational& got, long) { return truth != got; }
-/// An interval is, if it does not hold the truth.
+/// An interval counts as misplaced if it does not hold the truth.
 inline bool misplaced(const Rational& truth, const Interval& got, long) {
   const Enclosure e = enclose(truth);
   return got.lower() > e.lower || got.upper() < e.upper;

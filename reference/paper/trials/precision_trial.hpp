@@ -32,9 +32,10 @@ struct PrecisionTrial {
   bool all_right() const { return undecided_pairs + missed + invented + inversions + merged == 0; }
 };
 
-/// The paper's way, pair by pair: x(1), x(2), sigma, alpha and beta of each end point, the solves
-/// and the interval by `form`; "rational", "interval", "double" or "mpfr:BITS". For `interval` a
-/// scale is misplaced if the interval does not hold it; order is that of the middles. O(N^2).
+/// Follows the paper's way, pair by pair: x(1), x(2), sigma, alpha and beta of each end point, the
+/// solves and the interval by `form`; "rational", "interval", "double" or "mpfr:BITS". For
+/// `interval` a scale is misplaced if the interval does not hold it; intervals are ordered by their
+/// middles. O(N^2).
 PrecisionTrial precision_trial(const PolygonSet& P, const PolygonSet& Q,
                                const std::string& arithmetic, Form form);
 
