@@ -12,8 +12,8 @@ namespace minkref {
 
 enum class ByteOrder { little, big };
 
-/// Walks the bytes of a file from `begin` on. What reads beyond the end is refused ("truncated")
-/// with the byte.
+/// Walks the bytes of a file from `begin` on. Refuses reading beyond the end ("truncated") and
+/// names the byte.
 class BinaryBytes {
  public:
   BinaryBytes(std::string_view file, std::size_t begin, ByteOrder order, const Input& input)
@@ -27,7 +27,7 @@ class BinaryBytes {
   float float32();
   double float64();
   void skip(std::uint64_t size);
-  /// Refuses bytes that are left ("trailing-text"); `last` as in "the last of 12 triangles".
+  /// Refuses leftover bytes ("trailing-text"); `last` like "the last of 12 triangles".
   void require_end(const std::string& last) const;
 
  private:

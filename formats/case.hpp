@@ -1,4 +1,4 @@
-// A case (`case-v1`): two operands, scales, and what is expected. Schema: degeneracies/schema/.
+// A case (`case-v1`): two operands, scales, and expected results. Schema: degeneracies/schema/.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace minkref {
 
-/// A closed interval of scales; an end that is absent is 0 or infinity.
+/// A closed interval of scales; an absent end means 0 or infinity.
 struct CaseInterval {
   std::optional<Rational> from, to;
   friend bool operator==(const CaseInterval&, const CaseInterval&) = default;
 };
 
-/// What is expected of `sP + Q` at one scale. Only what is given is claimed.
+/// The expected result of `sP + Q` at one scale. Absent members claim nothing.
 struct Expected {
   Rational scale;
   std::optional<std::string> digest;  ///< SHA-256 of the canonical JSON, 64 hexadecimal digits
@@ -42,14 +42,14 @@ struct Case {
   friend bool operator==(const Case&, const Case&) = default;
 };
 
-/// A case with the places of its operands in the text.
+/// A case with its operands' places within the text.
 struct CaseReading {
   Case value;
   std::vector<RingOrigin> P_origins, Q_origins;
 };
 
-/// Reads a case of dimension 2. Nothing is turned: `validate` refuses wrong orientation. Unknown
-/// members are refused. Throws BadInput, LimitExceeded. Refusals in an operand name it:
+/// Reads a case of dimension 2. No ring is turned: `validate` refuses wrong orientation. Refuses
+/// unknown members. Throws BadInput, LimitExceeded. A refusal of an operand names it:
 /// "file.json#P".
 CaseReading read_case_text(std::string_view text, const std::string& source,
                            const ReadLimits& limits = {});
@@ -57,7 +57,7 @@ CaseReading read_case_text(std::string_view text, const std::string& source,
 /// Reads a case file; the operands are validated.
 Case read_case(const std::string& path, const ReadLimits& limits = {});
 
-/// The text of a case: exact, one line a ring. Reading it gives the same case.
+/// Writes a case exactly, one line a ring. Reading the text gives the same case.
 std::string write_case(const Case& value);
 
 }  // namespace minkref

@@ -29,7 +29,7 @@ bool within(const RationalBox& inner, const RationalBox& outer) {
 }
 
 /// Whether `p` is strictly outside: the ray to the right crosses the ring an even number of times,
-/// and `p` is not on it.
+/// and the ring does not pass through `p`.
 bool strictly_outside(const Point& p, const Ring& ring) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -73,7 +73,7 @@ bool lies_inside(const Ring& inner, const Ring& outer, std::size_t& steps) {
     if (strictly_outside(a, outer)) return false;
     if (strictly_outside({(a.x + b.x) / 2, (a.y + b.y) / 2}, outer)) return false;
   }
-  // They may touch at each of these points. Between two contacts they do not.
+  // The rings may touch at each of these points, but not between two contacts.
   const Point contact = first_contact(inner[0], inner[1], outer);
   steps += 2 * outer.size();
   return !strictly_outside({(inner[0].x + contact.x) / 2, (inner[0].y + contact.y) / 2}, outer);

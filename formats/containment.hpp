@@ -1,4 +1,4 @@
-// Which outer ring a hole lies in.
+// The outer ring around a hole.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,12 @@
 namespace minkref {
 
 /// Whether no vertex and no midpoint of an edge of `inner` lies strictly outside `outer`, nor the
-/// start of its first edge up to where they touch: for rings that touch at points only this says
-/// that `inner` lies in the closed region of `outer`. Exact. O(m n), `steps` counts the edges
-/// visited.
+/// start of its first edge up to the first contact: for rings that touch at points only, `inner`
+/// then lies within the closed region of `outer`. Exact. O(m n), `steps` counts the edges visited.
 bool lies_inside(const Ring& inner, const Ring& outer, std::size_t& steps);
 
-/// For each hole the index of the smallest outer ring that contains it. A lone outer ring takes all
-/// holes, untested (`validate` tests them). `outers` and `holes` have three vertices each, or more.
+/// The index of the smallest outer ring around each hole. A lone outer ring takes all holes,
+/// untested (`validate` tests them). `outers` and `holes` must have three vertices each, or more.
 /// Throws BadInput ("hole-outside", at `places[hole]`), LimitExceeded ("too-much-work").
 std::vector<std::size_t> containing_outers(const std::vector<const Ring*>& outers,
                                            const std::vector<const Ring*>& holes,

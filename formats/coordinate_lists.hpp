@@ -7,7 +7,7 @@
 
 namespace minkref {
 
-/// Nested lists of coordinates in decimals, as WKT and GeoJSON have them.
+/// Nested lists of decimal coordinates for WKT and GeoJSON.
 class CoordinateLists {
  public:
   struct Marks {
@@ -17,7 +17,7 @@ class CoordinateLists {
   explicit CoordinateLists(const Marks& marks) : marks_(marks) {}
 
   std::string of(const Point& point) const;
-  /// The first vertex is repeated where the ring is closed.
+  /// Repeats the first vertex of a closed ring.
   std::string of(const Ring& ring, bool closed) const;
   std::string of(const Polygon& polygon) const;
   std::string of(const PolygonSet& set) const;

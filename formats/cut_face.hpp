@@ -1,4 +1,4 @@
-// Faces as triangles, for formats that have no others.
+// Faces as triangles, for formats without other faces.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace minkref {
 
-/// Cuts a planar simple face into triangles of positive area along diagonals, turned as the face
-/// is; the face need not be convex, and may have straight angles. None where this is not possible:
-/// every planar simple face can be cut. Exact. O(n log n).
+/// Cuts a planar simple face into triangles of positive area along diagonals, with the face's
+/// orientation; the face may be concave, and may have straight angles. None if no cutting exists:
+/// every planar simple face has a cutting. Exact. O(n log n).
 std::optional<std::vector<Face>> triangles_of(const Face& face,
                                               const std::vector<SpacePoint>& vertices);
 

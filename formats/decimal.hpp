@@ -1,4 +1,4 @@
-// Decimal text of rational numbers.
+// Decimal text for rational numbers.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace minkref {
 
 /// exact_decimal, or else the nearest double with 17 significant digits. Throws LimitExceeded
-/// ("not-representable") where that double is zero or infinite.
+/// ("not-representable") if this double is zero or infinite.
 std::string decimal(const Rational& value);
 
 }  // namespace minkref

@@ -1,4 +1,4 @@
-// An event of any kind as lists show it.
+// A row of an event list, for events of any kind.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct EventRow {
   std::optional<Point> to;
 };
 
-/// Appends the event as a JSON object, as `events_as_json` has it, and `end`; `edges`: the text of
-/// each edge.
+/// Appends the event as a JSON object with the members of `events_as_json`, and `end`; `edges`: the
+/// text of each edge.
 void append_json(std::string& text, const EventRow& event, const std::vector<std::string>& edges,
                  std::string_view end);
 

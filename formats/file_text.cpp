@@ -57,7 +57,7 @@ std::string read_whole_file(const std::string& path, const ReadLimits& limits) {
 }
 
 void require_size(std::string_view text, const std::string& source, const ReadLimits& limits) {
-  // Positions are kept in 32 bits.
+  // Positions have 32 bits.
   if (text.size() > limits.bytes || text.size() >= std::numeric_limits<std::uint32_t>::max()) {
     too_large(source, limits);
   }

@@ -23,19 +23,19 @@ struct FormatEntry {
   bool is_read;       ///< by that extension
 };
 
-/// All of them: commands and Python take their lists from here.
+/// All formats: commands and Python take their lists from here.
 std::span<const FormatEntry> format_table();
 
 /// "wkt", "geojson", "poly", "json", "case", "svg".
 std::string name(Format format);
 
-/// The format of that name. Throws BadInput ("unknown-format").
+/// The format with a given name. Throws BadInput ("unknown-format").
 Format format_named(std::string_view name);
 
-/// The extension of a file name in small letters, with its point; "" where there is none.
+/// A file name's extension, lower case, with its point; "" if none.
 std::string extension_of(const std::string& path);
 
-/// The format by the extension of a file name (any case); `.json` is Format::json, whose reader
+/// The format for a file name's extension (any case); `.json` gives Format::json, whose reader
 /// tells GeoJSON and cases by their members. Throws BadInput ("unknown-format").
 Format format_of_file(const std::string& path);
 

@@ -1,4 +1,4 @@
-// What tables of formats share: their names, and what is no name of theirs.
+// Shared parts of the format tables: lists of names, and the refusal of unknown names.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace minkref {
 
-/// Names one after the other, each behind `before`; the last behind `last`.
+/// Lists names, each behind `before`; the last behind `last`.
 template <class Entry>
 std::string listed(std::span<const Entry> table, std::string_view before, std::string_view last,
                    bool Entry::* wanted = nullptr) {
@@ -23,7 +23,7 @@ std::string listed(std::span<const Entry> table, std::string_view before, std::s
   return text + std::string(last) + name;
 }
 
-/// The format of that name. `of`: "of the plane", say. Throws BadInput ("unknown-format").
+/// The format with a given name. `of`: "of the plane", say. Throws BadInput ("unknown-format").
 template <class Entry>
 auto named(std::span<const Entry> table, std::string_view wanted, const std::string& of) {
   for (const Entry& entry : table) {

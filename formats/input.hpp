@@ -1,4 +1,4 @@
-// One text being read: its name, its limits, what has been used of them, and how it is refused.
+// A text under reading: its name, its limits and their use so far, and its refusals.
 #pragma once
 
 #include <string>
@@ -23,12 +23,12 @@ class Input {
   const ReadLimits& limits() const { return limits_; }
   const std::string& source() const { return source_; }
 
-  /// Throws BadInput that names this source. `line` 0: none.
+  /// Throws BadInput with this source's name. `line` 0: none.
   [[noreturn]] void refuse(const std::string& code, const std::string& problem,
                            const std::string& mend, Place place) const;
   [[noreturn]] void refuse(const std::string& code, const std::string& problem,
                            const std::string& mend, std::size_t line = 0) const;
-  /// Throws LimitExceeded that names this source.
+  /// Throws LimitExceeded with this source's name.
   [[noreturn]] void exceed(const std::string& code, const std::string& problem,
                            const std::string& mend, Place place) const;
 
@@ -37,13 +37,13 @@ class Input {
   /// The exact value of a double, charged likewise. Refuses NaN and infinity ("not-a-number").
   Rational number(double value, const Place& place);
 
-  /// The decimal digits of a count or an index, no sign. Refuses other tokens ("syntax"); `what` as
-  /// in "a number of rings".
+  /// The decimal digits of a count or an index, no sign. Refuses other tokens ("syntax"); `what`
+  /// like "a number of rings".
   std::size_t whole_number(std::string_view token, const char* what, const Place& place) const;
 
   /// Charges one vertex.
   void count_vertex(const Place& place);
-  /// Charges one face, one vertex of a face.
+  /// Charge a face, and a vertex of a face.
   void count_face(const Place& place);
   void count_face_corner(const Place& place);
 
@@ -71,7 +71,7 @@ class Input {
   std::size_t more_warnings_ = 0;
 };
 
-/// A place in a text. `line` 0: none.
+/// A place within a text. `line` 0: none.
 Place at_line(std::size_t line);
 
 }  // namespace minkref

@@ -1,4 +1,4 @@
-// The members that a reader knows of one JSON object.
+// The members of one JSON object that a reader knows.
 #pragma once
 
 #include <initializer_list>
@@ -16,15 +16,14 @@ class JsonObject {
  public:
   enum class Others { refused, ignored };
 
-  /// `what` names the object in messages ("a polygon"). Refuses what is not an object
-  /// ("wrong-type"), a known member given twice ("duplicate-member") and, where asked, an unknown
-  /// member
-  /// ("unknown-member": a misspelt "holes" must not lose a hole).
+  /// `what` names the object for messages ("a polygon"). Refuses other values than objects
+  /// ("wrong-type"), a known member given twice ("duplicate-member") and, if asked, an unknown
+  /// member ("unknown-member": a misspelt "holes" must not lose a hole).
   JsonObject(Json value, const Input& input, std::string what,
              std::initializer_list<std::string_view> known, Others others);
 
   std::optional<Json> find(std::string_view name) const;
-  /// Refuses its absence ("missing-member").
+  /// The member; refuses its absence ("missing-member").
   Json require(std::string_view name) const;
   std::size_t line() const { return line_; }
 
@@ -35,7 +34,7 @@ class JsonObject {
   std::vector<std::pair<std::string, Json>> found_;
 };
 
-/// Refuses a value of another kind ("wrong-type"); `what` as in "the coordinates of a point".
+/// Refuses a value of another kind ("wrong-type"); `what` like "the coordinates of a point".
 void expect(Json value, JsonKind kind, const std::string& what, const Input& input);
 
 }  // namespace minkref

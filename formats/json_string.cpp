@@ -15,7 +15,7 @@ int hex_digit(char c) {
   return -1;
 }
 
-/// The four hexadecimal digits after "\u" at `at`; -1 where they are not.
+/// The value of the four hexadecimal digits after "\u" at `at`; -1 if missing.
 std::int32_t code_unit(std::string_view raw, std::size_t at) {
   if (at + 6 > raw.size() || raw[at] != '\\' || raw[at + 1] != 'u') return -1;
   std::int32_t unit = 0;

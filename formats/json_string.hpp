@@ -6,8 +6,8 @@
 
 namespace minkref {
 
-/// The fault in the text between the quotes of a JSON string ("" where there is none): control
-/// characters, unknown escapes, lone surrogates, bytes that are not UTF-8.
+/// The fault of the text between a JSON string's quotes ("" if none): control characters, unknown
+/// escapes, lone surrogates, bytes that are not UTF-8.
 struct JsonStringFault {
   std::string code, problem;
 };

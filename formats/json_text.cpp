@@ -37,8 +37,7 @@ bool is_json_number(std::string_view text) {
   return i == text.size();
 }
 
-/// Builds the nodes of one text. Open containers are on a stack of our own: depth costs no
-/// recursion.
+/// Builds the nodes of one text. Open containers form an explicit stack: depth costs no recursion.
 class Parser {
  public:
   Parser(std::string_view text, const Input& input) : text_(text), input_(input) {}
@@ -101,7 +100,7 @@ class Parser {
     return node.end - 1;
   }
 
-  /// Reads one value, or opens a container and reads what comes before its first value.
+  /// Reads one value, or opens a container and reads on to its first value.
   void value() {
     pending_ = false;
     skip_space();
@@ -132,7 +131,8 @@ class Parser {
     begin_element();
   }
 
-  /// A value is due: the next of an array, or that of a member, whose name is read here.
+  /// Prepares for the next element: the following value of an array, or of a member, whose name is
+  /// read here.
   void begin_element() {
     JsonNode& container = nodes_[open_.back()];
     ++container.size;
@@ -146,7 +146,8 @@ class Parser {
     pending_ = true;
   }
 
-  /// After a value or a fresh container: closes what ends here. True where a value is due.
+  /// After a value or a fresh container: closes the containers that end here. True before a further
+  /// value.
   bool next_sibling() {
     if (pending_) return true;
     skip_space();

@@ -1,7 +1,7 @@
 // JSON (RFC 8259) whose numbers keep their text and whose values know their line.
 //
-// Parsers that hand out numbers as doubles lose 0.1, and those that keep the text beside the double
-// refuse 1e400 before the text is seen. Here a number is its text, and nothing else.
+// Parsers that hand out numbers as doubles lose 0.1, and parsers that keep the text beside the
+// double refuse 1e400 before anyone sees the text. Here a number keeps its text, and nothing else.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ enum class JsonKind : std::uint8_t { null, boolean, number, string, array, objec
 /// "null", "a boolean", "a number", ...: for messages.
 std::string describe(JsonKind kind);
 
-/// One value, in the order of the text; those inside it follow it.
+/// A value as a node; nodes keep the text's order, so a container's inner values follow it.
 struct JsonNode {
   std::string_view text;   ///< number: its text; string: between the quotes, escapes not decoded
   std::uint32_t line = 0;  ///< 1-based
@@ -30,7 +30,7 @@ struct JsonNode {
 
 class JsonText;
 
-/// A value of a JsonText, which must outlive it.
+/// A value of a JsonText; the text must outlive the value.
 class Json {
  public:
   Json(const JsonText& document, std::uint32_t index) : document_(&document), index_(index) {}
@@ -42,7 +42,7 @@ class Json {
   std::string_view text() const { return node().text; }
   std::string string() const;  ///< decoded, UTF-8
 
-  /// Walks the elements of an array, in order.
+  /// Walks an array's elements from first to last.
   class Iterator {
    public:
     Iterator(const JsonText& document, std::uint32_t index) : document_(&document), index_(index) {}
@@ -54,11 +54,11 @@ class Json {
     const JsonText* document_;
     std::uint32_t index_;
   };
-  /// For `for`; of an array only.
+  /// For `for`; arrays only.
   Iterator begin() const { return {*document_, index_ + 1}; }
   Iterator end() const;
 
-  /// Calls `visit(name, value)` for each member of an object, in order.
+  /// Calls `visit(name, value)` for each member of an object, from first to last.
   template <class Visit>
   void for_each_member(Visit visit) const {
     for (Iterator i = begin(); i != end(); ++i) {
@@ -77,8 +77,7 @@ class JsonText {
  public:
   /// Parses a complete text, without recursion. Throws BadInput with the line ("syntax",
   /// "truncated", "trailing-text", "not-utf8", "not-a-number" for NaN and Infinity) or
-  /// LimitExceeded
-  /// ("too-deep", "too-many-values"). Views into `text` are kept. Linear.
+  /// LimitExceeded ("too-deep", "too-many-values"). Keeps views into `text`. Linear.
   JsonText(std::string_view text, const Input& input);
 
   Json root() const { return {*this, 0}; }

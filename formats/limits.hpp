@@ -1,4 +1,4 @@
-// The limits of the readers, in one place.
+// All limits of the readers.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace minkref {
 
-/// What a reader accepts at most. An input beyond a limit is refused (LimitExceeded) before work is
-/// spent on it, so that time and memory stay bounded on hostile input.
+/// The most that a reader accepts. A reader refuses larger input (LimitExceeded) before any work on
+/// it, so that hostile input cannot take unbounded time and memory.
 struct ReadLimits {
   NumberLimits number;                        ///< digits and exponent of one number
   std::size_t depth = 128;                    ///< nesting of JSON values, of WKT collections

@@ -16,7 +16,7 @@ const PairEvent& pair_of(const ArrangementEvents& events, const ListedEvent& eve
   return events.pairs().events[event.index];
 }
 
-/// What a search asks of arrangement events (event_search.hpp).
+/// The questions of a search about arrangement events (event_search.hpp).
 class SearchedArrangement {
  public:
   SearchedArrangement(const std::vector<RankedEvent>& list, const ArrangementEvents& events)
@@ -26,7 +26,7 @@ class SearchedArrangement {
   const std::vector<ConvolutionEdge>& edges() const { return events_.edges(); }
   Rational scale(std::size_t i) const { return events_.exact(list_[i].event.group); }
   std::uint32_t rank(std::size_t i) const { return list_[i].rank; }
-  /// The place of an event is on each of its edges.
+  /// The place of an event lies on each of its edges.
   Enclosure about(std::size_t i, int coordinate) const {
     if (!bounds_) bounds_.emplace(events_.moving());
     const ListedEvent& event = list_[i].event;

@@ -1,4 +1,4 @@
-// Lists of arrangement events: a search in them, and their JSON text.
+// Lists of arrangement events: searches, and JSON text.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace minkref {
 
-/// An event of a list, and how many different scales lie below its own there.
+/// An event of a list, with the count of different lower scales on the list.
 struct RankedEvent {
   ListedEvent event;
   std::uint32_t rank = 0;
@@ -23,11 +23,11 @@ std::string_view kind_name(const ArrangementEvents& events, const ListedEvent& e
 std::string_view change_name(const ArrangementEvents& events, const ListedEvent& event);
 std::vector<std::uint32_t> edges_of(const ArrangementEvents& events, const ListedEvent& event);
 
-/// The event in full but for its rank. Exact. Some 10 us.
+/// The event's full row, except for its rank. Exact. Some 10 us.
 EventRow listed_row(const ArrangementEvents& events, const ListedEvent& event);
 
-/// Takes out all events that do not meet the condition; ranks stay. Fields as of pair events
-/// (pair_event_search.hpp). Exact: scales are found by bisection, of places doubles discard most.
+/// Takes out all events that do not meet the condition; ranks stay. Fields as for pair events
+/// (pair_event_search.hpp). Exact: bisection finds scales; doubles discard most places.
 void keep_events(std::vector<RankedEvent>& list, const ArrangementEvents& events,
                  const EventCondition& condition);
 

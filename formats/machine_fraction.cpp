@@ -23,7 +23,7 @@ Word magnitude(std::int64_t value) {
   return value < 0 ? -static_cast<Word>(value) : static_cast<Word>(value);
 }
 
-/// A natural number of a few limbs, the last of which is not zero.
+/// A natural number of a few limbs with a nonzero last limb.
 struct Natural {
   std::array<mp_limb_t, 5> limbs{};
   mp_size_t size = 0;
@@ -72,7 +72,7 @@ UInt128 common_divisor(UInt128 a, UInt128 b) {
   return a << shared;
 }
 
-/// a + b where the signs are equal, the difference otherwise; and whether it is negative.
+/// a + b for equal signs, otherwise the difference; and whether the result is negative.
 std::pair<Natural, bool> sum(const Natural& a, bool a_negative, const Natural& b, bool b_negative) {
   const bool a_first = a.size != b.size ? a.size > b.size
                        : a.size == 0    ? true

@@ -1,4 +1,4 @@
-// Fractions in a few machine words, as text in lowest terms.
+// Fractions of a few machine words, as text with lowest terms.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace minkref {
 
-/// numerator / denominator > 0, in lowest terms.
+/// numerator / denominator > 0, lowest terms.
 struct MachineFraction {
   Int128 numerator = 0, denominator = 1;
 };
@@ -16,7 +16,7 @@ struct MachineFraction {
 /// In lowest terms; `denominator` > 0. Exact: some 0.3 us.
 MachineFraction reduced(Int128 numerator, Int128 denominator);
 
-/// The nearest double, ties to even. Some 5 ns where both numbers are doubles, else 0.5 us.
+/// The nearest double, ties to even. Some 5 ns if both numbers are doubles, else 0.5 us.
 double nearest_double(const MachineFraction& value);
 
 /// Appends "n" or "n/d".

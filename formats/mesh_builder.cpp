@@ -127,7 +127,7 @@ MeshReading MeshBuilder::finish_shared() {
   shared.warnings = std::move(apart.warnings);
   shared.face_lines = std::move(apart.face_lines);
   if (apart.vertex_lines.empty()) return shared;
-  // Vertices are numbered in the order of their first use.
+  // Vertices have the order of their first use.
   for (std::size_t f = 0; f < shared.polyhedron.faces.size(); ++f) {
     const Face& before = apart.polyhedron.faces[f];
     const Face& after = shared.polyhedron.faces[f];

@@ -1,4 +1,4 @@
-// Collects the vertices and faces that a reader finds into one polyhedron.
+// Collects a reader's vertices and faces into one polyhedron.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@
 
 namespace minkref {
 
-/// What a position in the file is: the line of a text, the first byte of a binary part. A refusal
-/// names a line in its place, a byte in its problem.
+/// The meaning of positions: the line of a text, or the first byte of a binary part. A refusal's
+/// place names the line; a refusal's problem names the byte.
 enum class Positions { lines, bytes };
 
-/// Vertices and faces may come in any order. Nothing is turned and nothing is made one.
+/// Vertices and faces may come any way round. The builder turns no face and joins no vertices.
 class MeshBuilder {
  public:
-  /// `first_number`: what the file calls its first vertex, 0 or 1; for messages.
+  /// `first_number`: the file's number for its first vertex, 0 or 1; for messages.
   MeshBuilder(Input& input, Positions positions, std::size_t first_number = 0)
       : input_(input), positions_(positions), first_number_(first_number) {}
 
@@ -33,10 +33,11 @@ class MeshBuilder {
   void vertex(const std::array<double, 3>& coordinates, std::size_t position);
 
   void begin_face(std::size_t position);
-  /// A vertex of the open face, from 0. Refused at the end where there is no such vertex.
+  /// Adds a vertex, counted from 0, to the open face. A vertex that never appears is refused at the
+  /// end.
   void corner(std::uint64_t vertex);
-  /// Refuses a vertex of the open face ("index-out-of-range"): `number` as the file has it, `why`
-  /// as in "there are 8 vertices".
+  /// Refuses a vertex of the open face ("index-out-of-range"): `number` as written by the file,
+  /// `why` like "there are 8 vertices".
   [[noreturn]] void refuse_corner(const std::string& number, const std::string& why) const;
   /// Refuses a face of fewer than three vertices ("too-few-vertices").
   void end_face();
@@ -47,9 +48,9 @@ class MeshBuilder {
   [[noreturn]] void refuse_face(const std::string& code, const std::string& problem,
                                 const std::string& mend) const;
 
-  /// The polyhedron as read. Refuses a face that names no vertex ("index-out-of-range").
+  /// The polyhedron as read. Refuses a face without vertices ("index-out-of-range").
   MeshReading finish();
-  /// The same with one vertex for all that have the same coordinates.
+  /// The polyhedron with one vertex for all equal coordinates.
   MeshReading finish_shared();
 
  private:

@@ -18,7 +18,7 @@ enum class MeshFormat {
   json,  ///< {"vertices":[["x","y","z"],...],"faces":[[0,1,2],...]}; exact
 };
 
-/// A row of the table, which is all that knows of each format.
+/// A row of the table, the only place that knows the single formats.
 struct MeshFormatEntry {
   MeshFormat format;
   std::string_view name;       ///< also the extension of files
@@ -28,17 +28,17 @@ struct MeshFormatEntry {
   bool is_exact;  ///< writes every number
 };
 
-/// All of them: commands and Python take their lists from here.
+/// All formats: commands and Python take their lists from here.
 std::span<const MeshFormatEntry> mesh_format_table();
 const MeshFormatEntry& entry_of(MeshFormat format);
 
 /// "off", "obj", "stl", "ply", "json".
 std::string name(MeshFormat format);
 
-/// The format of that name. Throws BadInput ("unknown-format").
+/// The format with a given name. Throws BadInput ("unknown-format").
 MeshFormat mesh_format_named(std::string_view name);
 
-/// The format by the extension of a file name (any case). Throws BadInput ("unknown-format").
+/// The format for a file name's extension (any case). Throws BadInput ("unknown-format").
 MeshFormat mesh_format_of_file(const std::string& path);
 
 }  // namespace minkref

@@ -1,4 +1,4 @@
-// What a reader of polyhedra gives.
+// The result of a reader of polyhedra.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct MeshReading {
   std::vector<std::uint32_t> face_lines;    ///< the same of each face
 };
 
-/// Runs a check of the polyhedron; what it refuses (BadInput) names `source` besides, and the line
-/// of the face, or else that of the first vertex.
+/// Runs a check of the polyhedron; its refusals (BadInput) also name `source`, and the line of the
+/// face, or else of the first vertex.
 void refuse_as_read(const MeshReading& reading, const std::string& source,
                     const std::function<void()>& check);
 

@@ -1,4 +1,4 @@
-// Text of an input as it may appear in a message.
+// An input's text, made fit for a message.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace minkref {
 
-/// Printable ASCII only: every other byte is replaced by "?".
+/// Printable ASCII only: "?" replaces every other byte.
 std::string printable(std::string_view text);
 
 /// In double quotes, printable, cut after 40 characters (a message never holds a number of a

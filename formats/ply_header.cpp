@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> ply_types{{
     {"float64", PlyType::float64},
 }};
 
-/// The first byte after the line `end_header`; none where there is no such line.
+/// The first byte after the line `end_header`; none if the line is missing.
 std::optional<std::size_t> body_of(std::string_view file) {
   for (std::size_t begin = 0; begin < file.size();) {
     const std::size_t end = std::min(file.find('\n', begin), file.size());
@@ -141,7 +141,7 @@ class HeaderReader {
     header_.elements.back().properties.push_back(std::move(property));
   }
 
-  /// An element without a property takes no room: any number of them would be there.
+  /// An element without a property takes no room: a file could claim any number of them.
   void require_properties() const {
     for (const PlyElement& element : header_.elements) {
       if (element.count == 0 || !element.properties.empty()) continue;

@@ -1,4 +1,4 @@
-// The header of a PLY file: what stands in its body.
+// The header of a PLY file: the layout of its body.
 #pragma once
 
 #include <cstddef>
@@ -40,7 +40,7 @@ struct PlyHeader {
 /// Whether the header of `file` announces a binary body. Nothing is refused here.
 bool is_binary_ply(std::string_view file);
 
-/// Refuses what is no header of version 1.0, with the line: "syntax", "truncated",
+/// Refuses other text than a header of version 1.0, with the line: "syntax", "truncated",
 /// "unsupported-encoding", "unsupported-version". Linear.
 PlyHeader read_ply_header(std::string_view file, const Input& input);
 

@@ -1,4 +1,4 @@
-// The values in the body of a PLY file, one after the other, as text and as bytes.
+// The values of a PLY file's body, one after the other, from text or bytes.
 #pragma once
 
 #include <cstddef>
@@ -27,9 +27,9 @@ class PlyText {
   Number number(PlyType type);
   std::int64_t integer(PlyType type);
   void skip(PlyType type, std::uint64_t count);
-  /// Refuses what is left of the element ("syntax").
+  /// Refuses the element's remaining values ("syntax").
   void end();
-  /// Refuses what is left of the file ("trailing-text").
+  /// Refuses the file's remaining text ("trailing-text").
   void finish() const;
 
  private:

@@ -1,4 +1,4 @@
-// The lines of a `.poly` text that hold something, as tokens.
+// The non-empty lines of a `.poly` text as tokens.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace minkref {
 
-/// Walks the lines that are not empty; `#` begins a comment. A token with two decimal points, as in
-/// "7.84688.042924", is two numbers run together: it is split before its second point, with a
-/// warning that names the line.
+/// Walks the lines that are not empty; `#` begins a comment. A token with two decimal points, like
+/// "7.84688.042924", holds two numbers run together: the walk splits it before its second point,
+/// with a warning that names the line.
 class PolyLines {
  public:
   PolyLines(std::string_view text, Input& input);

@@ -15,7 +15,7 @@
 namespace minkref {
 namespace {
 
-/// A name such as "case.json#Q", in its two parts.
+/// The two parts of a name like "case.json#Q".
 struct OperandName {
   std::string file;
   char operand = '\0';  ///< 'P', 'Q', or none
@@ -98,7 +98,7 @@ Reading read_text(std::string_view text, Format format, const std::string& sourc
 }
 
 Reading read_file(const std::string& path, const ReadLimits& limits) {
-  // A file whose own name ends in "#P" is read under that name.
+  // A file whose own name ends with "#P" keeps that name.
   std::error_code error;
   const std::string file = std::filesystem::exists(path, error) ? path : split(path).file;
   const std::string text = read_whole_file(file, limits);

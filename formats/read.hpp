@@ -11,17 +11,17 @@
 namespace minkref {
 
 /// Reads a polygon set (docs/formats.md). Coordinates are the exact numbers of the text. Rings of
-/// WKT, GeoJSON, `.poly` and plain JSON are turned as their role demands; those of a case are left
-/// as they are. Nothing else is checked: see read_valid_text. Format::json takes plain sets,
-/// GeoJSON and cases, told apart by their members. A case holds two operands: a source ending in
-/// "#P" or "#Q" names the one wanted; otherwise P is taken, with a warning. Throws BadInput and
-/// LimitExceeded, which name source, line, ring and vertex; nothing else, save for std::bad_alloc.
-/// Time and memory are bounded by the limits.
+/// WKT, GeoJSON, `.poly` and plain JSON are turned as their role demands; a case keeps its rings as
+/// written. Nothing else is checked: see read_valid_text. Format::json takes plain sets, GeoJSON
+/// and cases, told apart by their members. A case holds two operands: a source ending with "#P" or
+/// "#Q" chooses; otherwise P is taken, with a warning. Throws BadInput and LimitExceeded, which
+/// name source, line, ring and vertex; nothing else, save for std::bad_alloc. The limits bound time
+/// and memory.
 Reading read_text(std::string_view text, Format format, const std::string& source,
                   const ReadLimits& limits = {});
 
-/// The same from a file, read to its end first; the format by its extension. "case.json#Q" reads
-/// the operand Q of case.json.
+/// Reads a whole file first, then its text; the extension tells the format. "case.json#Q" means the
+/// operand Q of case.json.
 Reading read_file(const std::string& path, const ReadLimits& limits = {});
 
 /// Read, then validated (`validate`); a refusal names the file, and the line, the ring and the

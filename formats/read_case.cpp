@@ -91,7 +91,7 @@ class CaseReader {
     return found;
   }
 
-  /// An operand is an input of its own: its refusals name "file#P".
+  /// An operand counts as a separate input: its refusals name "file#P".
   Reading operand(Json value, const std::string& name) {
     const std::string source = input_.source().empty() ? name : input_.source() + "#" + name;
     Input part(source, input_);

@@ -18,7 +18,7 @@ class GeoJsonReader {
  public:
   explicit GeoJsonReader(SetBuilder& set) : set_(set), input_(set.input()) {}
 
-  // The depth of the recursion is bounded by that of the JSON text, which has a limit.
+  // The JSON text's limited depth bounds the recursion.
   void object(Json value) {
     const JsonObject members(value, input_, "a GeoJSON object",
                              {"type", "coordinates", "geometry", "geometries", "features"},

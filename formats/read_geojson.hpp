@@ -7,12 +7,12 @@
 namespace minkref {
 
 /// Reads Polygon, MultiPolygon, Point, LineString of two positions (a segment), Feature,
-/// FeatureCollection and GeometryCollection (flattened). Coordinates are plane coordinates, taken
-/// from the text of the JSON numbers: 0.1 is 1/10. Foreign members are ignored. A third coordinate
-/// is refused. Linear.
+/// FeatureCollection and GeometryCollection (flattened). Coordinates are plane coordinates, from
+/// the text of the JSON numbers: 0.1 is 1/10. Ignores foreign members. Refuses a third coordinate.
+/// Linear.
 void read_geojson(Json root, SetBuilder& set);
 
-/// Whether the value is an object whose `type` GeoJSON knows.
+/// Whether the value is an object with a `type` that GeoJSON knows.
 bool looks_like_geojson(Json root);
 
 }  // namespace minkref

@@ -1,4 +1,4 @@
-// Reader of the plain JSON form of a set, which cases hold too.
+// Reader of a set's plain JSON form, used by cases too.
 #pragma once
 
 #include "formats/json_text.hpp"
@@ -6,14 +6,14 @@
 
 namespace minkref {
 
-/// Which JSON values name a coordinate. Strings ("3/7", "-30.7428") always do.
+/// The JSON values that may give a coordinate. Strings ("3/7", "-30.7428") always do.
 enum class JsonNumbers {
   any,       ///< every JSON number too, from its text
   integers,  ///< JSON integers only (cases)
 };
 
 /// Reads {"polygons":[{"outer":ring,"holes":[ring,...]},...]}, ring = [[x,y],...], the first vertex
-/// not repeated. `holes` may be absent; other members are refused. Linear.
+/// not repeated. `holes` may be absent; refuses other members. Linear.
 void read_json_set(Json value, SetBuilder& set, JsonNumbers numbers);
 
 /// The text of a number given as a JSON value. Refuses other values ("not-a-number") at `place`.

@@ -1,4 +1,4 @@
-// Reads polyhedra from files and texts: where to start in space.
+// Reads polyhedra from files and texts: the door to space.
 #pragma once
 
 #include <string>
@@ -11,16 +11,16 @@
 namespace minkref {
 
 /// Reads a polyhedron (docs/formats.md). Coordinates are the exact numbers of the text, or the
-/// exact values of the bits. Faces are not turned; vertices stay apart, save for STL, which has
-/// none of its own. A file without faces is a point (one vertex), a segment (two) or the empty set
-/// (none). Nothing else is checked: see read_valid_mesh_text. `text` may be binary (STL, PLY).
-/// Throws BadInput and LimitExceeded, which name source and line, vertex or face (from 0, in the
-/// order of the file), in binary files the byte; nothing else, save for std::bad_alloc. Time and
-/// memory are bounded by the limits.
+/// exact values of the bits. No face is turned; vertices stay apart, save for STL, a format without
+/// vertices of its own. A file without faces gives a point (one vertex), a segment (two) or the
+/// empty set (none). Nothing else is checked: see read_valid_mesh_text. `text` may be binary (STL,
+/// PLY). Throws BadInput and LimitExceeded, which name source and line, vertex or face (from 0, as
+/// the file counts), or the byte of a binary file; nothing else, save for std::bad_alloc. The
+/// limits bound time and memory.
 MeshReading read_mesh_text(std::string_view text, MeshFormat format, const std::string& source,
                            const ReadLimits& limits = {});
 
-/// The same from a file, read to its end first; the format by its extension.
+/// Reads a whole file first, then its text; the extension tells the format.
 MeshReading read_mesh_file(const std::string& path, const ReadLimits& limits = {});
 
 /// Read, then validated (`validate`); a refusal names the file, and the line of the face or the

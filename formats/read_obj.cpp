@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 19> skipped = {
     "vn",     "vt",     "vp",     "g",          "o",        "s",        "mg",
     "usemtl", "mtllib", "usemap", "maplib",     "bevel",    "c_interp", "d_interp",
     "lod",    "ctech",  "stech",  "shadow_obj", "trace_obj"};
-/// Words of elements that no polyhedron has.
+/// Words for elements outside polyhedra.
 constexpr std::array<std::string_view, 19> unsupported = {
     "p",    "l",    "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm",
     "trim", "hole", "scrv",   "sp",  "end",  "con",  "call", "csh",   "res"};

@@ -14,7 +14,7 @@
 namespace minkref {
 namespace {
 
-/// The place of a property among those of its element. Refuses a property given twice.
+/// A property's index within its element. Refuses a property given twice.
 std::optional<std::size_t> find(const PlyElement& element, std::string_view name,
                                 std::string_view other_name, const Input& input) {
   std::optional<std::size_t> found;

@@ -83,8 +83,8 @@ class PolyReader {
     lines_.advance();
   }
 
-  /// The order in which the ring runs through its vertices, each named once, from 1; possibly on
-  /// several lines. Or nothing: as they stand.
+  /// Reads the order of the ring's vertices, each named once, from 1, possibly on several lines.
+  /// Without such lines the order stays.
   void indices(TextRing& ring) {
     const std::size_t size = ring.points.size();
     std::vector<std::size_t> order;

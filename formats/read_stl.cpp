@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t header_bytes = 84, triangle_bytes = 50;
 
-/// The length of a binary file that has this beginning. At least `header_bytes` are there.
+/// The length of a binary file with this beginning. Requires at least `header_bytes` bytes.
 std::uint64_t stated_length(std::string_view file, const Input& input) {
   const std::uint64_t triangles = BinaryBytes(file, 80, ByteOrder::little, input).bits(4);
   return header_bytes + triangle_bytes * triangles;

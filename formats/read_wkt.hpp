@@ -8,8 +8,8 @@
 namespace minkref {
 
 /// Reads one geometry: POLYGON, MULTIPOLYGON, POINT, LINESTRING of two points (a segment), each
-/// possibly EMPTY, and GEOMETRYCOLLECTION of these; words in any case. Numbers are exact; a
-/// fraction `3/7` is accepted beside decimals. Refuses Z and M and everything else with its line.
+/// possibly EMPTY, and GEOMETRYCOLLECTION of these; words may have any case. Numbers are exact;
+/// accepts a fraction `3/7` beside decimals. Refuses Z and M and everything else with its line.
 /// Linear.
 void read_wkt(std::string_view text, SetBuilder& set);
 

@@ -1,4 +1,4 @@
-// What a reader gives: the set, its warnings, and where in the text each vertex stood.
+// A reader's result: the set, its warnings, and each vertex's place within the text.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct RingOrigin {
   std::vector<std::uint32_t> lines;  ///< 1-based line of each vertex, in the order of the file
   Order order = Order::as_read;      ///< how `orient` turned it
 
-  /// Index in the file of the vertex that has this index in the set.
+  /// A vertex's index within the file, from its index within the set.
   std::size_t index_in_file(std::size_t index) const;
 };
 

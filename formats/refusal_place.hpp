@@ -1,4 +1,4 @@
-// Validation whose refusals name places in the file.
+// Validation whose refusals name places within the file.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace minkref {
 
-/// The place in the text of a place in the set: ring and vertex indices are those of the file, and
-/// the line is that of the first vertex named.
+/// A place within the text, from a place within the set: ring and vertex indices become the file's,
+/// and the line belongs to the first vertex named.
 Place place_in_file(Place place, const std::vector<RingOrigin>& origins);
 
-/// Calls `check`. A refusal names `source`, and its place is what `in_file` makes of it.
+/// Calls `check`. A refusal names `source`; `in_file` translates its place.
 template <class Check, class InFile>
 void refuse_in_file(Check check, InFile in_file, const std::string& source) {
   const auto named = [&](const BadInput& e) {

@@ -1,4 +1,4 @@
-// Collects the rings that a reader finds into one operand.
+// Collects a reader's rings into one operand.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace minkref {
 
-/// A ring as it stands in the text.
+/// A ring as written.
 struct TextRing {
   Ring points;
   std::size_t number = 0;            ///< 0-based, in the order of the text
@@ -35,11 +35,11 @@ class SetBuilder {
   void close(TextRing& ring) const;
 
   void point(TextRing vertex);
-  /// Refuses "not-a-segment" where there are not two vertices; the rest is how the format calls
-  /// its lines, what they lead through, and its polygons.
+  /// Refuses other vertex counts than two ("not-a-segment"); the other arguments are the format's
+  /// words for its lines, their vertices, and its polygons.
   void segment(TextRing ends, std::string_view line, std::string_view points,
                std::string_view polygon);
-  /// A polygon; a lone outer ring of one or two vertices is a point or a segment.
+  /// Adds a polygon; a lone outer ring of one or two vertices means a point or a segment.
   void polygon(TextRing outer, std::vector<TextRing> holes);
 
   /// The operand as read, nothing turned. Refuses rings of fewer than three vertices, save for a

@@ -9,7 +9,7 @@
 
 namespace minkref {
 
-/// Drawn in this order: the region, then the segments. Colours are SVG's ("#c33", "none").
+/// A layer draws its region, then its segments. Colours are SVG's ("#c33", "none").
 struct Layer {
   std::string name;        ///< becomes the title of the group
   PolygonSet region = {};  ///< filled even-odd, rings outlined; points and segments are drawn
@@ -21,8 +21,8 @@ struct Layer {
 };
 
 /// An SVG document with all layers, first one undermost. The y axis points up. Coordinates are
-/// moved and scaled (exactly, then rounded to doubles) so that the longer side of the common
-/// bounding box is 1000.
+/// moved and scaled (exactly, then rounded to doubles) so that the common bounding box's longer
+/// side measures 1000.
 std::string write_svg(const std::vector<Layer>& layers);
 
 }  // namespace minkref

@@ -11,8 +11,8 @@ bool is_space_in_line(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// The line without its comment, which begins with a `#` at the start of a word: inside a word it
-/// begins none (`-1.#IND` is no number).
+/// The line without its comment: a `#` begins a comment at the start of a word only, so `-1.#IND`
+/// (no number) holds none.
 std::string_view without_comment(std::string_view line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '#' && (i == 0 || is_space_in_line(line[i - 1]))) return line.substr(0, i);
@@ -20,7 +20,7 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
-/// Drops a backslash at the end of the line, and says whether there was one.
+/// Drops a backslash at the line's end, and tells whether it did.
 bool drop_continuation(std::string_view& line) {
   std::string_view content = line;
   if (content.ends_with('\r')) content.remove_suffix(1);

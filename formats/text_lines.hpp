@@ -1,4 +1,4 @@
-// The lines of a text that hold something, as tokens.
+// The non-empty lines of a text as tokens.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ struct LineRules {
   bool continued = false;  ///< a line that ends in a backslash goes on in the next one
 };
 
-/// Walks the lines that are not empty. Tokens are what white space separates; views into `text`. A
-/// line that goes on has the number of its first line; a comment does not go on.
+/// Walks the lines that are not empty. White space separates tokens; tokens are views into `text`.
+/// A continued line has the number of its first line; a comment does not continue.
 class TextLines {
  public:
   /// `lines_before`: of the same file, before `text`.

@@ -8,7 +8,7 @@
 
 namespace minkref {
 
-/// Length of the well-formed character at `at`; 0 where there is none.
+/// The length of the well-formed character at `at`; 0 if none.
 std::size_t utf8_length(std::string_view text, std::size_t at);
 
 /// Appends a Unicode scalar value.

@@ -8,8 +8,8 @@
 
 namespace minkref {
 
-/// A cursor over the tokens. What is due and not there is refused: "truncated" at the end of the
-/// text, "syntax" elsewhere.
+/// A cursor over the tokens. Refuses a missing token: "truncated" at the end of the text, "syntax"
+/// elsewhere.
 class WktTokens {
  public:
   WktTokens(std::string_view text, const Input& input) : text_(text), input_(input) {

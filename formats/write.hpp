@@ -8,13 +8,13 @@
 
 namespace minkref {
 
-/// The text of a set, ending in a line break. Rings are written in their order and not turned.
-/// Format::json is exact for every set. WKT, GeoJSON and `.poly` know decimals only: they are exact
-/// where `writes_exactly` says so; other coordinates are rounded to the nearest double (17 digits),
-/// and the written set may then differ from the given one, in rare cases in its validity too.
-/// Format::svg is a picture. Throws BadInput ("unknown-format": a case is written by write_case;
-/// "not-representable": `.poly` has no points and no segments) and LimitExceeded
-/// ("not-representable": a rounded coordinate leaves the range of doubles).
+/// The text of a set, ending with a line break. Rings keep their order and direction. Format::json
+/// is exact for every set. WKT, GeoJSON and `.poly` know decimals only, exact if `writes_exactly`
+/// holds; other coordinates are rounded to the nearest double (17 digits), and the written set may
+/// then differ from the given set, rarely even lose its validity. Format::svg gives a picture.
+/// Throws BadInput ("unknown-format": write_case writes cases; "not-representable": `.poly` has no
+/// points and no segments) and LimitExceeded ("not-representable": a rounded coordinate leaves the
+/// range of doubles).
 std::string write(const PolygonSet& set, Format format);
 
 /// Whether reading what `write` gives yields the same valid set: always for json; for WKT, GeoJSON

@@ -14,7 +14,7 @@ std::string ring_text(const Ring& ring) {
   return text + "]";
 }
 
-/// `items` in brackets, one a line.
+/// `items` between brackets, one a line.
 std::string block(const std::vector<std::string>& items, const std::string& indent) {
   if (items.empty()) return "[]";
   std::string text = "[";
@@ -43,7 +43,7 @@ std::string words(const std::vector<std::string>& list) {
   return text + "]";
 }
 
-/// Members of an object in the order they are added.
+/// Members of an object as text, kept as added.
 class Members {
  public:
   explicit Members(std::string indent) : indent_(std::move(indent)) {}

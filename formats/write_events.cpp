@@ -16,7 +16,7 @@ namespace minkref {
 
 namespace {
 
-/// Calls use(frame) where its numbers fit machine words, else otherwise().
+/// Calls use(frame) if its numbers fit machine words, else otherwise().
 template <class Use, class Otherwise>
 void in_machine_words_or(const PolygonSet& P, const PolygonSet& Q, const Use& use,
                          const Otherwise& otherwise) {
@@ -69,7 +69,7 @@ class EventText {
         rank = event.rank;
       }
       begin(text, event, scale);
-      // One end lies on the other edge: that is where they meet.
+      // One end lies on the other edge: the edges meet there.
       const auto end = end_of_event(a, b, static_cast<PairEnd>(event.half_line));
       append_position(text, scale, end.p.x(), end.q.x(), unit);
       text += "\", \"";

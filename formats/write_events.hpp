@@ -1,4 +1,4 @@
-// Lists of millions of pair events as JSON text.
+// JSON text for lists of millions of pair events.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ namespace minkref {
 /// The events first to last - 1 as JSON objects, each followed by `end` (",\n", say):
 /// {"s": "n/d", "rank": 0, "kind": "pair", "change": "birth", "parents": [A, B],
 ///  "at": ["n/d", "n/d"], "to": null}
-/// with A and B the texts in `edges` of the two edges. Exact, in lowest terms: the text of
-/// `event_places`. Some 2 us an event where coordinates fit grid64, 15 us otherwise. `P` and `Q`:
-/// the operands of the events. Behar & Lien 2012, Sec. 4.2.3.
+/// with A and B the texts of the two edges from `edges`. Exact, in lowest terms: the text of
+/// `event_places`. Some 2 us an event if coordinates fit grid64, 15 us otherwise. `P` and `Q`: the
+/// events' operands. Behar & Lien 2012, Sec. 4.2.3.
 std::string events_as_json(const PairEvents& events, const PolygonSet& P, const PolygonSet& Q,
                            const std::vector<std::string>& edges, std::size_t first,
                            std::size_t last, std::string_view end);

@@ -33,7 +33,7 @@ bool has_decimals(const SpacePoint& p) {
   return has_exact_decimal(p.x) && has_exact_decimal(p.y) && has_exact_decimal(p.z);
 }
 
-/// Whether STL, which has no vertices of its own, loses nothing but their order.
+/// Whether STL, a format without vertices of its own, loses nothing but the vertices' order.
 bool is_soup_of_triangles(const Polyhedron& polyhedron) {
   if (polyhedron.empty()) return true;
   return polyhedron.is_solid() &&
@@ -62,7 +62,7 @@ std::string write_off(const Polyhedron& polyhedron) {
 }
 
 std::string write_obj(const Polyhedron& polyhedron) {
-  // A file of no line at all would be taken for one that was lost.
+  // A file without any line would look like a lost file.
   if (polyhedron.empty()) return "# the empty set\n";
   std::string text;
   for (const SpacePoint& vertex : polyhedron.vertices) text += "v " + decimals(vertex) + "\n";
