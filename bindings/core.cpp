@@ -49,7 +49,7 @@ std::uint64_t memory_limit() {
 
 namespace {
 
-/// Every route has these for each edge of the convolution, or each pair of triangles, at the least.
+/// The least memory of every route for each edge of the convolution, or each pair of triangles.
 constexpr std::uint64_t least_bytes = 100;
 
 void require_room(std::uint64_t count, const std::string& what) {
@@ -80,7 +80,7 @@ void refuse_large_definition(const PolygonSet& P, const PolygonSet& Q) {
   require_room(std::uint64_t{P.vertices()} * Q.vertices(), "pairs of triangles");
 }
 
-/// GMP ends the process where it gets no memory, unless its functions for that throw.
+/// Lets GMP throw when memory runs out; by default GMP ends the process.
 void let_gmp_raise() {
   static constexpr auto check = [](void* memory) {
     if (memory == nullptr) throw std::bad_alloc();
@@ -98,7 +98,7 @@ Computing::Computing() : interruptible_(Look()) {}
 
 NB_MODULE(_core, module) {
   using namespace nanobind::literals;
-  // Objects alive when the interpreter ends, as in a thread that runs on, are no fault to tell of.
+  // Objects alive at the interpreter's end, as of a thread that runs on, are no fault to report.
   nanobind::set_leak_warnings(false);
   minkref::python::let_gmp_raise();
   if (const char* fault = minkref::FloatEnvironment::fault(); fault != nullptr) {

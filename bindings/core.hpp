@@ -1,6 +1,6 @@
 // The pieces of the extension module minkref._core. Exact numbers cross the border as strings, "n"
-// or "n/d", coordinates for drawing as doubles. Everything that computes releases the interpreter
-// lock, and ends where a signal's handler in Python raises.
+// or "n/d", coordinates for drawing as doubles. Long functions release the interpreter lock, and
+// end when a signal's handler raises an exception.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -28,8 +28,8 @@ inline ExactPoint to_strings(const Point& point) {
   return {to_string(point.x), to_string(point.y)};
 }
 
-/// The PolygonSet of Python: the set, whether the set is known to be in canonical form (then it is
-/// not brought there again), and where its rings stood in the file from which it was read.
+/// Python's PolygonSet: the set, whether it is known to be canonical (which saves a
+/// canonicalization), and the places of its rings within the source file.
 struct Set {
   PolygonSet value;
   bool canonical = false;
@@ -41,13 +41,13 @@ using EdgeRow =
     std::tuple<std::string, int, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 std::vector<EdgeRow> convolution_rows(const std::vector<ConvolutionEdge>& edges);
 
-/// Bytes that the process may have in memory while C++ computes: those that were set, otherwise
-/// nine tenths of what there is at the first question in a call.
+/// Bytes that the process may have in memory while C++ computes: the number set, otherwise nine
+/// tenths of the memory available at the first question of a call.
 void set_memory_limit(std::uint64_t bytes);
 std::uint64_t memory_limit();
 
-/// Throws LimitExceeded ("memory-limit") where the edges of a convolution, or the pairs of
-/// triangles that `definition` looks at, take more than there may be; before any of them is made.
+/// Throws LimitExceeded ("memory-limit") if the edges of a convolution, or the pairs of triangles
+/// for `definition`, would take more memory than allowed; asks before making any.
 void refuse_large_convolution(const PolygonSet& P, const PolygonSet& Q, bool full = false);
 void refuse_large_definition(const PolygonSet& P, const PolygonSet& Q);
 

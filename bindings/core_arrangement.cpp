@@ -61,7 +61,7 @@ class Arrangement {
     return result;
   }
 
-  /// Places in the list of the events of a kind: pair, parallel, triple or arrangement (all).
+  /// List positions of the events of a kind: pair, parallel, triple or arrangement (all).
   std::vector<std::uint32_t> of_kind(const std::string& kind) const {
     std::vector<std::uint32_t> result;
     for (std::uint32_t i = 0; i < list_.size(); ++i) {
@@ -74,7 +74,7 @@ class Arrangement {
     return events_ ? convolution_rows(events_->edges()) : std::vector<EdgeRow>{};
   }
 
-  /// For each of these events, how many of their different scales lie below its own.
+  /// For each given event, the count of different lower scales among the given events.
   std::vector<std::uint32_t> ranks(const std::vector<std::uint32_t>& which) const {
     std::vector<std::uint32_t> result;
     for (std::size_t i = 0; i < which.size(); ++i) {
@@ -100,7 +100,7 @@ class Arrangement {
     return fields;
   }
 
-  /// None where an operand is empty.
+  /// Null if an operand is empty.
   const ArrangementEvents* events() const { return events_.get(); }
   const std::vector<ListedEvent>& list() const { return list_; }
 
@@ -112,7 +112,7 @@ class Arrangement {
   std::vector<ListedEvent> list_;
 };
 
-/// Those of a kind, perhaps only some of them.
+/// The events of a kind, or a part of the list.
 class ArrangementList {
  public:
   ArrangementList(const Arrangement& all, const std::string& kind) : all_(all) {

@@ -12,7 +12,7 @@
 
 namespace minkref::python {
 
-/// Told how many of how many steps are done.
+/// Receives the number of steps done, and of all steps.
 using Progress = std::function<void(std::size_t, std::size_t)>;
 
 /// `progress` must outlive it.

@@ -1,4 +1,4 @@
-// Proofs of sums in Python: steps of certificates.
+// Proofs of sums for Python: steps of certificates.
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -19,7 +19,7 @@ namespace {
 
 using Numbers = std::array<std::string, 4>;
 using Steps = std::pair<std::size_t, std::size_t>;
-/// Points of a passage, and the elements along it.
+/// A passage's points, and the elements along the passage.
 using Passage = std::pair<std::vector<ExactPoint>, std::vector<std::uint32_t>>;
 /// A step; the sum, components and holes; its passages; points that its rings pass more than once.
 using Proof = std::tuple<std::string, Set, std::size_t, std::size_t, std::vector<Passage>,

@@ -1,4 +1,4 @@
-// Canonical form, difference and the decision of one point in Python.
+// Canonical form, difference and the decision of a point for Python.
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>

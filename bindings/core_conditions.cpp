@@ -1,4 +1,4 @@
-// Conditions on events in Python, and a search in rows.
+// Conditions on events for Python, and a search among rows.
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>

@@ -1,4 +1,4 @@
-// Sums of convex polyhedra under non-uniform scaling in Python.
+// Sums of convex polyhedra under non-uniform scaling for Python.
 #include "bindings/core_convex.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -90,7 +90,7 @@ void check_indices(const ConvexBody& P, std::uint32_t facet, const ConvexBody& Q
   if (vertex >= Q.value->vertices()) throw nb::index_error("Q has no such vertex");
 }
 
-/// The squared degree, and the vertex at the other end of the witness.
+/// The squared degree, and the vertex at the witness's other end.
 std::pair<std::string, std::uint32_t> degree(const ConvexBody& P, std::uint32_t facet,
                                              const ConvexBody& Q, std::uint32_t vertex,
                                              const ExactSpacePoint& scaling,

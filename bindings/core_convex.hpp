@@ -1,4 +1,4 @@
-// Declarations that the bindings of convex sums share.
+// Declarations shared by the bindings of convex sums.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace minkref::python {
 
 using Body = std::shared_ptr<const ConvexPolyhedron>;
 
-/// The ConvexPolyhedron of Python: shared by the sums that refer to it.
+/// Python's ConvexPolyhedron: shared by all sums that refer to it.
 struct ConvexBody {
   Body value;
 };

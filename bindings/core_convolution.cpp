@@ -51,7 +51,7 @@ std::vector<SegmentTuple> segments(const Set& P, const Set& Q, const std::string
   return rows;
 }
 
-/// A convolution at one scale, its operands beside it.
+/// A convolution at one scale, with its operands.
 struct Convolution {
   PolygonSet P, Q;
   Rational scale;
@@ -77,7 +77,7 @@ void require_range(const Convolution& found, std::size_t first, std::size_t last
   if (first > last || last > found.edges.size()) throw nb::index_error("there is no such edge");
 }
 
-/// The edge and, exact, its start, its end and the way from one to the other.
+/// The edge with its exact start, end and direction vector.
 using PlacedRow = std::tuple<EdgeRow, ExactPoint, ExactPoint, ExactPoint>;
 
 std::vector<PlacedRow> placed_rows(const Convolution& found, std::size_t first, std::size_t last) {
@@ -97,7 +97,7 @@ std::vector<PlacedRow> placed_rows(const Convolution& found, std::size_t first, 
   return rows;
 }
 
-/// Start and end in decimal notation.
+/// Start and end as decimals.
 std::vector<std::pair<ExactPoint, ExactPoint>> decimals(const Convolution& found, std::size_t first,
                                                         std::size_t last) {
   require_range(found, first, last);

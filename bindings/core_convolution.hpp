@@ -1,4 +1,4 @@
-// The readings of "between" in Python.
+// The readings of "between" for Python.
 #pragma once
 
 #include "reference/plane/convolution/between.hpp"
@@ -6,7 +6,7 @@
 
 namespace minkref::python {
 
-/// As that of core.hpp, by a reading.
+/// As refuse_large_convolution of core.hpp, for a given reading.
 void refuse_large_convolution(const PolygonSet& P, const PolygonSet& Q, bool full, Between between);
 
 }  // namespace minkref::python

@@ -1,4 +1,4 @@
-// Sums with a disc in Python.
+// Sums with a disc for Python.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -33,7 +33,7 @@ struct TimedOffset {
   double seconds;
 };
 
-/// A piece in doubles: where it starts and ends, of an arc its centre and its bulge.
+/// A piece with doubles: its start and end; an arc also has its centre and its bulge.
 using PieceRow = std::tuple<std::string, double, double, double, double, double, double, double>;
 using RingRow = std::vector<PieceRow>;
 
@@ -91,7 +91,7 @@ TextOfCurve text_of_curve(const OffsetRegion& region, std::uint32_t feature) {
   return text;
 }
 
-/// Points, as expressions and rounded; curves that are as far.
+/// Points, as expressions and rounded; curves at equal distance.
 using PassageRow = std::tuple<std::vector<TextOfPoint>, std::vector<std::pair<double, double>>,
                               std::vector<TextOfCurve>>;
 
@@ -113,7 +113,7 @@ std::vector<PassageRow> passages_with_disc(const TimedOffset& offset, unsigned t
   return rows;
 }
 
-/// Factors, by products of roots; of the length, and of the area. Directions of arcs.
+/// Factors for products of roots, for the length and the area. Arc directions.
 using TermRows = std::map<std::string, std::string>;
 using AngleRows = std::vector<std::pair<TextOfPoint, TextOfPoint>>;
 

@@ -1,4 +1,4 @@
-// Radii at which sums with a disc change, in Python.
+// Radii at which sums with a disc change, for Python.
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>

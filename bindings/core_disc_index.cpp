@@ -1,4 +1,4 @@
-// All radii of a sum with a disc, in Python.
+// All radii of a sum with a disc, for Python.
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
@@ -53,7 +53,7 @@ struct DiscIndex {
     }
     return value;
   }
-  /// The tightest bounds of the radii of events; found once, when they are asked for.
+  /// The tightest bounds of the events' radii; found once, at the first question.
   const std::vector<std::pair<double, double>>& radii() const {
     const FloatEnvironment standard;
     std::call_once(has_radii_, [&] {
@@ -73,7 +73,7 @@ struct DiscIndex {
     const RootPoint at = index.diagram().exact(index.diagram().events[event]).at;
     return {nearest_double(at.x), nearest_double(at.y)};
   }
-  /// Off the index, or where sums of doubles are too wide those of the boundary.
+  /// Measures from the index; from the boundary if sums of doubles are too wide.
   OffsetMeasures measures_at(const Rational& squared_radius) const {
     const OffsetMeasures found = measures.at(index.place(squared_radius), squared_radius);
     return is_sharp(found) ? found : minkref::measures(offset_region(P, squared_radius));
@@ -127,8 +127,8 @@ nb::object as_arrays(std::unique_ptr<Vertices> found) {
                         Starts(all->starts.data(), {all->starts.size()}, owner));
 }
 
-/// Birth and end, by bounds of their radii, none of a hole of P; the place where it ends, rounded;
-/// the number of the hole that it was a part of.
+/// Birth and end as bounds of the radii, no birth for a hole of P; the end's place, rounded; the
+/// number of the parent hole.
 using HoleRow = std::tuple<std::optional<std::pair<double, double>>, std::pair<double, double>,
                            std::pair<double, double>, std::uint32_t>;
 
@@ -142,15 +142,15 @@ std::vector<HoleRow> holes(const DiscIndex& self) {
   return rows;
 }
 
-/// Changes of holes and components at an event: holes that are born, each with the hole of which it
-/// was a part; holes that end; polygons of P whose components join.
+/// Changes of holes and components at an event: born holes, each with its parent hole; ended holes;
+/// polygons of P whose components join.
 struct EventChanges {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> born;
   std::vector<std::uint32_t> ended;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
 };
 
-/// By number of the event, and that of its radius.
+/// The event's number, its radius's number, and the changes.
 using ChangeRow =
     std::tuple<std::uint32_t, std::uint32_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>,
                std::vector<std::uint32_t>, std::vector<std::pair<std::uint32_t, std::uint32_t>>>;
@@ -173,7 +173,7 @@ std::vector<ChangeRow> changes(const DiscIndex& self) {
   return rows;
 }
 
-/// The radius from which two polygons of P, by number, are in one component; none where they touch.
+/// The radius that joins the components of two polygons of P, given by numbers; none if they touch.
 using JoinRow = std::tuple<std::optional<std::pair<double, double>>, std::uint32_t, std::uint32_t>;
 
 std::vector<JoinRow> joins(const DiscIndex& self) {
@@ -186,14 +186,13 @@ std::vector<JoinRow> joins(const DiscIndex& self) {
   return rows;
 }
 
-/// An end of a part of the diagram: "event" and its number; "vertex" and the coordinates of a
-/// reflex one; "infinity" and two vertices of the hull between which it is.
+/// An end of a part of the diagram: "event" and its number; "vertex" and a reflex vertex's
+/// coordinates; "infinity" and two hull vertices around the end.
 using PartEnd = std::pair<std::string, std::vector<std::string>>;
-/// Both ends, and the features on the left and right of the way from the one to the other, where it
-/// starts.
+/// Both ends, and the features on the left and right of the way between them, at its start.
 using PartRow = std::tuple<PartEnd, PartEnd, FeatureName, FeatureName>;
 
-/// The feature of a side of the boundary where a node of the graph is in front of it.
+/// The feature of a boundary side, seen from the graph node in front of the side.
 FeatureName side_name(const DiagramEvents& diagram, std::uint32_t node, std::uint32_t number,
                       Past past) {
   const BoundarySide& side = diagram.walks.sides[number];
@@ -245,7 +244,7 @@ std::vector<PlaceRow> place_rows(const DiscIndex& self) {
   return rows;
 }
 
-/// The diagram as it is drawn: lengths in those of P, places measured from `origin`.
+/// The diagram for drawing: lengths as of P, places measured from `origin`.
 class Drawing {
  public:
   explicit Drawing(const DiscIndex& index)
@@ -290,8 +289,8 @@ class Drawing {
     return all;
   }
 
-  /// The features of events, by number: an edge that is not the first one on its line has a number
-  /// of its own behind those of the curves.
+  /// Numbers the features of events: an edge that comes second or later on its line gets an extra
+  /// number beyond the curves' numbers.
   void name_edges() {
     const OffsetCurves& curves = diagram_.curves;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;

@@ -1,4 +1,4 @@
-// Radii at which features of an offset start or stop to meet, in Python.
+// Radii at which features of an offset start or stop to meet, for Python.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -32,13 +32,13 @@ struct TimedDiscPairEvents {
 };
 
 using Counts = std::map<std::string, std::uint64_t>;
-/// "vertex" and its coordinates, or "edge" with the ring and the number of its first vertex.
+/// "vertex" and its coordinates, or "edge" with the ring and the index of its first vertex.
 using FeatureName = std::tuple<std::string, std::string, std::string>;
-/// Its condition, whose end comes to the other ("a", "b", or "" at a tangent), which end (0, 1),
-/// whether its place is on both features, the place, rounded.
+/// The condition, the feature whose end comes to the other ("a", "b", or "" at a tangent), the end
+/// (0, 1), whether both features hold the place, and the rounded place.
 using ContactRow = std::tuple<std::string, std::string, int, bool, std::pair<double, double>>;
-/// The squared radius if it is rational; the polynomial that it is a root of, the lowest
-/// coefficient first; bounds of the radius.
+/// The squared radius if rational; a polynomial with this root, the lowest coefficient first;
+/// bounds of the radius.
 using RadiusRow =
     std::tuple<std::optional<std::string>, std::vector<std::string>, std::pair<double, double>>;
 /// Change; radius; points that the features share before, at and after it, -1 for a segment;
@@ -46,7 +46,7 @@ using RadiusRow =
 using EventRow =
     std::tuple<std::string, RadiusRow, std::tuple<int, int, int>, std::vector<ContactRow>>;
 using PairRow = std::tuple<std::uint32_t, std::string, std::vector<FeatureName>, EventRow>;
-/// Two points, of an edge; three, of an arc about the second.
+/// An edge's two points, or an arc's three points, with the centre second.
 using GivenFeature = std::vector<ExactPoint>;
 
 std::pair<double, double> radius_between(const RootNumber& square) {
@@ -118,7 +118,7 @@ OffsetFeature feature(const GivenFeature& given) {
   return OffsetFeature::arc(centre, from_to(p, centre), from_to(centre, q));
 }
 
-/// All corrected, but for the sentences that are named.
+/// All readings corrected, except for the named sentences.
 DiscReadings readings_as_printed(const std::vector<std::string>& printed) {
   DiscReadings readings;
   const std::vector<std::pair<std::string, Form*>> known{{"rejected", &readings.rejected},

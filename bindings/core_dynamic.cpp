@@ -1,4 +1,4 @@
-// The dynamic sum in Python.
+// The dynamic sum for Python.
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/function.h>
 #include <nanobind/stl/optional.h>
@@ -64,7 +64,7 @@ class Dynamic {
 
   std::string difference_from_scratch() { return minkref::difference_from_scratch(*sum_, P_, Q_); }
 
-  /// All scales of arrangement events within the window, each with the kinds of its events.
+  /// All scales of arrangement events within the window, with the kinds of events at each.
   std::vector<std::pair<std::string, std::vector<std::string>>> event_scales() const {
     std::vector<std::pair<std::string, std::vector<std::string>>> rows;
     if (sum_->empty()) return rows;

@@ -1,4 +1,4 @@
-// The library's exceptions in Python, with the place of the fault as attributes.
+// The library's exceptions for Python, with the place of the fault as attributes.
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 

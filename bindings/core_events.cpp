@@ -40,7 +40,7 @@ Form form_named(const std::string& name) {
 
 namespace {
 
-/// Pair events and the operands that they belong to.
+/// Pair events with their operands.
 struct Events {
   PairEvents value;
   PolygonSet P, Q;
@@ -124,8 +124,8 @@ Columns columns(const Events& events, std::size_t first, std::optional<std::size
   return result;
 }
 
-/// The texts of the exact scales: where each begins (one more than there are), all, the doubles
-/// nearest to them, and of each event which.
+/// The texts of the exact scales: each text's begin (and the end of all), the joined text, the
+/// nearest doubles, and the text's index for each event.
 std::tuple<nb::bytes, nb::bytes, nb::bytes, nb::bytes> texts_of_scales(
     const Events& events, std::size_t first, std::optional<std::size_t> last) {
   ScaleTexts found;
@@ -182,7 +182,8 @@ Fields forms(const Set& P, const Set& Q) {
 
 /// kind "S" or "T", then p, q and d of the edge: x and y each.
 using EdgeNumbers = std::tuple<std::string, std::array<std::int64_t, 6>>;
-/// "meeting" or, for parallel edges, "never", "once" or "always"; whether it is empty; its bounds.
+/// "meeting" or, for parallel edges, "never", "once" or "always"; whether the interval is empty;
+/// its bounds.
 using IntervalRow =
     std::tuple<std::string, bool, std::optional<std::string>, std::optional<std::string>>;
 

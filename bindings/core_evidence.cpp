@@ -1,4 +1,4 @@
-// Bindings that the evidence needs beyond the results of the reference.
+// Bindings that the evidence needs beyond the reference's results.
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>

@@ -1,4 +1,4 @@
-// Members of a struct as fields of a dictionary, each under its own name.
+// A struct's members as a dictionary's fields, each under its own name.
 #pragma once
 
 #include <boost/preprocessor/seq/for_each.hpp>

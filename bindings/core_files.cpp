@@ -1,4 +1,4 @@
-// Reading and writing files in Python.
+// Reading and writing files from Python.
 #include <nanobind/stl/string.h>
 
 #include "bindings/core.hpp"
@@ -12,7 +12,7 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// Warnings of the last successful read of this thread.
+/// Warnings of this thread's last successful read.
 thread_local std::vector<std::string> last_warnings;
 
 Set keep(Reading reading) {

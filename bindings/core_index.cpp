@@ -1,4 +1,4 @@
-// The index of all scales in Python; the columns of an answer are arrays over its own memory.
+// The index of all scales for Python; an answer's columns are arrays over its own memory.
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/function.h>
@@ -34,7 +34,7 @@ namespace {
 constexpr int precise_bits =
     40;  // an area in doubles is given out where it has as many that are certain
 
-/// The boundary at a scale in one of the forms.
+/// The boundary at a scale, with any of the forms.
 struct Rings {
   std::string scale, form;
   std::variant<RoundedRings, HomogeneousRings, RationalRings, TrackRings> rings;
@@ -204,7 +204,7 @@ class Index {
     return {found.components, found.holes};
   }
 
-  /// The greatest event below a scale, the least above it, and whether there is one at it.
+  /// The greatest event below a scale, the least above, and whether the scale has an event.
   std::tuple<std::optional<std::string>, bool, std::optional<std::string>> neighbours(
       const std::string& scale) const {
     const auto place = index().place(parse_rational(scale));

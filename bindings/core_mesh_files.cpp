@@ -1,4 +1,4 @@
-// Reading and writing files of polyhedra in Python.
+// Reading and writing files of polyhedra from Python.
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 

@@ -1,4 +1,4 @@
-// The paper's own repair of a convex sum in Python.
+// The paper's own repair of a convex sum for Python.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>

@@ -1,4 +1,4 @@
-// The paper's own update in Python.
+// The paper's own update for Python.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -22,7 +22,7 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// How many, and the seconds that it took.
+/// A count, and the seconds spent.
 using Found = std::pair<std::size_t, double>;
 
 class Update {

@@ -1,4 +1,4 @@
-// Valid scales of a path, fits and traps, in Python.
+// Valid scales of a path, fits and traps, for Python.
 #include "bindings/core_paths.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -25,10 +25,10 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// Whether it is an edge, ring, index.
+/// Whether the feature is an edge, its ring, and its index.
 using FeatureRow = std::tuple<bool, std::uint32_t, std::uint32_t>;
-/// Scale, whether it blocks; segment, t and point of the path; features of the part and of the
-/// obstacles; where they touch.
+/// Scale, whether the bound blocks; segment, t and point of the path; features of the part and of
+/// the obstacles; the touching point.
 using PathBoundRow = std::tuple<std::string, bool, std::uint32_t, std::string, ExactPoint,
                                 FeatureRow, FeatureRow, ExactPoint>;
 /// Scale, whether the range ends there, event, place, contact.

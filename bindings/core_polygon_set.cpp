@@ -61,7 +61,7 @@ std::string canonical_text(const Set& set) {
   return canonical_json(set.canonical ? set.value : canonicalize(set.value).region);
 }
 
-/// The rings as they stand in the text: nothing is turned, nothing is validated.
+/// The rings as written: no ring is turned or validated.
 Set set_of(const std::string& text, const ReadLimits& limits) {
   Input input("", limits);
   const JsonText document(text, input);
@@ -79,8 +79,8 @@ std::string to_json(const Set& set) {
   return text;
 }
 
-/// Reads a text that we wrote, however long its numbers are. The places of the rings in a file are
-/// gone.
+/// Reads our own text, whatever the length of its numbers. The rings' places within a file are
+/// lost.
 Set from_state(const std::pair<std::string, bool>& state) {
   return {set_of(state.first, no_limits()).value, state.second};
 }

@@ -1,4 +1,4 @@
-// Sums in space of polyhedra of any shape.
+// Sums of polyhedra of any shape.
 #include <nanobind/stl/function.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>

@@ -1,4 +1,4 @@
-// A set in space as what a pickle holds.
+// A set's state for pickle, for sets from space.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace minkref::python {
 
-/// Normal, offset, and of each polygon its rings.
+/// Normal, offset, and the rings of each polygon.
 using PlaneRow =
     std::tuple<ExactSpacePoint, std::string, std::vector<std::vector<std::vector<ExactPoint>>>>;
 
 std::vector<PlaneRow> state_of(const PolyhedralSet& set);
-/// Refuses (BadInput "damaged-set") a state that is not in canonical form. Does not test whether
-/// the planes together bound a set.
+/// Refuses (BadInput "damaged-set") a state without canonical form. Does not test whether the
+/// planes together bound a set.
 PolyhedralSet set_of_state(const std::vector<PlaneRow>& state);
 
 }  // namespace minkref::python

@@ -1,4 +1,4 @@
-// How the paper is read, across the border of Python.
+// The readings of the paper, across Python's border.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace minkref::python {
 
-/// By name. Those left out are the printed ones.
+/// Readings by name. Omitted readings are the printed ones.
 using Words = std::map<std::string, std::string>;
 
 template <class Readings>
@@ -20,7 +20,7 @@ Readings readings_of(const Words& words) {
   return readings;
 }
 
-/// Name, values, the corrected one, section of the paper.
+/// Name, values, the corrected value, section of the paper.
 using NameRow = std::tuple<std::string, std::vector<std::string>, std::string, std::string>;
 
 inline std::vector<NameRow> rows_of(const std::vector<ReadingName>& names) {

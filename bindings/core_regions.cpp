@@ -1,4 +1,4 @@
-// Results of others, as rings in any order, put into canonical form; the difference of two sets.
+// Foreign results, as rings in any order, brought to canonical form; the difference of two sets.
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -31,8 +31,8 @@ Ring reversed(Ring ring) {
   return ring;
 }
 
-/// The closure of `first` without `second`: where the winding number of the rings of `first` and
-/// the reversed rings of `second` is positive.
+/// The closure of `first` without `second`: the points with positive winding number of the rings of
+/// `first` and the reversed rings of `second`.
 PolygonSet minus(const PolygonSet& first, const PolygonSet& second) {
   if (first.empty()) return {};
   PolygonSet rings = first;
@@ -43,8 +43,8 @@ PolygonSet minus(const PolygonSet& first, const PolygonSet& second) {
   return canonicalize(rings).region;
 }
 
-/// Throws LimitExceeded for coordinates beyond the limit on digits of what is read: sets of others
-/// may have crossings of any length.
+/// Throws LimitExceeded for coordinates beyond the reader's limit on digits: foreign sets may have
+/// crossings of any length.
 void refuse_long_numbers(const PolygonSet& set) {
   const std::size_t most = ReadLimits{}.number.digits;
   const auto is_long = [&](const Rational& value) {
@@ -83,7 +83,7 @@ std::optional<ExactPoint> overlap(const PolygonSet& rings, const PolygonSet& can
   return inner_point(canonicalize(turned).region);
 }
 
-/// All vertices lie on one line.
+/// Whether all vertices lie on one line.
 bool is_flat(const Ring& ring) {
   const auto other = std::ranges::find_if(ring, [&](const Point& p) { return p != ring.front(); });
   if (other == ring.end()) return true;
@@ -145,7 +145,7 @@ std::string number(nb::handle value) {
                                         : nb::cast<std::string>(nb::str(value));
 }
 
-/// Rings numbered as they come.
+/// Numbers the rings as they come.
 class RingReader {
  public:
   Ring ring(nb::handle points) {

@@ -1,4 +1,4 @@
-// Searches for intersections in Python: what the dynamic update is timed against.
+// Searches for intersections for Python: the dynamic update's rivals on the clock.
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 

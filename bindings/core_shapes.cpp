@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t most_shown = 12;  // vertices that a text shows one by one
 
-/// A part of a shape: what GeoJSON calls it, or "rings", which need not be closed; and its rings.
+/// A part of a shape: its GeoJSON type, or "rings", which need not be closed; and its rings.
 using TextPart = std::pair<std::string, std::vector<std::vector<ExactPoint>>>;
 
 void add(const TextPart& part, SetBuilder& set) {
@@ -45,7 +45,7 @@ void add(const TextPart& part, SetBuilder& set) {
   }
 }
 
-/// Refuses what a file of the same would be refused for, by the same code.
+/// Refuses the same faults as a reader of files, with the same code.
 Reading reading_of(const std::vector<TextPart>& parts, bool turned) {
   const ReadLimits limits = no_limits();
   Input input("PolygonSet", limits);
@@ -76,7 +76,7 @@ std::string shown(const Ring& ring) {
   return "[" + text + "]";
 }
 
-/// Lists of what `make` gives of each ring: the outer one of a polygon, then its holes.
+/// Lists the results of `make` for each polygon's rings: the outer ring, then its holes.
 template <class Make>
 nb::list each_ring(const Set& set, const Make& make) {
   nb::list polygons;

@@ -11,28 +11,29 @@
 
 namespace minkref::python {
 
-/// For what the program itself holds: numbers of any length, and as many as there are.
+/// For the program's own values: numbers of any length, and any count.
 ReadLimits no_limits();
 
-/// A set of what Python hands in (minkref/shapes.py). Where it is to be validated its rings are
-/// turned as they should run; else they stay as given. Throws BadInput, and what shapes.py raises.
+/// Makes a set from a Python object (minkref/shapes.py). For validation its rings are turned as
+/// they should run; otherwise they keep their direction. Throws BadInput, and errors from
+/// shapes.py.
 Set set_of_shape(const nanobind::object& shape, bool validated);
 
-/// The exact text of a number of Python (minkref/shapes.py); a text as it is. `where` it stands,
-/// for the refusal.
+/// The exact text of a Python number (minkref/shapes.py); a text stays unchanged. `where` names the
+/// place for a refusal.
 std::string number_text(nanobind::handle value, const std::string& where);
 
-/// The rings as stored, of pairs of fractions.Fraction.
+/// The rings as stored, as pairs of fractions.Fraction.
 nanobind::list exact_rings(const Set& set);
 
-/// The double next to a coordinate. Throws LimitExceeded ("not-representable") where that is
+/// The double next to a coordinate. Throws LimitExceeded ("not-representable") if the double is
 /// infinite.
 double finite_double(const Rational& coordinate);
 
 /// The rings as stored, an array of doubles (n, 2) each, of the doubles next to the coordinates.
 nanobind::list arrays_of_doubles(const Set& set);
 
-/// The text by which Python shows a set: one that makes it again where it is short.
+/// Python's repr of a set: if short, an expression that makes the set again.
 std::string shown(const Set& set);
 
 }  // namespace minkref::python

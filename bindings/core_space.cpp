@@ -36,7 +36,7 @@ Polyhedron polyhedron_of(const std::vector<ExactSpacePoint>& vertices,
   return result;
 }
 
-/// Rows of three numbers of Python, or an array.
+/// Points from rows of three Python numbers, or from an array.
 std::vector<ExactSpacePoint> points_of(const nb::object& vertices) {
   std::vector<ExactSpacePoint> result;
   for (const nb::handle row : vertices) {
@@ -84,7 +84,7 @@ ExactSpacePoint projected_areas(const Polyhedron& polyhedron) {
   return to_strings({twice[0] * unit, twice[1] * unit, twice[2] * unit});
 }
 
-/// For each face the triangles into which it is cut.
+/// Cuts each face into triangles.
 std::vector<std::vector<TriangleCorners>> triangles(const Polyhedron& polyhedron) {
   const IntegerPoints integers = integer_points(polyhedron.vertices);
   const VertexSigns signs(integers.points);

@@ -1,4 +1,4 @@
-// Points in space and scalings across the border of Python.
+// Points and scalings from space across Python's border.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace minkref::python {
 
 using ExactSpacePoint = std::tuple<std::string, std::string, std::string>;
 
-/// The Polyhedron of Python: the surface, and where its vertices and faces stood in the file from
-/// which it was read.
+/// Python's Polyhedron: the surface, and the places of its vertices and faces within the source
+/// file.
 struct Surface {
   MeshReading reading;
 

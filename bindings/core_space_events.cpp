@@ -1,4 +1,4 @@
-// Critical scales of sums in space.
+// Critical scales of sums of polyhedra.
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/function.h>
 #include <nanobind/stl/map.h>
@@ -35,7 +35,7 @@ namespace minkref::python {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
-/// Scale, kind, change; of each facet its number, and the corner or side that touches; the place.
+/// Scale, kind, change; each facet's number, with the corner or side that touches; the place.
 using EventRow =
     std::tuple<std::string, std::string, std::string, std::uint32_t, std::optional<unsigned>,
                std::uint32_t, std::optional<unsigned>, std::optional<ExactSpacePoint>>;
@@ -78,8 +78,8 @@ const char* name(FacetKind kind) {
   return "";
 }
 
-/// Scale, kind, change; three or four facets; of each the number of the side that singles the point
-/// out, if one does; the place.
+/// Scale, kind, change; three or four facets; for each the side that singles the point out, if any;
+/// the place.
 using ConcurrentRow = std::tuple<std::string, std::string, std::string, Numbers,
                                  std::vector<std::optional<unsigned>>, ExactSpacePoint>;
 
@@ -151,7 +151,7 @@ double seconds_since(std::chrono::steady_clock::time_point began) {
 
 EventsOf what(bool concurrent) { return concurrent ? EventsOf::all : EventsOf::pairs; }
 
-/// Kind, and the vertices of P and of Q of each corner.
+/// Kind, and each corner's vertices from P and from Q.
 std::tuple<std::string, Numbers, Numbers> facet(const CriticalEvents& events, std::size_t number) {
   const MovingFacet& found = events.convolution->facets.at(number);
   Numbers of_P, of_Q;

@@ -1,4 +1,4 @@
-// Valid scales of a path in space, and fits at a place, in Python.
+// Valid scales of a path through space, and fits at a place, for Python.
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -26,8 +26,8 @@ namespace {
 
 /// "vertex", "edge" or "face"; its number, or the two vertices.
 using SpaceFeatureRow = std::tuple<std::string, std::vector<std::uint32_t>>;
-/// Scale, whether it blocks; segment, t and point of the path; features of the part and of the
-/// obstacles; where they touch.
+/// Scale, whether the bound blocks; segment, t and point of the path; features of the part and of
+/// the obstacles; the touching point.
 using SpaceBoundRow = std::tuple<std::string, bool, std::uint32_t, std::string, ExactSpacePoint,
                                  SpaceFeatureRow, SpaceFeatureRow, ExactSpacePoint>;
 using SpacePathAnswer = std::tuple<std::vector<RangeRow>, std::vector<SpaceBoundRow>, Fields>;

@@ -24,7 +24,7 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// The one of two values that a name stands for.
+/// The value that belongs to a name, from two choices.
 template <class Value>
 Value one_of(const std::string& name, const char* code, std::pair<const char*, Value> first,
              std::pair<const char*, Value> second) {

@@ -1,4 +1,4 @@
-// The boundary of a sum in space.
+// The boundary of a polyhedral set.
 #pragma once
 
 #include "bindings/core.hpp"

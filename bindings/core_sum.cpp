@@ -1,4 +1,4 @@
-// The static sum in Python.
+// The static sum for Python.
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -23,7 +23,7 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// Points, and for each segment between them the rows of the edges in contact.
+/// Points, and for each segment between them the rows of the touching edges.
 using PassageRow = std::pair<std::vector<ExactPoint>, std::vector<std::vector<EdgeRow>>>;
 
 std::vector<PassageRow> passage_rows(const std::vector<TightPassage>& passages) {
@@ -52,7 +52,7 @@ TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const s
   const double seconds = watch.seconds();
   // Only exact arithmetic is known to give a canonical form.
   const bool canonical = arithmetic == "rational" || arithmetic == "interval";
-  // The operands outlive the sum: it keeps them alive.
+  // The operands outlive the sum, which keeps them alive.
   const auto find = [&P, &Q, s] { return tight_passages(P.value, Q.value, s); };
   return {{std::move(sum.region), canonical},
           sum.components,

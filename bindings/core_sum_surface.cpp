@@ -1,4 +1,4 @@
-// The boundary of a set in space: its faces, meshes, what they come from, and its topology.
+// The boundary of a polyhedral set: its faces, meshes, parents, and topology.
 #include "bindings/core_sum_surface.hpp"
 
 #include <nanobind/stl/pair.h>
@@ -27,7 +27,7 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// Its plane, its rings, the outer one first, and the points where tips touch it.
+/// A facet's plane; its rings, the outer ring first; and the points where tips touch the facet.
 using FacetRow = std::tuple<std::uint32_t, std::vector<Face>, std::vector<std::uint32_t>>;
 using ParentRow = std::pair<Face, Face>;
 

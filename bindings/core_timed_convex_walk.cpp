@@ -1,4 +1,4 @@
-// One walk of a convex sum through scalings, timed beside the static routes.
+// A walk of a convex sum through scalings, timed beside the static routes.
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 

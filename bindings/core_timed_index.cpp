@@ -1,4 +1,4 @@
-// Queries of the index of all scales, timed beside what no query can do without.
+// Queries of the index of all scales, timed beside the least work of any query.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
@@ -18,8 +18,8 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// One scale: seconds of the query, seconds of evaluating its vertices out of tracks that lie in
-/// their order, number of vertices.
+/// For one scale: seconds of the query, seconds for evaluating the vertices from tracks copied to
+/// output order, and the vertex count.
 using Row = std::tuple<double, double, std::size_t>;
 
 constexpr int most_passes = 1000;
@@ -88,7 +88,7 @@ class TimedQueries {
     return best;
   }
 
-  /// The tracks of the output, one after the other.
+  /// Copies the tracks to output order.
   IntegerColumn in_order(const Rational& scale) {
     index_.rings(scale, tracks_);
     const IntegerColumn& tracks = index_.columns().tracks;

@@ -1,4 +1,4 @@
-// The result of a sum as Python has it.
+// A sum's result for Python.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace minkref::python {
 
-/// The tight passages of a sum, found when they are first asked for, and once.
+/// A sum's tight passages, found once, at the first question.
 class LaterPassages {
  public:
   using Find = std::function<std::vector<TightPassage>()>;
@@ -27,8 +27,8 @@ class LaterPassages {
     state_->found = std::move(found);
   }
 
-  /// Threads may ask together: the first one computes. Throws BadInput ("no-passages") where there
-  /// are none to be found, and what the computation throws.
+  /// Threads may ask together: the first thread computes. Throws BadInput ("no-passages") for an
+  /// answer without passages of its own, and errors of the computation.
   const std::vector<TightPassage>& get() const {
     const std::lock_guard hold(state_->lock);
     if (!state_->found) {

@@ -27,7 +27,7 @@ class TimelineRows {
   using OptionalText = std::optional<std::string>;
 
   /// For "hole" (the outside left out) or "component": name, scales of birth and death of features
-  /// that live at some scale of the window; a birth or death outside the window is none.
+  /// that live at some scale of the window; none for a birth or death outside the window.
   using LifeRow = std::tuple<std::uint32_t, OptionalText, OptionalText>;
   std::vector<LifeRow> lives(const std::string& kind) const;
 
@@ -44,13 +44,13 @@ class TimelineRows {
   using FeatureRow = std::pair<OptionalText, OptionalText>;
   std::vector<FeatureRow> features(const std::string& kind) const;
 
-  /// For each state of the boundary: the scale where it begins (none: with the window), holes,
-  /// components and vertices in it, and holes and components at the scale itself.
+  /// For each state of the boundary: its first scale (none: the window's start), its counts of
+  /// holes, components and vertices, and the counts of holes and components at the scale itself.
   using CountRow = std::tuple<OptionalText, std::array<std::uint32_t, 5>>;
   std::vector<CountRow> state_counts() const;
 
-  /// The scale where a state of the boundary begins (none: with the window); its rings: whether it
-  /// is a hole's, its component, the hole on its other side, its vertices as tracks.
+  /// A boundary state's first scale (none: the window's start); its rings: whether the ring bounds
+  /// a hole, its component, the hole on its other side, its vertices as tracks.
   using RingRow = std::tuple<bool, std::uint32_t, std::uint32_t, std::vector<std::uint32_t>>;
   using RingState = std::pair<OptionalText, std::vector<RingRow>>;
 
@@ -66,7 +66,7 @@ class TimelineRows {
   std::function<Rational(std::uint32_t)> scale_;
 };
 
-/// The constructor of a class that is sP + Q over a window.
+/// Binds the constructor of a class for sP + Q over a window.
 template <typename Class>
 nanobind::class_<Class>& bind_of_window(nanobind::class_<Class>& bound) {
   using Bound = std::optional<std::string>;

@@ -1,4 +1,4 @@
-// Events of the outer Voronoi diagram as Python has them.
+// Events of the outer Voronoi diagram for Python.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@
 
 namespace minkref::python {
 
-/// "vertex" and its coordinates, or "edge" with the ring and the number of its first vertex: an
-/// edge of the set as it was given, which has the nearest point.
+/// "vertex" and its coordinates, or "edge" with the ring and the index of its first vertex: an edge
+/// of the given set, the edge with the nearest point.
 using FeatureName = std::tuple<std::string, std::string, std::string>;
-/// Kind; the squared radius, if it is known to be rational; a polynomial that it is a root of, the
-/// lowest coefficient first; bounds of the radius; the place, rounded; the features.
+/// Kind; the squared radius, if known as rational; a polynomial with this root, the lowest
+/// coefficient first; bounds of the radius; the place, rounded; the features.
 using DiagramRow =
     std::tuple<std::string, std::optional<std::string>, std::vector<std::string>,
                std::pair<double, double>, std::pair<double, double>, std::vector<FeatureName>>;
@@ -28,7 +28,7 @@ FeatureName edge_row(const VertexId& id);
 
 DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event);
 
-/// Some of them, from a number on.
+/// At most `count` rows from index `first` on.
 std::vector<DiagramRow> diagram_rows(const DiagramEvents& found, std::size_t first,
                                      std::size_t count);
 

@@ -1,4 +1,4 @@
-// Ranges of scales and statistics of paths as rows for Python.
+// Ranges of scales and path statistics as rows for Python.
 #pragma once
 
 #include <optional>

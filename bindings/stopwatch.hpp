@@ -1,4 +1,4 @@
-// Seconds since it was made.
+// A stopwatch; counts seconds since construction.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Vectors as lists, in place of nanobind/stl/vector.h: a list of millions can be broken off.
+// Vectors as lists, instead of nanobind/stl/vector.h: interrupts can stop a list of millions.
 #pragma once
 
 #include <nanobind/stl/detail/nb_list.h>
@@ -13,7 +13,7 @@ template <typename Type, typename Alloc>
 struct type_caster<std::vector<Type, Alloc>> : list_caster<std::vector<Type, Alloc>, Type> {
   using Element = make_caster<Type>;
 
-  /// A signal whose handler raises ends it, as an element does that has no form in Python.
+  /// Stops when a signal's handler raises an exception, or an element has no Python form.
   template <typename T>
   static handle from_cpp(T&& source, rv_policy policy, cleanup_list* cleanup) noexcept {
     constexpr unsigned elements_between_looks = 4096;
