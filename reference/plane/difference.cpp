@@ -23,8 +23,8 @@ Point inner_point(const ScalarFrame<Rational>& frame,
   return {x.x(), x.y()};
 }
 
-/// Whether the point is strictly inside of one set and strictly outside of the other; -1 if not,
-/// else in_first.
+/// Whether the point lies strictly inside exactly one set and strictly outside the other; -1 if
+/// not, else in_first.
 int separates(const PolygonSet& first, const PolygonSet& second, const Point& x) {
   const Location a = locate(first, x), b = locate(second, x);
   if (a == Location::boundary || b == Location::boundary || a == b) return -1;
@@ -85,7 +85,7 @@ std::optional<Difference> difference(const PolygonSet& first, const PolygonSet& 
         return inner_point(frame, arrangement, *widest);
       });
   if (!inner) return std::nullopt;
-  // A point of few digits, if one separates the sets as well.
+  // A point with few digits, if such a point separates the sets as well.
   Integer denominator = 1;
   for (int step = 0; step < 24; ++step, denominator *= step % 3 == 1 ? 2 : step % 3 == 2 ? 5 : 1) {
     const Point x{rounded(inner->x, denominator), rounded(inner->y, denominator)};

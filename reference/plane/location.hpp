@@ -1,4 +1,4 @@
-// Where a point lies with respect to a ring or a set: by the crossings of a ray, exactly.
+// A point's location relative to a ring or a set: by the crossings of a ray, exactly.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ enum class Location { outside, boundary, inside };
 using FilteredRing = std::vector<FilteredPoint>;
 FilteredRing filtered_ring(const Ring& ring);
 
-/// Adds what the edge from a to b winds around a point: nothing where all of it is to the left of
-/// the point. Returns whether the point lies on the edge. Exact. O(1).
+/// Adds the winding of the edge from a to b around a point: nothing for an edge wholly left of the
+/// point. Returns whether the point lies on the edge. Exact. O(1).
 bool add_winding(const FilteredPoint& a, const FilteredPoint& b, const FilteredPoint& point,
                  int& winding);
 

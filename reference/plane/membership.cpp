@@ -13,7 +13,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// A triangle, or the segment or point that an operand is.
+/// A triangle, or a degenerate operand's segment or point.
 using Piece = std::vector<FilteredPoint>;
 
 std::vector<Piece> pieces_of(const PolygonSet& set) {
@@ -45,7 +45,7 @@ Piece reflected(const Piece& piece, const Point& x) {
   return result;
 }
 
-/// How two convex pieces meet, by the lines of the edges of `a` alone.
+/// The contact of two convex pieces, judged by the edge lines of `a` alone.
 Contact by_edges(const Piece& a, const Piece& b) {
   Contact contact = Contact::overlapping;
   for (std::size_t i = 0; a.size() > 1 && i < a.size(); ++i) {
@@ -58,7 +58,7 @@ Contact by_edges(const Piece& a, const Piece& b) {
   return contact;
 }
 
-/// Separation by an edge line of one of the two is all there is for convex pieces in the plane.
+/// For convex pieces in the plane, separation by an edge line of either decides.
 Contact meet(const Piece& a, const Piece& b) { return std::min(by_edges(a, b), by_edges(b, a)); }
 
 /// The part of a convex polygon on the left of the line through a and b, closed.
@@ -79,7 +79,7 @@ std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& a, co
   return result;
 }
 
-/// The mean of the vertices of the intersection: in its interior if it has one.
+/// The mean of the intersection's vertices: an interior point, if an interior exists.
 Point common_point(const Piece& a, const Piece& b) {
   std::vector<Point> common;
   for (const FilteredPoint& p : a) common.push_back(p.exact());
@@ -100,8 +100,8 @@ Point common_point(const Piece& a, const Piece& b) {
   return {mean.x / n, mean.y / n};
 }
 
-/// Whether the relative interior of a point or segment meets the interior of a region, by cutting
-/// it at the boundary.
+/// Whether a point's or segment's relative interior meets a region's interior; cuts the segment at
+/// the boundary.
 bool meets_interior(const Piece& piece, const PolygonSet& region) {
   if (piece.size() == 1) return locate(region, piece[0].exact()) == Location::inside;
   const Point &a = piece[0].exact(), &b = piece[1].exact();
@@ -111,7 +111,7 @@ bool meets_interior(const Piece& piece, const PolygonSet& region) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point &c = ring[i], &d = ring[(i + 1) % ring.size()];
       const Rational ex = d.x - c.x, ey = d.y - c.y, det = dx * ey - dy * ex;
-      // A cut too many does no harm: the line of the edge, or the foot of its start.
+      // Extra cuts do no harm: the crossing with the edge's line, or the foot of the edge's start.
       cuts.push_back(sign(det) != 0 ? Rational(((c.x - a.x) * ey - (c.y - a.y) * ex) / det)
                                     : Rational(((c.x - a.x) * dx + (c.y - a.y) * dy) / square));
     }

@@ -6,12 +6,12 @@
 namespace minkref::inline plane {
 namespace {
 
-/// Let u = 2^-53 and R bound the absolute values of all vertices, reflected ones by the sum of the
-/// bounds. Vertices are off by at most u R, reflected ones by 3 u R; differences of two are at most
-/// 2 R (up to such terms) and off by 8 u R; a product of two of them by 2 * 2 R * 8 u R + 4 u R^2
-/// and terms in u^2, together less than 37 u R^2; the difference of two products by less than
-/// 2 * 37 u R^2 + 8 u R^2 = 82 u R^2. 128 u R^2 is used. Where it is too small for products to be
-/// rounded relatively nothing is certain.
+/// Let u = 2^-53 and R bound the absolute values of all vertices; the sum of the bounds bounds
+/// reflected vertices. Vertices have errors of at most u R, reflected vertices 3 u R; differences
+/// of two are at most 2 R (up to such terms) with errors of 8 u R; a product of two differences has
+/// an error of 2 * 2 R * 8 u R + 4 u R^2 and terms in u^2, together less than 37 u R^2; the
+/// difference of two products less than 2 * 37 u R^2 + 8 u R^2 = 82 u R^2. The bound takes 128 u
+/// R^2. If this is too small for relatively rounded products, nothing is certain.
 double turn_bound(double magnitude) {
   return std::max(128 / 9007199254740992.0 * magnitude * magnitude, 1e-280);
 }

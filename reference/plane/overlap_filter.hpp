@@ -1,4 +1,4 @@
-// Two triangles whose interiors meet for certain, told in doubles.
+// A certain test with doubles that two triangles' interiors meet.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ struct NearTriangle {
   explicit NearTriangle(const std::vector<FilteredPoint>& triangle);
 };
 
-/// Whether the interior of `a` meets that of `at` - `b`: true is certain, false says nothing.
-/// Both triangles run counter-clockwise. Source: the separating axis theorem; the bound on the
-/// rounding of a turn is proven in the source.
+/// Whether the interiors of `a` and `at` - `b` meet: true is certain, false says nothing. Both
+/// triangles run counter-clockwise. Source: the separating axis theorem; the source proves the
+/// bound on a turn's rounding.
 bool certainly_overlap(const NearTriangle& a, const NearTriangle& b, const FilteredPoint& at);
 
 }  // namespace minkref::inline plane

@@ -9,8 +9,8 @@ namespace {
 constexpr double unit = 1.0 / 9007199254740992.0;  // 2^-53
 constexpr double tiny = 1e-290;  // below it underflow may spoil a bound: not decided
 
-/// Coordinates are off by at most half an ulp: relatively, or by 2^-1075 where they are subnormal,
-/// which counts beside a partner of 2^1000.
+/// Coordinates have errors of at most half an ulp: relative, or 2^-1075 for subnormal numbers,
+/// which matters beside a partner of 2^1000.
 double coordinate_error(double a, double b) {
   return unit * (std::abs(a) + std::abs(b)) + 2 * std::numeric_limits<double>::denorm_min();
 }

@@ -25,9 +25,9 @@ struct Polygon {
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
-/// A set of polygons with disjoint interiors. Three degenerate operands are written in the same
-/// form: the empty set (no polygon), a point (one outer ring of one vertex) and a segment (one
-/// outer ring of two vertices).
+/// A set of polygons with disjoint interiors. Three degenerate operands have the same form: the
+/// empty set (no polygon), a point (one outer ring with one vertex) and a segment (one outer ring
+/// with two vertices).
 struct PolygonSet {
   std::vector<Polygon> polygons;
 
@@ -46,15 +46,15 @@ struct VertexId {
   friend bool operator==(const VertexId&, const VertexId&) = default;
 };
 
-/// Refuses what is not regular closed (docs/definitions.md, "Polygon set"): rings are numbered in
-/// the order outer, holes, outer, holes, ... Throws BadInput that names ring, vertices and
+/// Refuses sets that are not regular closed (docs/definitions.md, "Polygon set"). Ring numbers
+/// follow the order outer, holes, outer, holes, ... Throws BadInput that names ring, vertices and
 /// coordinates. Codes: "too-few-vertices", "zero-length-edge", "zero-area", "wrong-orientation",
 /// "self-intersection", "overlapping-rings", "crossing-rings", "hole-outside",
 /// "overlapping-polygons". Exact. O((n + k) log n) on usual input.
 void validate(const PolygonSet& set);
 
 /// Turns every ring as its role demands (outer rings counter-clockwise, holes clockwise). Exact.
-/// Rings of zero area are left as they are.
+/// Rings of zero area stay unchanged.
 void orient(PolygonSet& set);
 
 /// Twice the signed area of a ring. Exact.

@@ -1,4 +1,4 @@
-// The routes by name: the one list of them.
+// The only list of route names.
 #pragma once
 
 #include <string_view>
@@ -17,7 +17,7 @@ struct RouteName {
 /// All routes, the paper's first.
 const std::vector<RouteName>& route_names();
 
-/// Throws BadInput ("unknown-route") that names them all.
+/// Throws BadInput ("unknown-route") with a list of all routes.
 Route route_named(std::string_view name);
 
 }  // namespace minkref::inline plane

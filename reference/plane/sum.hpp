@@ -1,4 +1,4 @@
-// The static Minkowski sum sP + Q by three routes that share as little as they can.
+// The static Minkowski sum sP + Q by three routes that share as little as possible.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ enum class Route {
   definition,  ///< union of the sums of all pairs of triangles
 };
 
-/// Whether minkowski_sum also finds the tight passages. The paper's route has their arrangement at
-/// hand; for the other routes it is built.
+/// Whether minkowski_sum also finds the tight passages. The paper's route already has their
+/// arrangement; the other routes have to build it.
 enum class Passages { leave, find };
 
 /// How signs were decided (all counts since the call began).
@@ -36,7 +36,7 @@ struct Sum {
   std::size_t components = 0;
   std::size_t holes = 0;  ///< bounded components of the complement
   Statistics statistics;
-  /// Where they were asked for and the arithmetic is "rational": only exact ones mean anything.
+  /// Set if asked for and the arithmetic is "rational": only exact passages mean anything.
   std::optional<std::vector<TightPassage>> tight_passages;
 };
 
@@ -50,7 +50,7 @@ Sum minkowski_sum(const PolygonSet& P, const PolygonSet& Q, const Rational& scal
                   Route route = Route::paper, const std::string& arithmetic = "rational",
                   Passages passages = Passages::leave);
 
-/// The refusals of minkowski_sum: a scale that is not positive, two operands without area.
+/// The refusals of minkowski_sum: a scale <= 0, two operands without area.
 void refuse_bad_operands(const PolygonSet& P, const PolygonSet& Q, const Rational& scale);
 
 /// The area of a sum, exact; costs far more than its digits suggest (denominators multiply).

@@ -13,13 +13,13 @@
 namespace minkref::inline plane {
 namespace {
 
-/// P is already scaled; `rings_p` and `rings_q` are what the convolution is taken of.
+/// Requires P already scaled; `rings_p` and `rings_q` are the convolution's operands.
 TightGraph graph_of(const PolygonSet& P, const PolygonSet& Q, const PolygonSet& rings_p,
                     const PolygonSet& rings_q) {
   return on_exact_frame(rings_p, rings_q, [&](const auto& frame) {
     Statistics statistics;
     const auto built = convolution_arrangement(frame.kernel, frame.P, frame.Q, false, statistics);
-    // Most faces are never asked for.
+    // Nobody asks for most faces.
     std::vector<std::optional<bool>> inside(built.arrangement.face_count());
     std::optional<decltype(face_collision(frame))> collision;
     const auto meets = [&](const auto& arrangement, std::uint32_t face) {

@@ -15,7 +15,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// For each edge; beyond them boxes are no help.
+/// The limit for each edge; beyond it boxes are no help.
 constexpr std::size_t most_pairs_by_boxes = 48;
 
 std::string text(const Point& p) {
@@ -42,7 +42,7 @@ class Validator {
     if (!set_.is_region()) return;
     for (const RingInSet& ring : rings_) {
       filtered_.push_back(filtered_ring(*ring.ring));
-      // Rounding is monotone: where rings overlap the boxes of their doubles do.
+      // Rounding is monotone: if rings overlap, the boxes of their doubles overlap.
       Box box;
       for (const FilteredPoint& p : filtered_.back()) box.add({p.x(), p.y(), p.x(), p.y()});
       boxes_.push_back(box);
@@ -100,7 +100,7 @@ class Validator {
     }
   }
 
-  /// Not all vertices on one line.
+  /// Refuses a ring with all vertices on one line.
   void check_extent(std::size_t r) const {
     const FilteredRing& ring = filtered_[r];
     for (std::size_t i = 2; i < ring.size(); ++i) {
@@ -122,8 +122,8 @@ class Validator {
         boxes.push_back(box);  // rounding is monotone: what overlaps exactly overlaps here
       }
     }
-    // The first fault in the order of the input is the one that is named. Edges are asked in this
-    // order, so that in a ring that crosses itself everywhere not all pairs are looked at.
+    // The first fault of the input is reported. Edges are asked in input order, so that a ring with
+    // crossings everywhere does not need all pairs.
     const BoxTree tree(boxes);
     std::size_t pairs_left = most_pairs_by_boxes * edges.size();
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -137,7 +137,7 @@ class Validator {
     }
   }
 
-  /// A power of two that brings what is beside a point into the range of doubles.
+  /// A power of two that brings coordinates relative to a point into the range of doubles.
   Rational near_unit(const Point& origin) const {
     Rational most = 0;
     for (const FilteredRing& ring : filtered_) {
@@ -154,8 +154,8 @@ class Validator {
     return exponent > 0 ? Rational(Integer(1), power) : Rational(power);
   }
 
-  /// The same where boxes of edges overlap far more often than edges meet, as in a star. Only pairs
-  /// are left out that are apart but for an end that they share.
+  /// As check_contacts, for edges whose boxes overlap far more often than the edges meet, as in a
+  /// star. Leaves out only pairs that lie apart except for a shared end.
   void check_near_contacts(const std::vector<Edge>& edges) const {
     std::vector<std::uint32_t> first_point;
     std::vector<NearPoint> points;
@@ -200,7 +200,7 @@ class Validator {
     const int b0 = orientation(start(a), end(a), start(b)),
               b1 = orientation(start(a), end(a), end(b));
     if (b0 == 0 && b1 == 0) {
-      // One line: compare the ranges along it.
+      // One line: compares the ranges along it.
       auto [alow, ahigh] = range(a);
       auto [blow, bhigh] = range(b);
       const FilteredPoint& low = compare_xy(*alow, *blow) > 0 ? *alow : *blow;
@@ -241,7 +241,7 @@ class Validator {
                                             : std::pair(&end(e), &start(e));
   }
 
-  /// The far ends of the two rays in which a ring leaves a point of edge e.
+  /// The far ends of the two rays along which a ring leaves a point of edge e.
   std::pair<const FilteredPoint*, const FilteredPoint*> rays(Edge e,
                                                              const FilteredPoint& at) const {
     const std::size_t n = size(e.ring);
@@ -251,8 +251,8 @@ class Validator {
     return {&start(e), &end(e)};
   }
 
-  /// Whether two rings that touch at a point pass through each other there: the rays of one
-  /// separate those of the other.
+  /// Whether two rings that touch at a point pass through each other there: one ring's rays
+  /// separate the other's.
   bool crossing_at(Edge a, Edge b, const FilteredPoint& at) const {
     const auto [a_in, a_out] = rays(a, at);
     const auto [b_in, b_out] = rays(b, at);
@@ -263,7 +263,7 @@ class Validator {
       if (wedge < 0) return after > 0 || before > 0;
       return after > 0;
     };
-    // Where rays coincide two edges overlap: that fault is named by its own pair of edges.
+    // Coincident rays mean overlapping edges: their own pair reports this fault.
     for (const FilteredPoint* p : {a_in, a_out}) {
       for (const FilteredPoint* q : {b_in, b_out}) {
         const bool one_side = compare_xy(at, *p) * compare_xy(at, *q) > 0;
@@ -291,8 +291,7 @@ class Validator {
       const Location location = locate(filtered_[outer], p);
       if (location != Location::boundary) return location == Location::inside;
     }
-    // All vertices touch: parts of edges between the points at which vertices of `outer` touch
-    // them.
+    // All vertices touch: tests parts of edges between points where vertices of `outer` touch.
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point &a = ring[i].exact(), &b = ring[(i + 1) % ring.size()].exact();
       const std::vector<Point> cuts = contacts(a, b, outer);
@@ -306,7 +305,7 @@ class Validator {
     return false;  // not reached: the rings would overlap
   }
 
-  /// The ends of an edge and the vertices of a ring on it, in order.
+  /// The ends of an edge and a ring's vertices on the edge, sorted along it.
   std::vector<Point> contacts(const Point& a, const Point& b, std::size_t other) const {
     std::vector<Point> found{a, b};
     for (const FilteredPoint& filtered : filtered_[other]) {
@@ -344,7 +343,7 @@ class Validator {
     }
   }
 
-  /// An outer ring within another one must lie in a hole of that polygon.
+  /// Requires that an outer ring within another lies inside a hole of that polygon.
   void check_apart(std::size_t inner, std::size_t outer) const {
     if (!within(inner, outer)) return;
     for (std::size_t h = outer + 1; h < rings_.size() && !rings_[h].outer; ++h) {
@@ -359,7 +358,7 @@ class Validator {
     return r;
   }
 
-  /// Pairs in ascending order, so that the fault that is named does not depend on the search.
+  /// Returns pairs in ascending order, so that the reported fault does not depend on the search.
   std::vector<std::pair<std::size_t, std::size_t>> rings_with_common_box() const {
     std::vector<std::pair<std::size_t, std::size_t>> result;
     BoxTree(boxes_).pairs([&](std::uint32_t i, std::uint32_t j) {

@@ -17,8 +17,8 @@ struct Witness {
   std::optional<Point> p, q;  ///< p in P, q in Q with s p + q = x, unless empty
 };
 
-/// Decides points by pairs of triangles, one of P and one of x - Q; nothing of the convolution is
-/// used. For a point or a segment as an operand its relative interior counts.
+/// Decides points by pairs of triangles, from P and from x - Q, without the convolution. A point or
+/// a segment as an operand counts with its relative interior.
 class Membership {
  public:
   /// Triangulates both operands, which must have passed `validate`; O(m^2 + n^2).
@@ -41,9 +41,9 @@ class Membership {
 /// One point.
 Witness decide(const PolygonSet& P, const PolygonSet& Q, const Rational& scale, const Point& x);
 
-/// An interior point of the symmetric difference of two sets given by rings (as in canonicalize),
-/// none if they are equal as regular closed sets; of few digits where one is found. `in_first`
-/// tells which holds it.
+/// An interior point of the symmetric difference of two sets given by rings (as for canonicalize),
+/// none if they are equal as regular closed sets; with few digits if possible. `in_first` tells the
+/// set that holds the point.
 struct Difference {
   Point point;
   bool in_first = false;

@@ -11,10 +11,10 @@
 
 namespace minkref::inline plane {
 
-/// The subdivision of the plane by closed segments: any number of segments through a point,
-/// vertices on segments and segments that overlap are all allowed. Half-edge h and h ^ 1 are twins;
-/// the face of a half-edge is on its left. Exact as the kernel is; with a kernel that rounds, the
-/// structure is still sound (every cycle closes), only perhaps not true.
+/// The subdivision of the plane by closed segments: several segments through a point, vertices on
+/// segments and overlapping segments are all allowed. Half-edges h and h ^ 1 are twins; a
+/// half-edge's face lies on its left. As exact as the kernel; with a kernel that rounds, the
+/// structure stays sound (every cycle closes), but may be untrue.
 template <class K>
 class Arrangement {
  public:
@@ -22,17 +22,17 @@ class Arrangement {
   using Node = typename K::Node;
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  /// A segment that runs along a sub-edge, in the sub-edge's direction or against it.
+  /// A segment that runs along a sub-edge, with or against the sub-edge's direction.
   struct Cover {
     std::uint32_t segment;
     bool along;
   };
-  /// The two segments whose interiors cross in a node, or none twice where it is a vertex.
+  /// The two segments whose interiors cross at a node, or none twice if the node is a vertex.
   struct Provenance {
     std::uint32_t first = none, second = none, vertex = none;
   };
 
-  /// Degenerate segments (equal ends) are ignored. O((N + k) log N) on usual input.
+  /// Ignores degenerate segments (equal ends). O((N + k) log N) on usual input.
   Arrangement(const K& kernel, std::vector<Vector> vertices, std::vector<IndexedSegment> segments)
       : kernel_(kernel), vertices_(std::move(vertices)), segments_(std::move(segments)) {
     subdivide([this](const std::vector<IndexedSegment>& proper, const std::vector<std::uint32_t>&) {
@@ -42,9 +42,9 @@ class Arrangement {
     find_faces();
   }
 
-  /// The segments are cut where the list says, whatever their coordinates say: the contacts name
-  /// vertices, and the order of contacts along a segment is that of their positions. Segments whose
-  /// contact the list leaves out do not meet.
+  /// Cuts the segments as the list says, whatever their coordinates: the contacts name vertices,
+  /// and their positions order the contacts along a segment. Segments without a listed contact do
+  /// not meet.
   Arrangement(const K& kernel, std::vector<Vector> vertices, std::vector<IndexedSegment> segments,
               const std::vector<ListedContact<K>>& contacts)
       : kernel_(kernel), vertices_(std::move(vertices)), segments_(std::move(segments)) {
@@ -73,7 +73,7 @@ class Arrangement {
     return covers_.data() + first_cover_[h / 2 + 1];
   }
   bool runs_with(std::uint32_t h, const Cover& cover) const { return cover.along == (h % 2 == 0); }
-  /// A direction of the half-edge (that of a segment which covers it, not of its length).
+  /// A half-edge's direction (with the length of a covering segment, not its own).
   Vector direction(std::uint32_t h) const {
     const Cover& cover = covers_[first_cover_[h / 2]];
     const Vector& d = directions_[cover.segment];
@@ -85,8 +85,7 @@ class Arrangement {
   const Vector& segment_direction(std::uint32_t segment) const { return directions_[segment]; }
   const Vector& vertex(std::uint32_t v) const { return vertices_[v]; }
 
-  // Faces: face 0 is the unbounded one. A face is given by one half-edge of each of its boundary
-  // cycles.
+  // Faces: face 0 has no bound. Each boundary cycle of a face contributes one half-edge.
   std::size_t face_count() const { return face_cycles_.size(); }
   const std::vector<std::uint32_t>& cycles(std::uint32_t face) const { return face_cycles_[face]; }
   template <class Visit>
@@ -108,8 +107,8 @@ class Arrangement {
   }
 
  private:
-  /// `meet` finds the contacts of the segments that are not degenerate, which it is told with the
-  /// index that each has among all.
+  /// `meet` finds the contacts of the nondegenerate segments, and receives each segment's index
+  /// among all.
   template <class Meet>
   void subdivide(const Meet& meet);
   void link();
@@ -118,9 +117,9 @@ class Arrangement {
     while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
     return point;
   }
-  /// Whether the sub-edge of h spans the height just above node n, strictly left of it.
+  /// Whether the sub-edge of h spans the height just above node n, strictly left of n.
   bool left_of(std::uint32_t h, std::uint32_t n) const;
-  /// For two half-edges running upwards across one height, not crossing: whether g is right of h
+  /// For two upward half-edges across a common height, not crossing: whether g runs right of h
   /// there.
   bool is_right_of(std::uint32_t g, std::uint32_t h) const;
 

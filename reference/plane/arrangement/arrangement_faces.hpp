@@ -1,4 +1,4 @@
-// Arrangement: cycles of half-edges, and which cycle lies in which face.
+// Arrangement: cycles of half-edges, and the faces that hold them.
 #pragma once
 
 #include "reference/interrupt.hpp"
@@ -19,14 +19,14 @@ template <class K>
 bool Arrangement<K>::is_right_of(std::uint32_t g, std::uint32_t h) const {
   const Node &g0 = nodes_[origin_[g]], &h0 = nodes_[origin_[h]];
   if (origin_[g] == origin_[h]) return kernel_.turn(direction(h), direction(g)) < 0;
-  // The start that is higher lies within the other's range of heights.
+  // The higher start lies within the other's range of heights.
   if (kernel_.compare_y(g0, h0) >= 0) return kernel_.orientation(h0, nodes_[target(h)], g0) < 0;
   return kernel_.orientation(g0, nodes_[target(g)], h0) > 0;
 }
 
 template <class K>
 void Arrangement<K>::find_faces() {
-  // Connected components of the graph, and the lexicographically least node of each.
+  // Connected components of the graph, each with its lexicographically least node.
   std::vector<std::uint32_t> component(nodes_.size(), none), least, stack;
   const auto before = [&](std::uint32_t a, std::uint32_t b) {
     const int x = kernel_.compare_x(nodes_[a], nodes_[b]);
@@ -52,9 +52,8 @@ void Arrangement<K>::find_faces() {
     }
   }
 
-  // All edges of a component's least node point to the right, so the last one in order of angle has
-  // the outside of the component on its left. Every other cycle is the outer boundary of a bounded
-  // face.
+  // All edges of a component's least node point to the right, so the last edge by angle has the
+  // component's outside on its left. Every other cycle is the outer boundary of a bounded face.
   std::vector<bool> outside(origin_.size(), false);
   for (const std::uint32_t n : least) {
     const std::uint32_t first = *(leaving_end(n) - 1);

@@ -26,7 +26,8 @@ void Arrangement<K>::subdivide(const Meet& meet) {
   directions_.resize(segments_.size());
   for (std::uint32_t i = 0; i < proper.size(); ++i) directions_[name[i]] = meeting.directions()[i];
 
-  // Contacts by segment (counting sort), then by position; contacts at one position are one point.
+  // Sorts contacts by segment (counting sort), then by position; contacts at one position share a
+  // point.
   std::vector<std::uint32_t> first(proper.size() + 1, 0);
   for (const auto& contact : contacts) {
     look_for_interrupt();
@@ -59,7 +60,7 @@ void Arrangement<K>::subdivide(const Meet& meet) {
     }
   }
 
-  // Nodes are numbered as they are met along the segments.
+  // Numbers nodes along the segments, as met.
   std::vector<std::uint32_t> number(parent_.size(), none);
   const auto node_of = [&](std::uint32_t point) {
     const std::uint32_t root = find(point);
@@ -96,7 +97,7 @@ void Arrangement<K>::subdivide(const Meet& meet) {
     for (std::uint32_t c = first[i]; c < first[i + 1]; ++c) cut(contacts[order[c]].point);
     cut(proper[i].to);
   }
-  // Pieces between the same two nodes are one sub-edge.
+  // Pieces between the same two nodes form one sub-edge.
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     look_for_interrupt();
     return a.low != b.low ? a.low < b.low : a.high < b.high;

@@ -1,4 +1,4 @@
-// The arrangement over the exact kernels, compiled once for each of them.
+// The arrangement over the exact kernels, compiled once for each.
 #pragma once
 
 #include "reference/plane/arrangement/arrangement.hpp"

@@ -1,4 +1,4 @@
-// A point in the interior of a face of an arrangement.
+// An interior point of an arrangement's face.
 #pragma once
 
 #include <optional>
@@ -35,9 +35,9 @@ std::optional<T> ray_hit(const V& m, const V& n, const V& a, const V& b) {
   return hit;
 }
 
-/// The middle of the ray from the middle of half-edge h into its face, up to what it meets first.
-/// `position` gives a node's coordinates as vectors V over T. In a field the point is certainly
-/// interior.
+/// The middle of the ray from the middle of half-edge h into its face, up to the first hit.
+/// `position` gives a node's coordinates as vectors V over T. If T is a field, the point is
+/// certainly interior.
 template <class T, class V, class K, class Position>
 V middle_of_face(const Arrangement<K>& arrangement, std::uint32_t face, std::uint32_t h,
                  Position&& position) {
@@ -90,8 +90,7 @@ bool certainly_inside(const Arrangement<GridKernel<Grid>>& arrangement, std::uin
 
 }  // namespace detail
 
-/// An interior point of a bounded face as a pair of doubles, certified; none if doubles are too
-/// coarse.
+/// A bounded face's interior point as two doubles, certified; none if doubles are too coarse.
 template <class Grid>
 std::optional<typename GridKernel<Grid>::Query> interior_point_in_doubles(
     const GridKernel<Grid>& kernel, const Arrangement<GridKernel<Grid>>& arrangement,
@@ -117,7 +116,7 @@ std::optional<typename GridKernel<Grid>::Query> interior_point_in_doubles(
   return std::nullopt;
 }
 
-/// An interior point of a bounded face in rational coordinates. Exact.
+/// A bounded face's interior point with rational coordinates. Exact.
 template <class Grid>
 Point exact_interior_point(const GridKernel<Grid>&,
                            const Arrangement<GridKernel<Grid>>& arrangement, std::uint32_t face) {
@@ -130,7 +129,7 @@ Point exact_interior_point(const GridKernel<Grid>&,
   return {x.x(), x.y()};
 }
 
-/// The same over one scalar type, as exact as it is.
+/// An interior point over one scalar type, as exact as T.
 template <class T>
 Vector2<T> interior_point(const PlainKernel<T>&, const Arrangement<PlainKernel<T>>& arrangement,
                           std::uint32_t face) {

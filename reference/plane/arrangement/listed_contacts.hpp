@@ -1,4 +1,4 @@
-// Where segments of a set meet, as a list says: the other first half of the arrangement.
+// Contacts of segments from a list: the other first half of the arrangement.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace minkref::inline plane {
 
-/// A vertex in which a segment is cut, and its place along the segment.
+/// A vertex that cuts a segment, with its place along the segment.
 template <class K>
 using ListedContact = typename SegmentContacts<K>::Contact;
 
-/// The contacts of a list, in the form of SegmentContacts.
+/// Listed contacts with the interface of SegmentContacts.
 template <class K>
 class ListedContacts {
  public:
@@ -20,8 +20,8 @@ class ListedContacts {
   using Contact = ListedContact<K>;
   using Crossing = typename SegmentContacts<K>::Crossing;
 
-  /// `contacts` name segments by their index among all `count`; segment i of `proper` is name[i]
-  /// there. Contacts of segments that are not in `proper` are left out. O(n + k).
+  /// `contacts` name segments by their index among all `count`; segment i of `proper` has the index
+  /// name[i]. Leaves out contacts of other segments than `proper`. O(n + k).
   ListedContacts(const std::vector<Vector>& vertices, std::size_t count,
                  const std::vector<IndexedSegment>& proper, const std::vector<std::uint32_t>& name,
                  const std::vector<Contact>& contacts) {

@@ -1,4 +1,4 @@
-// Where segments of a set meet: crossings, vertices on segments, overlaps. First half of the
+// Contacts of a set's segments: crossings, vertices on segments, overlaps. First half of the
 // arrangement.
 #pragma once
 
@@ -19,7 +19,7 @@ struct IndexedSegment {
   std::uint32_t from = 0, to = 0;
 };
 
-/// Vertices that are one point share the least of their indices.
+/// Gives coincident vertices their least index.
 template <class K>
 std::vector<std::uint32_t> coincident_vertices(const K& kernel,
                                                const std::vector<typename K::Vector>& vertices) {
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> coincident_vertices(const K& kernel,
   return representative;
 }
 
-/// The points in which segments must be cut, each with its position along the segment.
+/// The points that cut segments, each with its position along the segment.
 template <class K>
 class SegmentContacts {
  public:
@@ -50,13 +50,13 @@ class SegmentContacts {
     std::uint32_t point;  ///< a vertex, or vertices() + index of a crossing
     typename K::Parameter position;
   };
-  /// A crossing of the interiors of two segments.
+  /// A crossing between two segments' interiors.
   struct Crossing {
     std::uint32_t first, second;
   };
 
-  /// `segments` name representatives (see coincident_vertices) and are not degenerate. Exact as the
-  /// kernel is. O((n + k) log n) on usual input, k the number of overlapping boxes.
+  /// `segments` name representatives (see coincident_vertices), and none may be degenerate. As
+  /// exact as the kernel. O((n + k) log n) on usual input, k the number of overlapping boxes.
   SegmentContacts(const K& kernel, const std::vector<Vector>& vertices,
                   const std::vector<IndexedSegment>& segments)
       : kernel_(kernel), vertices_(vertices), segments_(segments) {
@@ -79,7 +79,7 @@ class SegmentContacts {
     const IndexedSegment a = segments_[i], b = segments_[j];
     const bool shared = a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
     if (shared) {
-      // Segments with a common end meet nowhere else unless they are parallel.
+      // Segments with a common end meet nowhere else unless parallel.
       if (kernel_.turn(directions_[i], directions_[j]) == 0) collinear(i, j);
       return;
     }
@@ -94,7 +94,7 @@ class SegmentContacts {
       cross(i, j);
       return;
     }
-    // One end lies on the line of the other segment, and the lines differ.
+    // One end lies on the other segment's line, and the lines differ.
     if (planted(Fault::end_on_segment_missed)) return;
     if (b0 == 0 && a0 * a1 < 0) on_segment(b.from, i);
     if (b1 == 0 && a0 * a1 < 0) on_segment(b.to, i);

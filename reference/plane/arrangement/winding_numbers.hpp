@@ -1,4 +1,4 @@
-// Winding numbers of the faces about closed curves given by signed segments.
+// The faces' winding numbers about closed curves of signed segments.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,8 @@
 
 namespace minkref::inline plane {
 
-/// The winding number of every face: the signed count of segments crossed on the way in from the
-/// unbounded face. `sign_of_segment(i)` is the multiplicity of segment i. Exact. O(size of the
-/// arrangement).
+/// Each face's winding number: the signed count of segments crossed on the way from the unbounded
+/// face. `sign_of_segment(i)` gives segment i's multiplicity. Exact. O(size of the arrangement).
 template <class K, class Sign>
 std::vector<int> winding_numbers(const Arrangement<K>& arrangement, Sign&& sign_of_segment) {
   std::vector<int> winding(arrangement.face_count(), 0);

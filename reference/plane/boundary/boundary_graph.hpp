@@ -10,18 +10,18 @@
 
 namespace minkref::inline plane {
 
-/// Directed straight edges with the interior of the set on their left and its exterior on their
-/// right. Edges meet only at points; two edges that leave a point have different directions; no two
-/// points are equal. An edge there and back is a slit, with the interior on both sides; it makes
+/// Directed straight edges with the set's interior on their left and its exterior on their right.
+/// Edges meet only at points; two edges that leave a point have different directions; points
+/// differ. An edge there and back forms a slit, with the interior on both sides; slits make
 /// Walks::holes meaningless.
 struct BoundaryGraph {
   std::vector<Point> points;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< from, to
 };
 
-/// A closed walk along the boundary of one connected component of the interior. The pairing of
-/// edges at a point is that of the wedges of the interior, so a walk passes a point once for each
-/// of the wedges it bounds there.
+/// A closed walk along the boundary of one connected component of the interior. The interior's
+/// wedges pair the edges at a point, so a walk passes a point once for each wedge that it bounds
+/// there.
 struct Walk {
   std::vector<std::uint32_t> points;
   bool encloses = false;  ///< the outer boundary of its component (else the boundary of holes)
@@ -34,8 +34,7 @@ struct Walks {
   std::size_t holes = 0;       ///< bounded connected components of the complement
 };
 
-/// All walks, each with the component that it bounds. Exact. O(n log n + h n) for h walks that
-/// enclose nothing.
+/// All walks, each with its component. Exact. O(n log n + h n) for h walks that enclose nothing.
 Walks boundary_walks(const BoundaryGraph& graph);
 
 /// docs/definitions.md, "Canonical form": walks split into simple rings at repeated points,

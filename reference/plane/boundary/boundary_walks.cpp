@@ -1,5 +1,4 @@
-// Closed walks along a boundary, the component of the interior that each bounds, and the holes of
-// the set.
+// Closed walks along a boundary, each walk's component of the interior, and the set's holes.
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -45,7 +44,7 @@ class WalkFinder {
   }
 
  private:
-  /// An edge seen from one of its ends.
+  /// An edge seen from either end.
   struct Ray {
     std::uint32_t edge;
     bool leaving;
@@ -123,8 +122,8 @@ class WalkFinder {
     return result;
   }
 
-  /// Whether some wedge of the cycle at its least point contains the direction to the left: then
-  /// what the cycle bounds lies outside of it.
+  /// Whether some wedge of the cycle at its least point contains the direction to the left: the
+  /// region that the cycle bounds then lies outside the cycle.
   bool opens_to_the_left(const Cycles& cycles, std::uint32_t cycle, bool interior) const {
     const std::uint32_t p = cycles.least[cycle];
     const std::uint32_t begin = first_ray_[p], count = first_ray_[p + 1] - begin;
@@ -138,8 +137,8 @@ class WalkFinder {
           if (rays_[begin + i].edge == out && rays_[begin + i].leaving) i_out = i;
         }
         // The wedge runs counter-clockwise from `out` to `in` (interior) or from `in` to `out`; at
-        // the least point every ray of the cycle points to the right, so it holds the left iff its
-        // first ray is last in order of angle.
+        // the least point every ray of the cycle points to the right, so the wedge holds the left
+        // iff its first ray comes last by angle.
         if (interior ? i_out > i_in : i_in > i_out) return true;
       }
       e = out;
@@ -175,7 +174,7 @@ class WalkFinder {
       look_for_interrupt();
       const auto [from, to] = graph_.edges[e];
       if (from == p || to == p) continue;
-      // The component is on the right of an edge that runs downwards.
+      // The component lies right of a downward edge.
       if (compare_y(points_[to], points_[p]) > 0 || compare_y(points_[p], points_[from]) >= 0)
         continue;
       if (orientation(points_[to], points_[from], points_[p]) >= 0) continue;
@@ -184,7 +183,7 @@ class WalkFinder {
     return nearest;
   }
 
-  /// For two edges that run downwards across one height.
+  /// For two downward edges across a common height.
   bool is_right_of(std::uint32_t g, std::uint32_t h) const {
     const FilteredPoint &g0 = points_[graph_.edges[g].second], &g1 = points_[graph_.edges[g].first];
     const FilteredPoint &h0 = points_[graph_.edges[h].second], &h1 = points_[graph_.edges[h].first];

@@ -1,4 +1,4 @@
-// The canonical form of a polygon set: two sets are equal iff their canonical forms are.
+// A polygon set's canonical form: two sets are equal iff their canonical forms agree.
 #pragma once
 
 #include <string>

@@ -54,8 +54,7 @@ class RingBuilder {
     const std::size_t n = indices.size();
     for (std::size_t i = 0; i < n; ++i) {
       look_for_interrupt();
-      // The rings are simple, so a vertex on the line of its neighbours in the ring lies between
-      // them.
+      // The rings are simple, so a vertex on the line of its neighbours lies between the two.
       if (orientation(points_[indices[(i + n - 1) % n]], points_[indices[i]],
                       points_[indices[(i + 1) % n]]) != 0 ||
           planted(Fault::collinear_vertex_kept)) {
@@ -73,7 +72,7 @@ class RingBuilder {
     return ring;
   }
 
-  /// At the first vertex of a ring, which is its least, the turn has the sign of the ring.
+  /// A ring's first vertex is its least, where the turn has the ring's sign.
   static bool counter_clockwise(const Ring& ring) {
     return orientation(FilteredPoint(ring.back()), FilteredPoint(ring[0]), FilteredPoint(ring[1])) >
            0;

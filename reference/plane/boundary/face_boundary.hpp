@@ -1,4 +1,4 @@
-// The boundary of a union of faces of an arrangement.
+// The boundary of a union of an arrangement's faces.
 #pragma once
 
 #include <vector>

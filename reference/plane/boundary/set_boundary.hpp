@@ -1,4 +1,4 @@
-// The boundary of the set that rings describe, whatever way they overlap.
+// The boundary of the set that rings describe, however they overlap.
 #pragma once
 
 #include "reference/plane/boundary/boundary_graph.hpp"

@@ -8,8 +8,8 @@
 
 namespace minkref::inline plane {
 
-/// One edge of the convolution with its parents: an S-edge is an edge of P at a vertex of Q, a
-/// T-edge an edge of Q at a vertex of P. An edge is named by its start vertex.
+/// A convolution edge with its parents: an S-edge has an edge of P and a vertex of Q, a T-edge an
+/// edge of Q and a vertex of P. The start vertex names an edge.
 struct ConvolutionEdge {
   enum class Kind : std::uint8_t { S, T } kind = Kind::S;
   std::int8_t sign = 1;   ///< -1 at reflex vertices (full convolution only)
@@ -17,15 +17,15 @@ struct ConvolutionEdge {
   friend bool operator==(const ConvolutionEdge&, const ConvolutionEdge&) = default;
 };
 
-/// Reduced convolution: an edge d pairs with a strictly convex vertex (directions in, out) iff d is
-/// in the ccw turn, [in, out) at vertices of Q, (in, out] at vertices of P (docs/definitions.md,
-/// "Compatibility"). Its size does not depend on the scale. Exact.
+/// Reduced convolution: an edge d pairs with a strictly convex vertex (directions in, out) iff the
+/// ccw turn contains d, [in, out) at vertices of Q, (in, out] at vertices of P
+/// (docs/definitions.md, "Compatibility"). The scale does not change its size. Exact.
 std::vector<ConvolutionEdge> reduced_convolution(const PolygonSet& P, const PolygonSet& Q);
 
 /// Full convolution: reflex vertices contribute with sign -1. A closed signed cycle. Exact.
 std::vector<ConvolutionEdge> full_convolution(const PolygonSet& P, const PolygonSet& Q);
 
-/// End points of one edge at scale s. Exact.
+/// An edge's end points at scale s. Exact.
 struct Segment {
   Point start, end;
 };

@@ -14,13 +14,13 @@
 
 namespace minkref::inline plane {
 
-/// Which ends of a turn belong to it: [in, out), (in, out], none or both. The two sides of a
-/// convolution must use the two half-open ones: it is then the exact rule for operands turned
-/// against each other by a vanishing angle, and nothing on the boundary is missed
-/// (docs/definitions.md, "Compatibility"). The other two are other readings of the paper.
+/// The ends that belong to a turn: [in, out), (in, out], none or both. The two sides of a
+/// convolution must use the two different half-open turns: this gives the exact rule for operands
+/// turned against each other by a vanishing angle, and misses nothing on the boundary
+/// (docs/definitions.md, "Compatibility"). The last two values serve other readings of the paper.
 enum class TurnEnds { first_included, last_included, none_included, both_included };
 
-/// The ends that a reading includes at the vertices of Q, where S-edges are, and at those of P.
+/// The ends that a reading includes at Q's vertices, the place of S-edges, and at P's vertices.
 inline TurnEnds ends_for_s_edges(Between between) {
   if (between == Between::open) return TurnEnds::none_included;
   return between == Between::closed ? TurnEnds::both_included : TurnEnds::first_included;
@@ -38,7 +38,7 @@ struct DirectedEdge {
   VertexId start;
 };
 
-/// All edges of an operand, sorted by angle.
+/// All edges of an operand by angle.
 template <class K>
 std::vector<DirectedEdge<K>> edges_by_angle(const K& kernel,
                                             const Operand<typename K::Vector>& operand) {
@@ -86,9 +86,9 @@ void edges_in_turn(const K& kernel, const std::vector<DirectedEdge<K>>& edges,
 }  // namespace detail
 
 /// Calls report(edge start, vertex, sign) for each pair of an edge of X and a vertex of Y that the
-/// rule allows: sign 1 at strictly convex vertices, -1 at reflex ones (only if `full`), nothing at
-/// straight ones. A ring of one vertex meets every edge; at the ends of a segment, given as a ring
-/// of two vertices, the turn is by 180 degrees to the left.
+/// rule allows: sign 1 at strictly convex vertices, -1 at reflex vertices (only if `full`), nothing
+/// at straight vertices. A ring of one vertex meets every edge; the ends of a segment, given as a
+/// ring of two vertices, turn by 180 degrees to the left.
 template <class K, class Report>
 void compatible_pairs(const K& kernel, const std::vector<detail::DirectedEdge<K>>& edges_of_x,
                       const Operand<typename K::Vector>& y, TurnEnds ends, bool full,

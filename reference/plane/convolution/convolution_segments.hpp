@@ -1,4 +1,4 @@
-// The edges of a convolution at one scale, as segments between shared vertices.
+// A convolution's edges at one scale, as segments between shared vertices.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace minkref::inline plane {
 
-/// Segment i is edges[i]; a vertex p + q is one vertex however many edges end there.
+/// Segment i belongs to edges[i]; all edges that end at p + q share this vertex.
 template <class K>
 struct ConvolutionSegments {
   std::vector<ConvolutionEdge> edges;
@@ -20,7 +20,7 @@ struct ConvolutionSegments {
   std::vector<std::pair<VertexId, VertexId>> parents;  ///< of each vertex: of P, of Q
 };
 
-/// P is already scaled. Exact as the kernel's addition is. O(N).
+/// Requires P already scaled. As exact as the kernel's addition. O(N).
 template <class K>
 ConvolutionSegments<K> convolution_segments(std::vector<ConvolutionEdge> edges,
                                             const Operand<typename K::Vector>& P,

@@ -1,4 +1,4 @@
-// How large a convolution is, before it is made.
+// A convolution's size, before the convolution exists.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace minkref::inline plane {
 
-/// The number of edges of the reduced convolution, or of the full one. Exact. Takes the time of the
-/// convolution, and no memory for its edges.
+/// The edge count of the reduced or the full convolution. Exact. Takes the convolution's time, but
+/// no memory for its edges.
 std::uint64_t convolution_size(const PolygonSet& P, const PolygonSet& Q, bool full,
                                Between between = Between::half_open);
 

@@ -7,7 +7,8 @@
 namespace minkref::inline plane {
 namespace {
 
-// Between these no product and no sum overflows or is so small that its error is not relative.
+// Between these bounds, products and sums neither overflow nor become too small for a relative
+// error.
 constexpr double least_factor = 1e-100, greatest_factor = 1e100;
 
 bool is_plain(double value) {
@@ -36,7 +37,7 @@ Enclosure EdgeBounds::of_end(std::uint32_t edge, bool second, int coordinate, do
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const Number& number = ends_[edge][second][static_cast<std::size_t>(coordinate)];
   if (!number.usable || !is_plain(scale)) return {-infinity, infinity};
-  // The scale is off by 2^-48 of it, p and q by 2^-53; the product and the sum are rounded.
+  // The scale has a relative error of 2^-48, p and q of 2^-53; the product and the sum are rounded.
   constexpr double error = 1.0 / (std::uint64_t{1} << 46);
   const double moved = scale * number.p, value = moved + number.q;
   const double most = (std::abs(moved) + std::abs(number.q)) * error;

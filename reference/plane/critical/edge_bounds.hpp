@@ -10,14 +10,14 @@
 
 namespace minkref::inline plane {
 
-/// A filter for questions about where events happen: what it says holds, and where doubles cannot
-/// tell it says all numbers.
+/// A filter for the places of events: its bounds hold, and cover all numbers if doubles cannot
+/// tell.
 class EdgeBounds {
  public:
   explicit EdgeBounds(const std::vector<RationalEdge>& edges);
 
-  /// Bounds of coordinate 0 or 1 of all points of an edge, or of its start or end alone. `scale` is
-  /// off by at most 2^-48 of itself.
+  /// Bounds of coordinate 0 or 1 for all points of an edge, or for its start or end alone. Requires
+  /// a relative error of `scale` of at most 2^-48.
   Enclosure of_edge(std::uint32_t edge, int coordinate, double scale) const;
   Enclosure of_end(std::uint32_t edge, bool second, int coordinate, double scale) const;
 
@@ -30,7 +30,7 @@ class EdgeBounds {
   std::vector<std::array<std::array<Number, 2>, 2>> ends_;  ///< edge, end, coordinate
 };
 
-/// The numbers in both enclosures.
+/// The numbers common to both enclosures.
 Enclosure intersection(const Enclosure& x, const Enclosure& y);
 
 }  // namespace minkref::inline plane

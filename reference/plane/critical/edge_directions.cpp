@@ -20,7 +20,7 @@ EdgeDirections edge_directions(const std::vector<RationalEdge>& edges) {
   std::map<V, std::uint32_t, Before> numbers;
   for (const RationalEdge& edge : edges) {
     const bool forward = edge.d.x() > 0 || (edge.d.x() == 0 && edge.d.y() > 0);
-    // Over the sum of the magnitudes: the same for all vectors in one direction.
+    // Divided by the sum of magnitudes, all vectors of a direction agree.
     const Rational length = (abs(edge.d.x()) + abs(edge.d.y())) * Rational(forward ? 1 : -1);
     const V along{Rational(edge.d.x() / length), Rational(edge.d.y() / length)};
     const auto [place, fresh] =

@@ -1,4 +1,4 @@
-// Which convolution edges are parallel.
+// Finds parallel convolution edges.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace minkref::inline plane {
 
-/// For each edge the number of its direction up to sign, and whether the edge goes forward: in the
-/// direction of growing x, or of growing y if the edge is upright.
+/// Each edge's number for its direction up to sign, and whether the edge goes forward: towards
+/// growing x, or growing y if upright.
 struct EdgeDirections {
   std::vector<std::uint32_t> line;
   std::vector<char> forward;
   std::vector<Vector2<Rational>> along;  ///< of each number, forward
 
-  /// The same for edges that are parallel and point the same way.
+  /// A number shared by parallel edges with the same direction.
   std::uint32_t number(std::uint32_t edge) const {
     return 2 * line[edge] + static_cast<std::uint32_t>(forward[edge]);
   }

@@ -1,4 +1,4 @@
-// Conditions on single events, by which long lists are searched.
+// Conditions on single events, for searches through long lists.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace minkref::inline plane {
 
-/// The numbers between two bounds; without one it is endless.
+/// The numbers between two bounds; a missing bound leaves the range endless.
 struct NumberRange {
   std::optional<Rational> low, high;
   bool with_low = true, with_high = true;  ///< the bounds belong to it
@@ -26,15 +26,15 @@ class EnclosedNumbers {
  public:
   explicit EnclosedNumbers(const NumberRange& range);
 
-  /// Whether every number in [least, greatest] is in the range, or none of them; neither where some
-  /// are, where a bound is too near for doubles to tell, and of NaN.
+  /// True if the range holds every number of [least, greatest], false if none; empty if only some,
+  /// if a bound is too near for doubles to tell, and for NaN.
   std::optional<bool> in_range(double least, double greatest) const;
 
  private:
   Enclosure low_, high_;
 };
 
-/// Edges of the convolution by what is given of their parents.
+/// A pattern for convolution edges, from known parts of their parents.
 struct EdgePattern {
   std::optional<ConvolutionEdge::Kind> kind;
   std::optional<VertexId> edge, vertex;
@@ -42,7 +42,7 @@ struct EdgePattern {
   bool matches(const ConvolutionEdge& e) const;
 };
 
-/// A condition: all, any or none of some conditions, or one on a field of the event.
+/// A condition: all, any or none of some conditions, or a condition on a field of the event.
 struct EventCondition {
   enum class Test : std::uint8_t {
     all,
@@ -61,19 +61,19 @@ struct EventCondition {
   std::uint32_t feature = 0;
 
   bool has_word(std::string_view word) const;
-  /// Whether it asks where an event is, which takes longest to say.
+  /// Whether the condition asks for an event's place, the slowest field.
   bool asks_place() const;
 };
 
-/// A test of the event at a place of some list.
+/// A test of the event at a list position.
 using EventTest = std::function<bool(std::size_t)>;
 
-/// The test of a condition; `of_field` gives the tests of conditions on a field. Conditions that
-/// ask for places are tested last.
+/// The test of a condition; `of_field` gives the tests for conditions on a field. Tests of places
+/// come last.
 EventTest event_test(const EventCondition& condition,
                      const std::function<EventTest(const EventCondition&)>& of_field);
 
-/// For each edge, whether it matches.
+/// Tells each edge whether it matches.
 std::vector<bool> matching_edges(const std::vector<ConvolutionEdge>& edges,
                                  const EdgePattern& pattern);
 

@@ -15,7 +15,7 @@ using Edge = MovingEdge<Vector>;
 
 Point point(const Vector& v) { return {v.x(), v.y()}; }
 
-/// The common part of two edges on one line, by the positions of their ends along it.
+/// The common part of two edges on one line, from the positions of their ends along it.
 EventPlace common_part(const Edge& a, const Edge& b, const Rational& scale) {
   struct End {
     Rational along;

@@ -1,4 +1,4 @@
-// The exact scale of events, and where they happen.
+// Exact scales and places of events.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct EventPlace {
 /// The places of the events first to last - 1. Exact. Some 10 us an event.
 std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first, std::size_t last,
                                      const PolygonSet& P, const PolygonSet& Q);
-/// The same; `edges`: those of `events`, over rationals.
+/// The places as above; `edges` must be the edges of `events`, over rationals.
 std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first, std::size_t last,
                                      const std::vector<RationalEdge>& edges);
 

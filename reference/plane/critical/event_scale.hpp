@@ -1,4 +1,4 @@
-// The scale of an event, from its pair of edges.
+// An event's scale, from its pair of edges.
 #pragma once
 
 #include "reference/plane/critical/pair_events.hpp"
@@ -14,7 +14,7 @@ Rational exact_parameter(const GridKernel<Grid>&, const typename GridKernel<Grid
   return GridKernel<Grid>::exact(t);
 }
 
-/// Exact as the kernel is.
+/// As exact as the kernel.
 template <class K>
 typename K::Parameter event_scale(const K& kernel, const MovingEdge<typename K::Vector>& a,
                                   const MovingEdge<typename K::Vector>& b, const PairEvent& event) {

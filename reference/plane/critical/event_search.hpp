@@ -1,4 +1,4 @@
-// A search in a long list of events, whatever kind of list it is.
+// A search through a long list of events, whatever the kind of list.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace minkref::inline plane {
 
-/// The places of a sorted list whose numbers are in a range, as first and last + 1; `number` gives
-/// those of the list, ascending. O(log n).
+/// The positions within a sorted list whose numbers lie inside a range, as first and last + 1;
+/// `number` gives the list's numbers, ascending. O(log n).
 template <class Number>
 std::pair<std::size_t, std::size_t> places_in_range(std::size_t count, const NumberRange& range,
                                                     const Number& number) {
@@ -35,11 +35,11 @@ std::pair<std::size_t, std::size_t> places_in_range(std::size_t count, const Num
   return {first, std::max(first, last)};
 }
 
-/// The test of a condition on a field of a list of `count` events in the order of their scales.
-/// `List` says of the event at place i: `scale(i)`, `rank(i)`, doubles about a coordinate of its
-/// place `about(i, coordinate)`, its place `at(i)`, `kind(i)`, `change(i)`, whether one of its
-/// edges is among those wanted `has_edge(i, wanted)`; and `edges()` and `what()` of them all.
-/// Throws BadInput ("unknown-field") for any other field.
+/// The test of a condition on a field, for `count` events listed by scale. `List` says of the event
+/// at position i: `scale(i)`, `rank(i)`, doubles about a coordinate of its place `about(i,
+/// coordinate)`, its place `at(i)`, `kind(i)`, `change(i)`, and `has_edge(i, wanted)`, whether an
+/// edge of the event is wanted; for all events together, `edges()` and `what()`. Throws BadInput
+/// ("unknown-field") for any other field.
 template <class List>
 EventTest field_test(const List& list, std::size_t count, const EventCondition& c) {
   using Test = EventCondition::Test;
@@ -74,7 +74,7 @@ EventTest field_test(const List& list, std::size_t count, const EventCondition& 
                  "ask for another");
 }
 
-/// Takes out of `events` all that do not meet the condition; `list` reads the same events.
+/// Removes from `events` all that do not meet the condition; `list` reads the same events.
 template <class Event, class List>
 void keep_those(std::vector<Event>& events, const List& list, const EventCondition& condition) {
   const EventTest test = event_test(condition, [&](const EventCondition& field) {

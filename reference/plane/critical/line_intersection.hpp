@@ -1,4 +1,4 @@
-// Where the lines of two convolution edges meet, at one scale and as a function of it.
+// The intersection of two convolution edges' lines, at one scale and as a function of the scale.
 #pragma once
 
 #include "reference/form.hpp"
@@ -29,7 +29,7 @@ struct MovingPoint {
   Vector2<T> at(const T& scale) const { return Vector2<T>(x0 + sigma * T(scale - T(1))); }
 };
 
-/// The line of an edge at one scale: its start, and its end minus its start.
+/// An edge's line at one scale: its start, and its end minus its start.
 template <class T>
 struct EdgeLine {
   Vector2<T> start, along;
@@ -41,14 +41,14 @@ EdgeLine<T> line_at(const MovingEdge<Vector2<T>>& edge, const T& scale) {
   return {start, Vector2<T>(at(end_of(edge), scale) - start)};
 }
 
-/// The intersection of two lines by Observation 1 in one of its forms. As exact as T.
+/// The intersection of two lines by a form of Observation 1. As exact as T.
 template <class T>
 Vector2<T> intersection_of(const EdgeLine<T>& a, const EdgeLine<T>& b, Form form) {
   const T r = observation_1<T>(a.along, b.along, Vector2<T>(a.start - b.start), form);
   return Vector2<T>(T(a.start.x() + a.along.x() * r), T(a.start.y() + a.along.y() * r));
 }
 
-/// The same of the lines of a and b at a scale.
+/// The intersection of the lines of a and b at a scale.
 template <class T>
 Vector2<T> intersection_at(const MovingEdge<Vector2<T>>& a, const MovingEdge<Vector2<T>>& b,
                            const T& scale, Form form = Form::corrected) {

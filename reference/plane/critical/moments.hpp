@@ -1,4 +1,4 @@
-// The scales at which something happens to a pair of convolution edges, in order.
+// The sorted scales of all events of pairs of convolution edges.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace minkref::inline plane {
 
-/// Distinct scales within an open window, ascending: those of pair and parallel events, and those
+/// Distinct scales within an open window, ascending: scales of pair and parallel events, and scales
 /// at which end points of edges on one line pass each other.
 class Moments {
  public:
@@ -25,9 +25,9 @@ class Moments {
     return event < 0 ? nullptr : &events_.events[static_cast<std::size_t>(event)];
   }
 
-  /// The moment of a run of events of one rank that begins at `event`.
+  /// Adds the moment of a run of equal-ranked events that begins at `event`.
   std::uint32_t add_events(std::size_t event);
-  /// The moment of a scale: one of those known, or a new one.
+  /// The moment of a scale, known or new.
   std::uint32_t add_scale(const Rational& scale);
 
  private:

@@ -15,7 +15,7 @@ struct HalfLine {
   W slope = W(0), value = W(0);
 };
 
-/// The end point of a pair (a, b) that a condition is about.
+/// The end point of a pair (a, b) that a condition names.
 enum class PairEnd : std::uint8_t { a0, a1, b0, b1 };
 
 /// With A and B of docs/definitions.md, "Printed and corrected": the lines of a and b meet at

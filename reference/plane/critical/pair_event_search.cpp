@@ -57,7 +57,7 @@ Enclosure place_bounds(const PairEvent& event, const EdgeBounds& bounds, int coo
     return intersection(bounds.of_edge(event.a, coordinate, scale),
                         bounds.of_edge(event.b, coordinate, scale));
   }
-  // One end lies on the other edge: that is where they meet.
+  // One end lies on the other edge: the edges meet there.
   const auto end = static_cast<PairEnd>(event.half_line);
   const bool of_a = end == PairEnd::a0 || end == PairEnd::a1;
   const bool second = end == PairEnd::a1 || end == PairEnd::b1;

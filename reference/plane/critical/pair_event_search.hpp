@@ -1,4 +1,4 @@
-// Those of millions of pair events that meet a condition.
+// Searches millions of pair events for a condition.
 #pragma once
 
 #include "reference/plane/critical/edge_bounds.hpp"
@@ -7,15 +7,15 @@
 
 namespace minkref::inline plane {
 
-/// Takes out of `events.events` all that do not meet the condition; ranks stay as they were among
+/// Removes from `events.events` all that do not meet the condition; ranks stay as they were among
 /// all. Fields: "s", "rank", "x", "y" (the place of `event_places`), "kind" ("pair", "parallel"),
-/// "change", and the parents; another one throws BadInput ("unknown-field"). Exact: scales are
-/// found by bisection, of places doubles discard most. Some 10 ns an event and field, 10 us where a
-/// place is too near to a bound. `P` and `Q`: the operands of the events.
+/// "change", and the parents; any other field throws BadInput ("unknown-field"). Exact: bisection
+/// finds scales; doubles discard most places. Some 10 ns an event and field, 10 us for a place too
+/// near to a bound. `P` and `Q`: the events' operands.
 void keep_events(PairEvents& events, const PolygonSet& P, const PolygonSet& Q,
                  const EventCondition& condition);
 
-/// Where a pair event may be.
+/// Bounds for a pair event's place.
 Enclosure place_bounds(const PairEvent& event, const EdgeBounds& bounds, int coordinate);
 
 }  // namespace minkref::inline plane

@@ -97,7 +97,7 @@ class PairSearch {
       if (form_ == Form::corrected) {
         return filter.candidates(a_is_s, a_is_s ? a : a - s_count, b_is_s, first, found.data());
       }
-      // The filter proves that edges do not meet, which is nothing to the printed rule.
+      // The filter proves that edges never meet; the printed rule ignores such proofs.
       const std::uint32_t last = b_is_s ? s_count : count - s_count;
       for (std::uint32_t b = first; b < last; ++b) found[b - first] = b;
       return last - std::min(first, last);
@@ -186,7 +186,7 @@ class PairSearch {
                               static_cast<std::uint8_t>(bound.half_line)});
   }
 
-  /// By doubles first; runs of neighbours that doubles cannot tell apart once more, exactly.
+  /// Sorts by doubles first, then exactly those runs of neighbours that doubles cannot tell apart.
   void sort() {
     auto& events = result_.events;
     std::sort(events.begin(), events.end(), [](const PairEvent& x, const PairEvent& y) {

@@ -24,7 +24,7 @@ enum class Change : std::uint8_t {
 /// "birth", "death", "touch" or "overlap".
 std::string_view name(Change change);
 
-/// One critical scale of the pair of edges a < b: `critical_scales(...)[rank]`.
+/// A critical scale of the pair of edges a < b: `critical_scales(...)[rank]`.
 struct PairEvent {
   double approximate = 0;  ///< the scale; for drawing and first looks
   std::uint32_t a = 0, b = 0;
@@ -54,22 +54,22 @@ struct PairEvents {
   std::vector<MeetingPair> meeting;
   std::size_t distinct = 0;  ///< different scales
   std::uint64_t pairs = 0;   ///< looked at: all
-  /// Pairs that meet within the window: on an interval, in one scale; of parallel ones.
+  /// Pairs that meet within the window: on an interval, at a single scale; parallel pairs.
   std::uint64_t intersecting_pairs = 0, touching_pairs = 0, parallel_pairs = 0;
   std::uint64_t always_meeting_pairs = 0;  ///< of the intersecting ones: at every scale
   std::uint64_t filtered_pairs = 0;        ///< the float filter proved that they never meet
   Statistics statistics;                   ///< signs of the exact stage
 };
 
-/// All events of a kind within the window; the counts of pairs are those of both kinds. `form`: the
-/// printed rule of Sec. 4.2.3 is applied to pairs that are not parallel; it answers wrongly
+/// All events of a kind within the window; the pair counts cover both kinds. `form`: applies the
+/// printed rule of Sec. 4.2.3 to pairs that are not parallel; its answers are wrong
 /// (docs/definitions.md, "Printed and corrected"). Exact. O(N^2 + k log k) for N edges and k
 /// events; memory O(N + k). Operands must have passed `validate`.
 PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window = {},
                        EventKind kind = EventKind::both, Form form = Form::corrected,
                        bool keep_meeting = false);
 
-/// The printed interval against the corrected one, on exact roots, over all pairs that are not
+/// The printed interval against the corrected interval, on exact roots, over all pairs that are not
 /// parallel.
 struct FormComparison {
   std::uint64_t intersecting = 0, touching = 0;  ///< in truth: on an interval, at one scale only

@@ -16,7 +16,7 @@ struct EdgeRow {
   double px, py, qx, qy, dx, dy;
 };
 
-/// The scales that are left: (lower, upper).
+/// The scales that remain: (lower, upper).
 struct Range {
   Block lower, upper;
 };
@@ -36,7 +36,7 @@ template <bool AIsS, bool BIsS>
 MINKREF_INLINE std::size_t survivors(const EdgeRow& a, const EdgeColumns& b, std::uint32_t first,
                                      double error, std::uint32_t* out) {
   std::size_t count = 0;
-  // Rounding of the quotients is below 2^-50 of them.
+  // The quotients' relative rounding stays below 2^-50.
   const double slack = 1 + 0x1p-48;
   for (std::size_t j = first; j < b.size; j += width) {
     const Block dx = load_block(&b.dx[j]), dy = load_block(&b.dy[j]);
@@ -115,9 +115,9 @@ PairFilter::PairFilter(EdgeColumns s_edges, EdgeColumns t_edges)
     }
     for (const auto* c : {&columns->dx, &columns->dy}) D = largest(*c, D);
   }
-  // With u = 2^-53: a difference of coordinates is off by at most 4 M u, a coefficient of A or B by
-  // 20 M D u, c by 8 D^2 u, and their differences by 24 M D u + 10 D^2 u. The other terms are for
-  // subnormal coordinates, off by up to 2^-1075, and for underflow.
+  // With u = 2^-53: the error of a difference of coordinates is at most 4 M u, of a coefficient of
+  // A or B 20 M D u, of c 8 D^2 u, and of their differences 24 M D u + 10 D^2 u. The other terms
+  // cover subnormal coordinates, with errors up to 2^-1075, and underflow.
   error_ = 64 * 0x1p-53 * D * (M + D) + 32 * 0x1p-1074 * (M + D) + 1e-300;
 }
 

@@ -1,4 +1,4 @@
-// The float filter over pairs of convolution edges: which pairs certainly never meet.
+// The float filter over pairs of convolution edges: finds pairs that certainly never meet.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace minkref::inline plane {
 
-/// Coordinates of moving edges of one kind as doubles, column by column.
+/// Coordinates of moving edges of one kind, as columns of doubles.
 struct EdgeColumns {
   std::vector<double> px, py, qx, qy, dx, dy;
   std::size_t size = 0;
@@ -15,20 +15,20 @@ struct EdgeColumns {
   void close();
 };
 
-/// Finds the pairs that may meet at some s > 0. A pair that it leaves out certainly does not meet:
-/// each condition slope s + value >= 0 is taken with both coefficients off by `error`, which bounds
-/// the rounding of all that leads to them.
+/// Finds the pairs that may meet at some s > 0. Omitted pairs certainly do not meet: each condition
+/// slope s + value >= 0 is tested with both coefficients shifted by `error`, a bound on all
+/// rounding before.
 class PairFilter {
  public:
-  /// Each double given is the nearest one to the exact coordinate.
+  /// Requires the nearest double for each exact coordinate.
   PairFilter(EdgeColumns s_edges, EdgeColumns t_edges);
 
-  /// The edges with index from `first` on, of one kind, that edge `a` may meet; indices within the
-  /// kind. `out` has room for all.
+  /// The edges with index from `first` on, of one kind, that edge `a` may meet, as indices within
+  /// the kind. `out` must have room for all.
   std::size_t candidates(bool a_is_s, std::uint32_t a, bool b_is_s, std::uint32_t first,
                          std::uint32_t* out) const;
 
-  /// Bounds by how much the doubles of c, A and B (docs/definitions.md) are off.
+  /// Bounds the errors of the doubles c, A and B (docs/definitions.md).
   double error() const { return error_; }
 
  private:

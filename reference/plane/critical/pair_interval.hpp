@@ -12,14 +12,14 @@
 
 namespace minkref::inline plane {
 
-/// x(s) is at an end point u(s) = s p + q where s alpha = beta, alpha = p - sigma and
-/// beta = x0 - sigma - q (Sec. 4.2.1 and 4.2.2). Both are multiples of `direction`.
+/// x(s) equals an end point u(s) = s p + q iff s alpha = beta, alpha = p - sigma and beta = x0 -
+/// sigma - q (Sec. 4.2.1 and 4.2.2). Both are multiples of `direction`.
 template <class T>
 struct EndCondition {
   Vector2<T> direction, alpha, beta;
 };
 
-/// In the order of PairEnd. The edges are not parallel.
+/// The four conditions as PairEnd orders them. Requires edges that are not parallel.
 template <class T>
 std::array<EndCondition<T>, 4> end_conditions(const MovingEdge<Vector2<T>>& a,
                                               const MovingEdge<Vector2<T>>& b,
@@ -38,7 +38,7 @@ std::array<EndCondition<T>, 4> end_conditions(const MovingEdge<Vector2<T>>& a,
   return end_conditions<T>(a, b, line_intersection<T>(a, b));
 }
 
-/// The scale of each end point, in the order of PairEnd.
+/// Each end point's scale, as PairEnd orders them.
 template <class T>
 using EndScales = std::array<ScaleSolution<T>, 4>;
 
@@ -52,7 +52,7 @@ EndScales<T> end_scales(const std::array<EndCondition<T>, 4>& conditions, Form f
   return result;
 }
 
-/// A closed interval of scales s > 0, by its bounds alone.
+/// A closed interval of scales s > 0, known by its bounds only.
 template <class T>
 struct BoundedScales {
   bool empty = false;
@@ -60,8 +60,8 @@ struct BoundedScales {
 };
 
 /// [max of the lower ends' scales, min of the upper ends' scales], cut to s > 0. An end point
-/// without a root, the solve being inconsistent or an identity, bounds nothing. A lower bound that
-/// is not positive bounds nothing either; an upper one leaves nothing.
+/// without a root, because the solve is inconsistent or an identity, bounds nothing. A lower bound
+/// <= 0 bounds nothing either; an upper bound <= 0 leaves nothing.
 template <class T>
 BoundedScales<T> between(const EndScales<T>& scales, std::array<PairEnd, 2> lower_ends,
                          std::array<PairEnd, 2> upper_ends) {
@@ -87,8 +87,8 @@ BoundedScales<T> between(const EndScales<T>& scales, std::array<PairEnd, 2> lowe
   return result;
 }
 
-/// As printed (Sec. 4.2.3): [max{B_a0, B_b0}, min{B_a1, B_b1}]. Right only where the slopes happen
-/// to have the signs that it takes for granted; never for convex P.
+/// As printed (Sec. 4.2.3): [max{B_a0, B_b0}, min{B_a1, B_b1}]. Right only if the slopes happen to
+/// have the signs taken for granted; never for convex P.
 template <class T>
 BoundedScales<T> printed_interval(const EndScales<T>& scales) {
   return between<T>(scales, {PairEnd::a0, PairEnd::b0}, {PairEnd::a1, PairEnd::b1});
@@ -104,8 +104,8 @@ BoundedScales<T> convex_interval(const EndScales<T>& scales, int turn) {
   return between<T>(scales, {PairEnd::a1, PairEnd::b0}, {PairEnd::a0, PairEnd::b1});
 }
 
-/// As corrected: x(s) is not before the start of an edge where direction . (beta - s alpha) >= 0
-/// for the start, and not beyond its end where the same is <= 0 for the end.
+/// As corrected: x(s) does not come before an edge's start iff direction . (beta - s alpha) >= 0
+/// for the start, nor beyond its end iff the same <= 0 for the end.
 template <class T>
 BoundedScales<T> corrected_interval(const std::array<EndCondition<T>, 4>& conditions) {
   std::array<HalfLine<T>, 4> lines;

@@ -43,7 +43,7 @@ ParallelSpans<typename K::Wide> parallel_spans(const K& kernel,
 
 }  // namespace detail
 
-/// For a and b with d_a x d_b = 0. Exact as the kernel's signs are.
+/// Requires d_a x d_b = 0. As exact as the kernel's signs.
 template <class K>
 ParallelPair<K> parallel_pair(const K& kernel, const MovingEdge<typename K::Vector>& a,
                               const MovingEdge<typename K::Vector>& b) {

@@ -9,8 +9,8 @@
 
 namespace minkref::inline plane {
 
-/// A closed interval within (0, infinity), named by the half-lines that bound it. Without a lower
-/// bound it goes down to 0 (which is not in it), without an upper one to infinity.
+/// A closed interval within (0, infinity), named by its bounding half-lines. Without a lower bound
+/// the interval goes down to 0 (excluded), without an upper bound to infinity.
 template <class K>
 struct ScaleInterval {
   struct Bound {
@@ -25,7 +25,7 @@ struct ScaleInterval {
   }
 };
 
-/// Exact as the kernel's signs are.
+/// As exact as the kernel's signs.
 template <class K>
 ScaleInterval<K> intersection_of_half_lines(const K& kernel,
                                             std::span<const HalfLine<typename K::Wide>> lines) {
@@ -90,7 +90,7 @@ ScaleInterval<K> printed_rule(const K& kernel,
   return result;
 }
 
-/// Whether both are the same set of scales.
+/// Whether both hold the same scales.
 template <class K>
 bool same_scales(const K& kernel, const ScaleInterval<K>& x, const ScaleInterval<K>& y) {
   if (x.empty || y.empty) return x.empty == y.empty;

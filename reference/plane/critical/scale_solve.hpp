@@ -24,8 +24,8 @@ struct ScaleSolution {
 template <class T, int D>
 using ScaleVector = Eigen::Matrix<T, D, 1>;
 
-/// As printed: D equations in one unknown, "no solution for s if the system is inconsistent". The
-/// component of alpha that is largest gives s, the others must agree, by equality in T. In rounding
+/// As printed: D equations for one unknown, "no solution for s if the system is inconsistent". The
+/// largest component of alpha gives s, the others must agree, by equality of T. Under rounding
 /// arithmetic they seldom do. Throws UndecidedSign where T cannot tell.
 template <class T, int D>
 ScaleSolution<T> solve_by_consistency(const ScaleVector<T, D>& alpha,
@@ -47,8 +47,8 @@ ScaleSolution<T> solve_by_consistency(const ScaleVector<T, D>& alpha,
   return {Solution::root, scale};
 }
 
-/// As corrected: alpha and beta are multiples of `direction` (of the edge to which the end point
-/// belongs), so the system is the one equation s (direction . alpha) = direction . beta.
+/// As corrected: alpha and beta are multiples of `direction` (from the end point's edge), so the
+/// system reduces to the equation s (direction . alpha) = direction . beta.
 template <class T, int D>
 ScaleSolution<T> solve_along(const ScaleVector<T, D>& direction, const ScaleVector<T, D>& alpha,
                              const ScaleVector<T, D>& beta) {
@@ -57,8 +57,8 @@ ScaleSolution<T> solve_along(const ScaleVector<T, D>& direction, const ScaleVect
   return {sign(value) == 0 ? Solution::identity : Solution::inconsistent, T(0)};
 }
 
-/// The overdetermined system by least squares: s = (alpha . beta) / (alpha . alpha). Never
-/// inconsistent, save where alpha is zero.
+/// Solves the overdetermined system by least squares: s = (alpha . beta) / (alpha . alpha). Never
+/// inconsistent, unless alpha is zero.
 template <class T, int D>
 ScaleSolution<T> solve_by_least_squares(const ScaleVector<T, D>& alpha,
                                         const ScaleVector<T, D>& beta) {
@@ -67,7 +67,7 @@ ScaleSolution<T> solve_by_least_squares(const ScaleVector<T, D>& alpha,
   return {sign(T(beta.dot(beta))) == 0 ? Solution::identity : Solution::inconsistent, T(0)};
 }
 
-/// The system with a tolerance: what is at most `tolerance` counts as zero.
+/// Solves the system with a tolerance: numbers up to `tolerance` count as zero.
 template <class T, int D>
 ScaleSolution<T> solve_within(const ScaleVector<T, D>& alpha, const ScaleVector<T, D>& beta,
                               const T& tolerance) {

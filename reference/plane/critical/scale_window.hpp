@@ -7,15 +7,15 @@
 
 namespace minkref::inline plane {
 
-/// A closed window of scales; without a bound it is open towards 0 or infinity.
+/// A closed window of scales; a missing bound leaves the window open towards 0 or infinity.
 struct ScaleWindow {
   std::optional<Rational> from, to;
 };
 
-/// Throws BadInput ("bad-window") where a bound is not positive or the window is empty.
+/// Throws BadInput ("bad-window") for a bound <= 0 or an empty window.
 void refuse_bad_window(const ScaleWindow& window);
 
-/// The open window that holds a closed one with a little room on either side, so that events at its
+/// An open window around a closed one, with a little room on either side, so that events at the
 /// ends have both their sides.
 ScaleWindow opened(const ScaleWindow& closed);
 

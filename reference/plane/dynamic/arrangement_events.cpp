@@ -1,4 +1,4 @@
-// Scales of events that have been found.
+// Scales of found events.
 #include "reference/plane/dynamic/arrangement_events.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// All scales at which the arrangement of the reduced convolution changes, and what changes.
+// All scales at which the arrangement of the reduced convolution changes, and the changes.
 #pragma once
 
 #include <memory>
@@ -8,9 +8,8 @@
 
 namespace minkref::inline plane {
 
-/// Nodes of all edges with the events at which they appear, disappear and swap. Events of one scale
-/// form a group; groups are numbered from 0 in the order of their scales, and in EdgeNode::from and
-/// to stand groups.
+/// Nodes of all edges with the events at which nodes appear, disappear and swap. Events of equal
+/// scale form a group; groups are numbered from 0 by scale, and EdgeNode::from and to hold groups.
 class ArrangementEvents {
  public:
   /// Pair, parallel and triple events within the *open* window. Exact. Operands must have passed
@@ -27,15 +26,15 @@ class ArrangementEvents {
   std::size_t groups() const { return approximate_.size(); }
   double approximate(std::uint32_t group) const { return approximate_[group]; }
   Rational exact(std::uint32_t group) const;
-  /// An event of the group, if it has one of this kind (one of the two, or neither).
+  /// An event that gives the group its scale, if any; at most one of the two is not null.
   const PairEvent* pair_event_at(std::uint32_t group) const;
   const TripleEvent* triple_event_at(std::uint32_t group) const;
   std::uint32_t group_of_triple(std::size_t triple) const { return group_of_triple_[triple]; }
-  /// The group of an event of pairs(); EdgeNode::always if the event is not inside the window.
+  /// The group of an event of pairs(); EdgeNode::always for an event not inside the window.
   std::uint32_t group_of_pair_event(std::size_t event) const {
     return group_of_rank_[pairs_.events[event].rank];
   }
-  /// How many groups lie before a scale; `at` tells whether the next one is at the scale.
+  /// The count of groups before a scale; `at` tells whether the next group lies at the scale.
   struct Location {
     std::uint32_t before = 0;
     bool at = false;

@@ -42,7 +42,7 @@ ArrangementEvents::ArrangementEvents(const PolygonSet& P, const PolygonSet& Q,
 }
 
 void ArrangementEvents::collect_nodes() {
-  // Moments of the pair and parallel events; those at the ends of the window lie outside.
+  // Moments of the pair and parallel events; events at the ends of the window lie outside.
   const auto& events = pairs_.events;
   std::vector<std::uint32_t> moment_of_rank(pairs_.distinct, EdgeNode::always);
   for (std::size_t i = 0; i < events.size(); ++i) {
@@ -91,7 +91,7 @@ void ArrangementEvents::collect_nodes() {
     }
   }
 
-  // Nodes by edge: counted, then placed.
+  // Counts, then places, the nodes of each edge.
   struct Placed {
     std::uint32_t edge;
     EdgeNode node;

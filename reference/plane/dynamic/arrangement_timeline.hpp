@@ -1,4 +1,4 @@
-// The whole history of the arrangement of the reduced convolution over a window of scales.
+// The reduced convolution's arrangement: its whole history over a window of scales.
 #pragma once
 
 #include <array>

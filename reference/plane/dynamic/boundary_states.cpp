@@ -13,7 +13,7 @@ std::uint64_t key_of(std::uint32_t edge, std::uint32_t node) {
   return std::uint64_t{edge} << 32 | node;
 }
 
-/// Items of one group, of a list sorted by group.
+/// The range of a group's items within a list sorted by group.
 template <class T, class Group>
 std::pair<std::size_t, std::size_t> of_group(const std::vector<T>& items, std::uint32_t group,
                                              Group&& group_of) {
@@ -68,7 +68,7 @@ std::uint32_t BoundaryStates::track_of(std::uint32_t edge, std::uint32_t node) c
 }
 
 BoundaryAtGroup BoundaryStates::at_group(std::uint32_t group) const {
-  // Tracks that coincide: each stands for the least of them.
+  // Coincident tracks: the least represents each.
   std::unordered_map<std::uint32_t, std::uint32_t> parent;
   const auto find = [&](std::uint32_t track) {
     for (auto at = parent.find(track); at != parent.end(); at = parent.find(track)) {
@@ -85,7 +85,7 @@ BoundaryAtGroup BoundaryStates::at_group(std::uint32_t group) const {
       if (a != b) parent[std::max(a, b)] = std::min(a, b);
     }
   }
-  // Ends of pieces along edges that lie on each other at this scale only.
+  // Ends of pieces along edges that overlap at this scale only.
   const auto pieces = of_group(timeline_->at_groups, group, [](const auto& p) { return p.group; });
   if (pieces.second - pieces.first > 1) {
     const Rational scale = timeline_->events->exact(group);

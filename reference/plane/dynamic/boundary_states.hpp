@@ -1,4 +1,4 @@
-// The boundary of the sum between two groups of events, and at the scale of one.
+// The sum's boundary between two groups of events, and at a group's scale.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace minkref::inline plane {
 
-/// Tracks of the nodes that the boundary has at some scale, each once, and the links of any state.
+/// Tracks of all nodes on the boundary at some scale, each once, and the links of any state.
 class BoundaryStates : public BoundaryHistory {
  public:
   explicit BoundaryStates(std::shared_ptr<const ArrangementTimeline> timeline);
@@ -41,7 +41,7 @@ class BoundaryStates : public BoundaryHistory {
   std::unordered_map<std::uint64_t, std::uint32_t> track_of_node_;
 };
 
-/// The points of a state at a scale, and its links without duplicates. Exact.
+/// A state's points at a scale, and its links without duplicates. Exact.
 BoundaryGraph boundary_graph(const std::vector<Track>& tracks, BoundaryState state,
                              CycleFinder& cycles, const Rational& scale);
 

@@ -28,7 +28,7 @@ class DynamicArrangement {
   StepReport move_to(const Rational& scale);
 
   const Rational& scale() const { return scale_; }
-  /// Whether the scale is that of a group of events.
+  /// Whether the scale belongs to a group of events.
   bool at_event() const { return lists_.place() % 2 == 1; }
   /// The group at or just above the scale.
   std::uint32_t group() const { return lists_.place() / 2; }
@@ -39,15 +39,15 @@ class DynamicArrangement {
   std::size_t node_count() const { return lists_.size(); }
   /// Exact.
   Point position(std::uint32_t edge, std::uint32_t node) const;
-  /// The positions of all nodes, edge by edge, in doubles: x, y, x, y, ... O(nodes).
+  /// The positions of all nodes as doubles, edge by edge: x, y, x, y, ... O(nodes).
   void positions(std::vector<double>& xy) const;
 
-  /// The boundary of the sum at this scale, from its sub-edges. Exact. O(b log b) for b of them,
-  /// and O(boundary events crossed since the last call).
+  /// The sum's boundary at this scale, from its sub-edges. Exact. O(b log b) for b sub-edges, and
+  /// O(boundary events crossed since the last call).
   BoundaryGraph boundary();
 
  private:
-  /// In doubles: an edge by p, q and d of MovingEdge; how a node moves along its edge.
+  /// As doubles: an edge's p, q and d (see MovingEdge); a node's motion along its edge.
   struct Line {
     double px, py, qx, qy, dx, dy;
   };

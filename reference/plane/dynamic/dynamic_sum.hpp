@@ -12,11 +12,11 @@ namespace minkref::inline plane {
 /// The dynamic sum of Behar & Lien 2012, Sec. 4.2.4.
 class DynamicSum {
  public:
-  /// Finds all events of a closed window of scales (open towards 0 or infinity where a bound is
-  /// none). Throws BadInput for a bad window or operands. Cost: arrangement_timeline.
+  /// Finds all events of a closed window of scales (open towards 0 or infinity without a bound).
+  /// Throws BadInput for a bad window or operands. Cost: arrangement_timeline.
   DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window);
 
-  /// Whether an operand is empty, and with it every sum.
+  /// Whether an operand, and thus every sum, is empty.
   bool empty() const { return states_ == nullptr; }
   const ScaleWindow& window() const { return window_; }
   const BoundaryStates& states() const { return *states_; }
@@ -25,7 +25,7 @@ class DynamicSum {
   /// Moves to a scale of the window; throws BadInput ("outside-window") otherwise. Exact. O(events
   /// crossed).
   StepReport move_to(const Rational& scale);
-  /// The sum where it stands, in canonical form. Exact. O(b log b) for a boundary of b edges.
+  /// The sum at the current scale, as canonical form. Exact. O(b log b) for a boundary of b edges.
   Sum sum();
 
  private:

@@ -1,4 +1,4 @@
-// Happenings on each convolution edge, group of events by group of events.
+// Each convolution edge's happenings, one group of events after another.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct Happening {
   std::uint32_t first, second;  ///< local node; the other edges of a triple; the parallel edge
 };
 
-/// Items by the edge that they belong to.
+/// Items sorted by their edge.
 template <class T>
 class ByEdge {
  public:
@@ -37,12 +37,12 @@ class ByEdge {
   std::vector<std::uint32_t> first_;
 };
 
-/// The happenings of all edges. O(events) to build.
+/// All edges' happenings. O(events) to build.
 class EdgeHappenings {
  public:
   explicit EdgeHappenings(const ArrangementEvents& events);
 
-  /// Sorted by group and kind. O(k log k).
+  /// Happenings sorted by group and kind. O(k log k).
   void of(std::uint32_t edge, std::vector<Happening>& happenings) const;
 
  private:

@@ -9,12 +9,11 @@
 
 namespace minkref::inline plane {
 
-/// Ends of an edge where a node is asked for.
+/// An edge's own ends, wherever a node is expected.
 inline constexpr std::uint32_t start_of_edge = 0xfffffffeU, end_of_edge = 0xfffffffdU;
 
-/// A change of the order of nodes along an edge. Each group of events has two steps: 2 g, after
-/// which the arrangement is that at the scale of group g, and 2 g + 1, after which it is that just
-/// above.
+/// A change of the node order along an edge. Each group g of events has two steps: after step 2 g
+/// the arrangement stands at the group's scale, after 2 g + 1 just above.
 struct NodeChange {
   enum class Kind : std::uint8_t {
     insertion,  ///< of `node`, at `rank` among the edge's nodes
@@ -27,7 +26,7 @@ struct NodeChange {
   Kind kind = Kind::insertion;
 };
 
-/// A NodeChange in a list that is sorted by step; the edge is that of the node. There are millions.
+/// A NodeChange within a list sorted by step; its node tells the edge. Millions of them exist.
 struct PackedChange {
   std::uint32_t node;
   std::uint32_t rank_and_kind;
@@ -39,29 +38,29 @@ struct PackedChange {
   NodeChange::Kind kind() const { return static_cast<NodeChange::Kind>(rank_and_kind & 3); }
 };
 
-/// A piece of an edge between two of its nodes that is on the boundary of the sum in the open
-/// intervals of scales `first` to `last`; interval i lies between groups i - 1 and i.
+/// A piece of an edge between two of its nodes that belongs to the sum's boundary during the open
+/// scale intervals `first` to `last`; interval i lies between groups i - 1 and i.
 struct SubEdge {
   std::uint32_t edge = 0;
   std::uint32_t from = 0, to = 0;  ///< nodes, or start_of_edge, end_of_edge
   std::uint32_t first = 0, last = 0;
 };
 
-/// A piece of an edge on the boundary at the scale of a group, where it is not simply a sub-edge
-/// that goes on: it is part of `before` and becomes part of `after` (either may be no_sub_edge).
+/// A piece of an edge on the boundary at a group's scale, unless a sub-edge simply goes on: part of
+/// `before`, later part of `after` (either may be no_sub_edge).
 struct SubEdgeAtGroup {
   std::uint32_t group = 0, edge = 0;
   std::uint32_t from = 0, to = 0;
   std::uint32_t before = no_sub_edge, after = no_sub_edge;
 };
 
-/// Nodes of an edge that are one point at the scale of a group.
+/// Nodes of an edge that coincide at a group's scale.
 struct CoincidentNodes {
   std::uint32_t group = 0, edge = 0;
   std::vector<std::uint32_t> nodes;
 };
 
-/// The history of all edges that have been swept; each list in the order of the edges.
+/// The history of all swept edges; each list has the edges' order.
 struct EdgeHistory {
   std::vector<std::vector<std::uint32_t>> initial;  ///< nodes along each edge in interval 0
   std::vector<NodeChange> changes;

@@ -80,7 +80,7 @@ struct EdgeSweep::Impl {
     history.decided_exactly = decide.decided_exactly;
   }
 
-  /// The order in interval 0: just above the beginning of the window.
+  /// The order during interval 0: just above the window's beginning.
   void first_order() {
     list.clear();
     for (std::uint32_t n = 0; n < edge.count(); ++n) {
@@ -140,7 +140,7 @@ struct EdgeSweep::Impl {
     }
   }
 
-  /// Insertions, and which nodes are in one place.
+  /// Inserts arriving nodes, and finds coincident nodes.
   void at_the_scale(Group& g) {
     for (const std::uint32_t x : g.arriving) {
       const auto place = std::lower_bound(list.begin() + 1, list.end() - 1, x,
@@ -166,7 +166,7 @@ struct EdgeSweep::Impl {
     }
   }
 
-  /// Deletions, then the order of what stays in one place.
+  /// Deletes departing nodes, then orders the remaining coincident nodes.
   void above_the_scale(const Group& g) {
     for (std::size_t i = list.size() - 1; i-- > 1;) {
       if (!in(g.departing, list[i])) continue;
@@ -192,7 +192,7 @@ struct EdgeSweep::Impl {
     }
   }
 
-  /// A piece of positive length at the scale of a group, within one gap before and one after.
+  /// A piece of positive length at a group's scale, within one gap before and one after.
   struct Stretch {
     std::uint32_t from, to;
     std::size_t before, after;
@@ -223,8 +223,8 @@ struct EdgeSweep::Impl {
     return stretches;
   }
 
-  /// The status of each gap above the group: that of the gaps below it that make it up at the
-  /// scale of the group, where they agree; else it is decided.
+  /// Sets each gap's status above the group: the gaps below that form it at the group's scale give
+  /// the status, if they agree; otherwise it is decided anew.
   void carry_status(const Group& g) {
     std::vector<Stretch> stretches = stretches_of(g);
     status.assign(list.size() - 1, Status::interior);
@@ -261,8 +261,8 @@ struct EdgeSweep::Impl {
     return decide.between(list[j], list[j + 1], g.group, g.next);
   }
 
-  /// The sub-edge that goes on as gap j, which stretches `first` to `end` make up, if one does: its
-  /// ends stay, and all of it does.
+  /// The sub-edge that continues as gap j, formed by stretches `first` to `end`, if its ends and
+  /// all of its length remain.
   std::uint32_t continued(const Group& g, const std::vector<Stretch>& stretches, std::size_t first,
                           std::size_t end, std::size_t j) const {
     if (first == end) return no_sub_edge;
@@ -291,7 +291,7 @@ struct EdgeSweep::Impl {
     }
   }
 
-  /// Blocks of nodes in one place that the boundary touches, before or after.
+  /// Blocks of coincident nodes that the boundary touches, before or after.
   void coincident(const Group& g, const std::vector<Stretch>& stretches) {
     const auto touches = [&](std::size_t first, std::size_t last) {
       return std::any_of(stretches.begin(), stretches.end(), [&](const Stretch& stretch) {

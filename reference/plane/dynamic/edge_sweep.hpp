@@ -10,11 +10,11 @@
 
 namespace minkref::inline plane {
 
-/// The order of the nodes along an edge is that of their positions, which are linear in the scale;
-/// it changes at events only. A sub-edge that exists between two events is on the boundary at all
-/// scales between them or at none, since the arrangement of the reduced convolution contains the
-/// boundary; one that goes on across an event (with positive length at its scale) keeps its status.
-/// So collision detection is asked once for each sub-edge that is born with length zero.
+/// Positions order the nodes along an edge; they are linear functions of the scale, so the order
+/// changes at events only. A sub-edge between two events belongs to the boundary at all scales
+/// between them or at none, since the arrangement of the reduced convolution contains the boundary;
+/// a sub-edge that goes on across an event (with positive length at the event's scale) keeps its
+/// status. So collision detection runs once for each sub-edge born with length zero.
 class EdgeSweep {
  public:
   EdgeSweep(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events);

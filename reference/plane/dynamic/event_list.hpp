@@ -1,4 +1,4 @@
-// The arrangement events of a window in the order of their scales.
+// A window's arrangement events by scale.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace minkref::inline plane {
 
-/// One event of the list.
+/// An entry of the list.
 struct ListedEvent {
   enum class Kind : std::uint8_t {
     pair,     ///< an event of ArrangementEvents::pairs(), also a parallel one
@@ -20,7 +20,7 @@ struct ListedEvent {
   std::uint32_t edge = 0;   ///< of the node
 };
 
-/// Events within the closed window, sorted by group, pair events before triple ones.
+/// Events within the closed window, sorted by group, pair events before triple events.
 std::vector<ListedEvent> listed_events(const ArrangementEvents& events, const ScaleWindow& closed);
 
 }  // namespace minkref::inline plane

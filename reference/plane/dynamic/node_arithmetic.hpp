@@ -1,4 +1,4 @@
-// Exact comparisons of nodes along an edge, in the arithmetic that fits the operands.
+// Exact comparisons of nodes along an edge, with arithmetic that fits the operands.
 #pragma once
 
 #include <memory>
@@ -9,23 +9,23 @@
 
 namespace minkref::inline plane {
 
-/// Nodes are named as in the table; start_of_edge and end_of_edge (edge_history.hpp) name the ends
-/// of the edge itself. All answers are exact.
+/// Nodes have their names from the table; start_of_edge and end_of_edge (edge_history.hpp) name the
+/// edge's own ends. All answers are exact.
 class NodeArithmetic {
  public:
   virtual ~NodeArithmetic() = default;
-  /// slope s + value of PositionAlong, each rounded once: of all nodes of an edge, in the order of
-  /// the table.
+  /// PositionAlong's slope and value, each rounded once, for all nodes of an edge as the table
+  /// orders them.
   virtual void columns(std::uint32_t edge, std::vector<double>& slope,
                        std::vector<double>& value) const = 0;
-  /// The scale of a group.
+  /// A group's scale.
   virtual Fraction scale(std::uint32_t group) const = 0;
-  /// The sign of the difference of two positions at a scale.
+  /// The sign of the difference between two positions at a scale.
   virtual int compare(std::uint32_t edge, std::uint32_t x, std::uint32_t y,
                       const Fraction& scale) const = 0;
-  /// The sign of the difference of their slopes.
+  /// The sign of the difference between two slopes.
   virtual int compare_slopes(std::uint32_t edge, std::uint32_t x, std::uint32_t y) const = 0;
-  /// Whether they are one point at every scale.
+  /// Whether two nodes coincide at every scale.
   virtual bool same_track(std::uint32_t edge, std::uint32_t x, std::uint32_t y) const = 0;
 };
 

@@ -48,7 +48,7 @@ std::size_t NodeLists::spacing() const {
   return std::max(changes / most, (slots_.size() + length_.size()) / 32) + 16;
 }
 
-/// The cost of loading a snapshot, in changes: copying is fast.
+/// The cost of loading a snapshot, counted as changes: copying is fast.
 std::size_t NodeLists::load_cost() const { return (slots_.size() + length_.size()) / 64 + 8; }
 
 void NodeLists::take_snapshots() {

@@ -7,23 +7,23 @@
 
 namespace minkref::inline plane {
 
-/// How often nodes were inserted, deleted and swapped with a neighbour; a node that has just come
-/// is not swapped but settles among those in its place.
+/// Counts of node insertions, deletions and swaps with a neighbour; a new node does not swap but
+/// settles among the nodes at its place.
 struct ChangeCounts {
   std::uint64_t insertions = 0, deletions = 0, swaps = 0;
 };
 
-/// Lists that are kept while one steps through a timeline in both directions, change by change. A
-/// long way is cut short: whole lists stand ready every so many changes, and the walk begins at the
-/// nearest. Place p is after p steps.
+/// Lists that follow steps through a timeline both ways, change by change. Snapshots of whole
+/// lists, taken at regular intervals of changes, shorten a long way: the walk begins at the
+/// nearest. Place p comes after p steps.
 class NodeLists {
  public:
-  /// At place 0. `timeline` must outlive it. O(changes) and the snapshots, for which there are 64
-  /// MiB, or as many bytes as the changes have where that is more.
+  /// Starts at place 0. `timeline` must outlive the lists. O(changes) plus the snapshots, which may
+  /// take 64 MiB, or as many bytes as the changes if more.
   explicit NodeLists(const ArrangementTimeline& timeline);
 
   std::uint32_t place() const { return place_; }
-  /// The changes on the way, as if one had walked it. O(min(changes on the way, slots)).
+  /// The changes on the way, as if counted by a walk. O(min(changes on the way, slots)).
   ChangeCounts move_to(std::uint32_t place);
 
   /// In their order; valid until the next move.

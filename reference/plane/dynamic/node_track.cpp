@@ -12,7 +12,7 @@ Track node_track(const ArrangementEvents& events, std::uint32_t edge, std::uint3
     (e.is_s() ? position.slope : position.value) = 1;
   } else if (node != start_of_edge) {
     const EdgeNode& n = events.table().nodes[node];
-    // For edges that are on one line at one scale only, the end point itself, not its projection.
+    // For edges on a common line at one scale only: the end point itself, not its projection.
     if (n.kind == EdgeNode::Kind::start_of_other) return node_track(events, n.other, start_of_edge);
     if (n.kind == EdgeNode::Kind::end_of_other) return node_track(events, n.other, end_of_edge);
     position = node_position(PlainKernel<Rational>{}, events.moving(), edge, n);

@@ -1,4 +1,4 @@
-// Where a node of the arrangement is, as a function of the scale.
+// A node's position as a function of the scale.
 #pragma once
 
 #include "reference/plane/dynamic/arrangement_events.hpp"
@@ -6,7 +6,7 @@
 
 namespace minkref::inline plane {
 
-/// The point of a node of an edge; start_of_edge and end_of_edge (edge_history.hpp) name the edge's
+/// The track of an edge's node; start_of_edge and end_of_edge (edge_history.hpp) name the edge's
 /// own ends. Exact. Some 5 us.
 Track node_track(const ArrangementEvents& events, std::uint32_t edge, std::uint32_t node);
 

@@ -68,8 +68,8 @@ SubEdgeStatus::Place SubEdgeStatus::place(double along, double along_terms, doub
   return {e.px * s + e.qx + e.dx * along, e.py * s + e.qy + e.dy * along, terms * 0x1p-46 + 1e-300};
 }
 
-/// Whether the sub-edge just after (or before) a node runs on the left of the edge that crosses
-/// there, where everything is inside the sum. False if doubles cannot tell.
+/// Whether the sub-edge just after (or before) a node runs left of the edge that crosses there,
+/// where everything lies inside the sum. False if doubles cannot tell.
 bool SubEdgeStatus::certainly_left(std::uint32_t local, bool after, double s) const {
   // A point or a segment need not widen an edge where another ring touches it.
   if (!regions_ || !in_filter_range(s)) return false;
@@ -79,7 +79,7 @@ bool SubEdgeStatus::certainly_left(std::uint32_t local, bool after, double s) co
   const double left = f.dx * e.dy, right = f.dy * e.dx;
   const double bound = (std::abs(left) + std::abs(right)) * 0x1p-48 + 1e-300;
   if (after ? !(left - right > bound) : !(left - right < -bound)) return false;
-  // Not at an end of the other edge, beyond which it has no left side.
+  // Excludes the ends of the other edge, beyond which it has no left side.
   const Place x = place(swept_.near(local, s), swept_.terms(local, s), s);
   const double length = events_.moving()[other].is_s() ? s : 1.0;
   const double ax = f.px * s + f.qx, ay = f.py * s + f.qy;
@@ -94,7 +94,7 @@ bool SubEdgeStatus::certainly_left(std::uint32_t local, bool after, double s) co
   return apart(ax, ay) && apart(bx, by);
 }
 
-/// Whether an edge on this line in the other direction runs along a point of this edge.
+/// Whether an opposite edge on the same line runs along a point of this edge.
 bool SubEdgeStatus::covered_against(const Point& x, const Rational& scale,
                                     std::uint32_t other) const {
   const RationalEdge& f = events_.moving()[other];
@@ -125,7 +125,7 @@ Status SubEdgeStatus::at(std::uint32_t x, std::uint32_t y, const SampleScale& sa
     return covered_against(point, sample.scale, other);
   };
   const std::span<const std::uint32_t> one_line = always_on_one_line_.of(swept_.edge());
-  // A passage through a point in which rings touch may be held on one side by no edge.
+  // Possibly no edge bounds one side of a passage through a point where rings touch.
   const bool tight =
       std::any_of(one_line.begin(), one_line.end(), against) ||
       std::any_of(overlaps.begin(), overlaps.end(), against) ||

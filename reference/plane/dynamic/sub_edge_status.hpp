@@ -7,8 +7,7 @@
 
 namespace minkref::inline plane {
 
-/// The place of a sub-edge in the sum: `tight` if only the sum of the interiors misses the
-/// sub-edge.
+/// A sub-edge's place relative to the sum: `tight` if only the interiors' sum misses the sub-edge.
 enum class Status : std::uint8_t { interior, boundary, tight };
 
 /// A scale with its nearest double.
@@ -17,15 +16,15 @@ struct SampleScale {
   double approximate = 0;
 };
 
-/// Collision detection (Behar & Lien 2012, Sec. 3) for the middle of a sub-edge of the edge that is
-/// being swept. Exact: doubles decide only what they can prove.
+/// Collision detection (Behar & Lien 2012, Sec. 3) for the middle of a sub-edge of the swept edge.
+/// Exact: doubles decide only what they can prove.
 class SubEdgeStatus {
  public:
   /// `swept` must outlive it.
   SubEdgeStatus(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events,
                 const SweptEdge& swept);
 
-  /// Between two neighbours at a scale; `overlaps`: edges that are on this line at this scale only.
+  /// Between two neighbours at a scale; `overlaps`: edges that share this line at this scale only.
   Status at(std::uint32_t x, std::uint32_t y, const SampleScale& sample,
             const std::vector<std::uint32_t>& overlaps = {});
   /// Between two neighbours at all scales between two groups that follow each other on this edge

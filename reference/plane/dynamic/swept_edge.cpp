@@ -9,7 +9,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// The sign of x - y; 0 if doubles cannot tell. `terms`: the sum of what both were added up from.
+/// The sign of x - y; 0 if doubles cannot tell. `terms`: the sum of all summands of both.
 int sign_of_difference(double x, double y, double terms) {
   const double bound = terms * 2 * filter_bound + 1e-300;
   return x - y > bound ? 1 : x - y < -bound ? -1 : 0;

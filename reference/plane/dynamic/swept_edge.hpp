@@ -1,4 +1,4 @@
-// The nodes of the convolution edge that is being swept: names, positions, order.
+// The swept convolution edge's nodes: names, positions, order.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace minkref::inline plane {
 
-/// One edge at a time. Its nodes have local numbers from 0; then come its start and its end.
-/// Comparisons are exact: doubles decide where they can tell.
+/// Holds one edge at a time. Its nodes have local numbers from 0; the next two numbers mean its
+/// start and its end. Comparisons are exact: doubles decide if they can tell.
 class SweptEdge {
  public:
   SweptEdge(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events);
@@ -22,17 +22,17 @@ class SweptEdge {
   std::uint32_t count() const { return count_; }
   std::uint32_t start() const { return count_; }
   std::uint32_t end() const { return count_ + 1; }
-  /// The name of a local node in an EdgeHistory.
+  /// A local node's name within an EdgeHistory.
   std::uint32_t name(std::uint32_t local) const {
     return local == start() ? start_of_edge : local == end() ? end_of_edge : begin_ + local;
   }
   const EdgeNode& node(std::uint32_t local) const { return events_.table().nodes[begin_ + local]; }
 
-  /// The position along the edge is slope s + value, here in doubles.
+  /// The position along the edge, slope s + value, as doubles.
   double slope(std::uint32_t local) const { return slope_[local]; }
   double value(std::uint32_t local) const { return value_[local]; }
   double near(std::uint32_t local, double s) const { return slope_[local] * s + value_[local]; }
-  /// The sum of the terms of `near`, which bounds its rounding.
+  /// The sum of the terms of `near`: bounds its rounding.
   double terms(std::uint32_t local, double s) const {
     return std::abs(slope_[local]) * s + std::abs(value_[local]);
   }
@@ -40,12 +40,12 @@ class SweptEdge {
   /// The point half-way between two nodes.
   Point middle(std::uint32_t x, std::uint32_t y, const Rational& scale) const;
 
-  /// The sign of the position of x less that of y, at the scale of a group.
+  /// The sign of x's position less y's, at a group's scale.
   int compare_at_group(std::uint32_t x, std::uint32_t y, std::uint32_t group);
   int compare_at(std::uint32_t x, std::uint32_t y, const Rational& scale, double near_scale) const;
-  /// Whether x comes before y just above a scale at which both are in one place.
+  /// Whether x comes before y just above a scale at which both coincide.
   bool before_after_meeting(std::uint32_t x, std::uint32_t y) const;
-  /// Whether both are in one place at every scale.
+  /// Whether both coincide at every scale.
   bool same_track(std::uint32_t x, std::uint32_t y) const;
 
  private:

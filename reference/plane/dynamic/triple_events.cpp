@@ -16,8 +16,8 @@
 namespace minkref::inline plane {
 namespace {
 
-/// The nodes of one edge as columns: positions slope s + value, and the scales between which they
-/// exist, a little widened.
+/// One edge's nodes as columns: positions slope s + value, and each node's range of scales,
+/// slightly widened.
 struct Columns {
   std::vector<double> slope, value, from, to;
   std::vector<std::uint32_t> node;
@@ -36,7 +36,7 @@ struct Columns {
 /// order while both exist.
 MINKREF_CLONES std::size_t swap_candidates(const Columns& c, std::size_t i, std::size_t first,
                                            std::uint32_t* out) {
-  // A position is off by 2^-50 of its terms.
+  // A position's error is 2^-50 of its terms.
   const Block zero = {};
   const double bound = 0x1p-48;
   const double i_slope = std::abs(c.slope[i]), i_value = std::abs(c.value[i]);
@@ -126,9 +126,9 @@ class Search {
     return x.from == y.from || x.from == y.to || x.to == y.from || x.to == y.to;
   }
 
-  /// Whether two crossings along an edge change places, if ever, only where one of them ends: their
-  /// edges share a vertex, and change places there; or one of them shares a vertex with the edge
-  /// itself, so that its crossing stays at that end.
+  /// Whether two crossings along an edge change places, if ever, only at an end of either: because
+  /// their edges share a vertex, and change places there; or because one edge shares a vertex with
+  /// the edge itself, so that its crossing stays at that end.
   bool change_places_at_ends(std::uint32_t edge, std::size_t i, std::size_t j) const {
     const EdgeNode &x = table_.nodes[columns_.node[i]], &y = table_.nodes[columns_.node[j]];
     if (x.kind != EdgeNode::Kind::crossing || y.kind != EdgeNode::Kind::crossing) return false;
@@ -176,7 +176,7 @@ class Search {
                              static_cast<std::uint8_t>(1U << bit)});
   }
 
-  /// x < y, by doubles where they are certain.
+  /// x < y, by doubles if certain.
   template <class ExactX, class ExactY>
   static bool before(double x, ExactX&& exact_x, double y, ExactY&& exact_y) {
     const double bound = (std::abs(x) + std::abs(y)) * 2 * filter_bound;
@@ -185,7 +185,7 @@ class Search {
     return exact_x() < exact_y();
   }
 
-  /// One event for the swaps of a triple along its edges.
+  /// Merges the swaps of a triple along its edges into one event.
   std::vector<TripleEvent> merged() {
     auto& all = found_events_;
     std::sort(all.begin(), all.end(), [](const TripleEvent& x, const TripleEvent& y) {
@@ -211,7 +211,7 @@ class Search {
     return result;
   }
 
-  /// Whether two swaps of one triple have the same scale. Only edges on one line can have two
+  /// Whether two swaps of a triple have the same scale. Only edges on a common line can have two
   /// scales.
   bool same_scale(const TripleEvent& x, const TripleEvent& y) const {
     const auto crossing = [&](std::uint32_t n) {

@@ -1,4 +1,4 @@
-// Scales at which three convolution edges pass through one point.
+// Scales at which three convolution edges pass through a common point.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace minkref::inline plane {
 
-/// Edges a < b < c have a point in common at one scale, and there two of them swap along the third:
-/// both meet it at all scales nearby, in the other order before and after. The paper's Section 4.2
-/// has no such events (docs/definitions.md, "Kinds of critical scale").
+/// Edges a < b < c share a point at one scale, where two of them swap along the third: both meet
+/// the third at all scales nearby, and change their order at the event. The paper's Section 4.2 has
+/// no such events (docs/definitions.md, "Kinds of critical scale").
 struct TripleEvent {
   double approximate = 0;  ///< the scale, off by at most 2^-50 of it
   std::uint32_t a = 0, b = 0, c = 0;
-  /// Two nodes of one of the edges that swap: the event in exact terms.
+  /// Two swapping nodes of one edge: the event's exact definition.
   std::uint32_t edge = 0, first = 0, second = 0;
   std::uint8_t swaps = 0;  ///< bits 0, 1, 2: nodes swap along a, b, c
 };
 
-/// All triple events within the open window (0 and infinity where a bound is none), in no order.
-/// Exact: doubles discard pairs of nodes, integers or rationals decide. O(sum of k^2) over the
-/// numbers k of nodes that an edge ever has; memory O(N + events).
+/// All triple events within the open window (0 and infinity for missing bounds), unordered. Exact:
+/// doubles discard pairs of nodes, integers or rationals decide. O(sum of k^2) over the numbers k
+/// of nodes that an edge ever has; memory O(N + events).
 std::vector<TripleEvent> triple_events(const PolygonSet& P, const PolygonSet& Q,
                                        const std::vector<ConvolutionEdge>& edges,
                                        const NodeTable& table, const Moments& moments,

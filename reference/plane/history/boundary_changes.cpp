@@ -26,7 +26,7 @@ bool holds(const Point& from, const Point& to, const Point& p) {
   return (to.x - from.x) * (p.y - from.y) == (to.y - from.y) * (p.x - from.x);
 }
 
-/// One side that comes and one that leaves in its direction: no corner.
+/// An arriving side and a leaving side with the same direction form no corner.
 void drop_straight(std::vector<std::uint32_t>& sides) {
   sort_and_drop_duplicates(sides);
   if (sides.size() == 2 && sides[0] / 2 == sides[1] / 2) sides.clear();
@@ -90,7 +90,8 @@ BoundaryChanges::Sides BoundaryChanges::at_scale(std::span<const std::uint32_t> 
   return sides;
 }
 
-/// Not one corner that moves through the scale, nor a point where the boundary goes straight on.
+/// Excludes a single corner that moves through the scale, and points where the boundary goes
+/// straight on.
 bool BoundaryChanges::is_place(std::span<const std::uint32_t> tracks, std::uint32_t point,
                                std::uint32_t group, const BoundaryAtGroup& here) const {
   Sides corner;
@@ -140,7 +141,7 @@ std::optional<BoundaryChange> BoundaryChanges::at(std::uint32_t group, const Bou
                                                   std::span<const std::uint32_t> below,
                                                   std::span<const std::uint32_t> above) {
   const auto &ended = history_.end_with(group), &begun = history_.begin_with(group + 1);
-  // Points, by the tracks that stand for them, and the tracks that are there.
+  // Points, named by their representative tracks, with all tracks there.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> met;
   const auto meet = [&](std::uint32_t track) {
     met.emplace_back(here.standing_for(track), track);
@@ -183,7 +184,7 @@ std::optional<BoundaryChange> BoundaryChanges::at(std::uint32_t group, const Bou
         }
       }
     }
-    // Sides that have the place, and no end there.
+    // Adds sides through the place without an end there.
     const double near_scale = to_double(scale), x = to_double(place.x), y = to_double(place.y);
     const auto add = [&](std::span<const std::uint32_t> list, bool side) {
       for (const std::uint32_t s : list) {

@@ -22,19 +22,18 @@ class BoundaryChanges {
   /// `history` must outlive it.
   explicit BoundaryChanges(const BoundaryHistory& history);
 
-  /// None where the boundary below and above is one moving figure, and the boundary at the scale is
-  /// where that has come to. `below` and `above`: sub-edges in which a place may lie without being
-  /// an end of them, besides those that end and begin. Exact. O(sub-edges at the points where
-  /// something happens), and those given.
+  /// None if the boundary below and above is one moving figure, which reaches the boundary at the
+  /// scale. `below` and `above`: sub-edges that may contain the place without ending there, besides
+  /// sub-edges that end and begin. Exact. O(sub-edges at the points of change, plus the given
+  /// sub-edges).
   std::optional<BoundaryChange> at(std::uint32_t group, const BoundaryAtGroup& here,
                                    std::span<const std::uint32_t> below = {},
                                    std::span<const std::uint32_t> above = {});
 
  private:
-  /// Sides that begin and end at a point, by their directions; nothing where the boundary goes
-  /// straight on.
+  /// Sides that begin and end at a point, as directions; empty if the boundary goes straight on.
   using Sides = std::vector<std::uint32_t>;
-  /// Sub-edges by the tracks that they join.
+  /// Sub-edges at each of their two tracks.
   std::span<const std::uint32_t> of_track(std::uint32_t track) const {
     return {of_track_.data() + first_[track], of_track_.data() + first_[track + 1]};
   }

@@ -1,4 +1,4 @@
-// Closed walks along the boundary of a set, from the directions of its edges alone.
+// Closed walks along a set's boundary, from its edges' directions alone.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct BoundaryLink {
   std::uint32_t before = 0, after = 0;  ///< what it belongs to elsewhere; not looked at
 };
 
-/// The links as closed walks, paired at each point across a wedge of the interior of the set or of
-/// its exterior.
+/// The links as closed walks, paired at each point across a wedge of the set's interior or
+/// exterior.
 struct BoundaryCycles {
   struct Cycle {
     std::uint32_t first = 0;  ///< a link
@@ -34,14 +34,14 @@ class CycleFinder {
  public:
   explicit CycleFinder(const std::vector<RationalEdge>& edges);
 
-  /// Links between the same points along parallel edges count once: all but one are removed. Gives
-  /// the place in the result of each link that there was. Exact. O(n).
+  /// Removes all but one of the links between the same points along parallel edges. Returns each
+  /// original link's index after the removal. Exact. O(n).
   std::vector<std::uint32_t> remove_duplicates(std::vector<BoundaryLink>& links);
 
   /// Throws std::logic_error where the links do not close. Exact. O(n) for n links.
   BoundaryCycles find(const std::vector<BoundaryLink>& links, bool interior);
 
-  /// Points where more than one link starts, in the links last given to `find`.
+  /// Points where several links start, for the links last given to `find`.
   const std::vector<std::uint32_t>& pinches() const { return pinches_; }
 
   /// The sign of d_a x d_b.

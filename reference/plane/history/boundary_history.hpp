@@ -1,4 +1,4 @@
-// The boundary of the sum through a window of scales, whichever way it was found.
+// The sum's boundary through a window of scales, however found.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace minkref::inline plane {
 
-/// A directed straight piece of the boundary, the sum on its left, for some intervals in a row.
+/// A directed straight piece of the boundary, the sum on its left, for consecutive intervals.
 struct MovingLink {
   std::uint32_t from = 0, to = 0;     ///< tracks
   std::uint32_t edge = 0;             ///< of the convolution; one of those that it is on
@@ -27,11 +27,10 @@ struct BoundaryState {
 
 /// The boundary at the scale of a group, as far as it differs from the sub-edges that go on.
 struct BoundaryAtGroup {
-  /// Tracks that are at one point, each with the least of them, which stands for it; sorted. Those
-  /// that stand for themselves are left out.
+  /// Coincident tracks, each with the least of them as their representative; sorted.
+  /// Representatives are left out.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> merged;
-  /// Between tracks that stand for their points: parts of sub-edges that begin, end or are
-  /// interrupted.
+  /// Pieces between representative tracks: parts of sub-edges that begin, end or are interrupted.
   std::vector<BoundaryLink> pieces;
   std::vector<std::uint32_t> interrupted;  ///< sub-edges that go on, in pieces here; sorted
 
@@ -74,30 +73,31 @@ class BoundaryHistory {
   virtual BoundaryAtGroup at_group(std::uint32_t group) const = 0;
 
   std::vector<std::uint32_t> sub_edges_in(std::uint32_t interval) const;
-  /// Sub-edges that begin with an interval, and those that end with it.
+  /// Sub-edges that begin or end with an interval.
   const std::vector<std::uint32_t>& begin_with(std::uint32_t interval) const;
   const std::vector<std::uint32_t>& end_with(std::uint32_t interval) const;
 
-  /// The state in an interval with these sub-edges. Duplicates included.
+  /// An interval's state with these sub-edges, duplicates included.
   BoundaryState between(const std::vector<std::uint32_t>& sub_edges) const;
-  /// At the scale of a group, from the sub-edges of the interval before it. Duplicates included.
+  /// The state at a group's scale, from the sub-edges of the preceding interval, duplicates
+  /// included.
   BoundaryState at(std::uint32_t group, const BoundaryAtGroup& here,
                    const std::vector<std::uint32_t>& sub_edges) const;
 
-  /// Groups that surely leave holes and components as they are: what is known of them without a
-  /// look at the whole boundary. `change`: none where the vertices stay as well.
+  /// Groups that surely leave holes and components unchanged: facts known without the whole
+  /// boundary. `change`: none if the vertices stay as well.
   struct Quiet {
     std::optional<BoundaryEvent::Change> change;
   };
   virtual std::optional<Quiet> quiet(std::uint32_t) const { return std::nullopt; }
-  /// A number that only sub-edges share that bound the same hole and component in an interval; it
-  /// stays theirs across quiet groups. Asked for only where there are such groups.
+  /// A number shared only by sub-edges that bound the same hole and component during an interval;
+  /// quiet groups do not change it. Asked only if quiet groups exist.
   virtual std::uint32_t ring_of(std::uint32_t sub_edge, std::uint32_t /*interval*/) const {
     return sub_edge;
   }
 
  protected:
-  /// Once the sub-edges are there, before anything else is asked.
+  /// Call once the sub-edges exist, before any other question.
   void sort_by_interval();
 
  private:

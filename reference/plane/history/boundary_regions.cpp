@@ -16,14 +16,14 @@ using NearPoint = std::array<Interval, 2>;
 
 NearPoint near(const Point& p) { return {Interval(p.x), Interval(p.y)}; }
 
-/// The sign of a value in intervals, or where these do not tell its own.
+/// A value's sign from intervals, otherwise from the exact value.
 template <class Exact>
 int sign_of(const Interval& near, Exact&& exact) {
   if (const auto certain = certified_sign(near)) return *certain;
   return sign(exact());
 }
 
-/// Cycles as polygons at one scale: in intervals, and exact where these do not tell.
+/// Cycles as polygons at one scale: intervals first, exact numbers if these do not tell.
 class CyclesAtScale {
  public:
   CyclesAtScale(const std::vector<Track>& tracks, const std::vector<BoundaryLink>& links,
@@ -45,7 +45,7 @@ class CyclesAtScale {
     return {(a.x + b.x) / 2, (a.y + b.y) / 2};
   }
 
-  /// Whether a cycle winds around a point that is not on it.
+  /// Whether a cycle winds around a point off the cycle.
   bool around(const BoundaryCycles& cycles, std::uint32_t cycle, const Point& m,
               const NearPoint& near_m) const {
     bool inside = false;
@@ -95,7 +95,7 @@ class CyclesAtScale {
   std::vector<NearPoint> from_, to_;
 };
 
-/// The smallest of some cycles around a point; `no_entry` where there is none.
+/// The smallest of some cycles around a point; `no_entry` if none.
 std::uint32_t smallest_around(const BoundaryCycles& cycles,
                               const std::vector<std::uint32_t>& enclosing, const Point& point,
                               const CyclesAtScale& at_scale) {
@@ -112,8 +112,8 @@ std::uint32_t smallest_around(const BoundaryCycles& cycles,
   return *smallest;
 }
 
-/// Regions by their enclosing cycles (`left`: those that turn to the left); each other cycle
-/// belongs to the smallest one around it, or to region `outermost`.
+/// Regions by their enclosing cycles (`left`: cycles that turn to the left); each other cycle
+/// belongs to the smallest cycle around it, or to region `outermost`.
 struct Regions {
   std::vector<std::uint32_t> of_cycle;
   std::uint32_t count = 0;

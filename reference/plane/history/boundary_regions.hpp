@@ -1,4 +1,4 @@
-// The connected components of a set and of its complement, from its boundary.
+// The connected components of a set and of its complement, from the set's boundary.
 #pragma once
 
 #include "reference/plane/history/boundary_history.hpp"
@@ -18,16 +18,16 @@ struct BoundaryRegions {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
 };
 
-/// `scale`: one at which the state holds; used only where there are several components. Exact.
-/// O(n); with several components O(n c) exact comparisons for c cycles.
+/// `scale`: any scale at which the state holds; needed only for several components. Exact. O(n);
+/// with several components O(n c) exact comparisons for c cycles.
 BoundaryRegions boundary_regions(const std::vector<Track>& tracks, BoundaryState state,
                                  CycleFinder& finder, const Rational& scale);
 
-/// The component that holds a point of the interior. Exact. O(n).
+/// The component around an interior point. Exact. O(n).
 std::uint32_t component_around(const std::vector<Track>& tracks, const BoundaryRegions& regions,
                                const Point& point, const Rational& scale);
 
-/// A simple ring of the canonical form, by its vertices.
+/// A simple ring of the canonical form, as vertices.
 struct BoundaryRing {
   std::vector<std::uint32_t> vertices;
   std::vector<std::uint32_t> edges;  ///< of the convolution, behind each vertex

@@ -10,7 +10,7 @@ namespace {
 
 using V = Vector2<Rational>;
 
-/// A position along a line, a + s b, at a scale: where it is and how fast it moves.
+/// The position a + s b along a line at a scale: value and speed.
 using Germ = std::pair<Rational, Rational>;
 
 /// `above`: just above the scale the faster is ahead, just below it the slower.

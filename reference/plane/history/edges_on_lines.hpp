@@ -1,4 +1,4 @@
-// Which convolution edges lie on one line at every scale, and where they run along the boundary.
+// Finds convolution edges on a common line at every scale, and their parts along the boundary.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace minkref::inline plane {
 
-/// Edges that point the same way on one line are looked for when they are asked for, direction by
-/// direction. Exact. Not for several threads at once.
+/// Looks for edges with equal direction on one line when first asked, direction by direction.
+/// Exact. Not for several threads at once.
 class EdgesOnLines {
  public:
   /// Both must outlive it.
@@ -28,7 +28,7 @@ class EdgesOnLines {
              bool above, const Point& point, std::vector<std::uint32_t>& to);
 
  private:
-  /// Edges of one direction, sorted by their lines: positions across the direction.
+  /// A direction's edges, sorted by line, that is, by position across the direction.
   struct Lines {
     std::vector<std::uint32_t> edges;
     std::vector<std::uint32_t> first;  ///< of each line, and the end

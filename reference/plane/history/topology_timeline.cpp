@@ -17,7 +17,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// The regions of one kind that a state has, and which of them each of its links bounds.
+/// A state's regions of one kind, and the region that each link bounds.
 struct Side {
   const std::vector<std::uint32_t>& of_link;
   std::uint32_t first,
@@ -29,7 +29,7 @@ Side side(const BoundaryRegions& regions, FeatureKind kind) {
                                    : Side{regions.component, 0, regions.components};
 }
 
-/// Regions before, at and after a scale, linked where they share a piece of boundary.
+/// Regions before, at and after a scale, linked if they share a piece of boundary.
 struct Relation {
   std::vector<std::set<std::uint32_t>> at_of_before, at_of_after;
 };
@@ -72,9 +72,8 @@ class TimelineBuilder {
     return kind == FeatureKind::hole ? result_.holes : result_.components;
   }
 
-  /// How a region begins and ends, from left to right, just above a scale: the least and the
-  /// greatest of its vertices by x, the slope of x, y, the slope of y. The same however its sides
-  /// are cut.
+  /// A region's left and right extent just above a scale: the least and the greatest of its
+  /// vertices by x, the slope of x, y, the slope of y. Cuts of the region's sides do not matter.
   struct Extent {
     using Germ = std::array<Rational, 4>;
     std::optional<Germ> least, greatest;
@@ -97,7 +96,7 @@ class TimelineBuilder {
     return result;
   }
 
-  /// Names of the first state, in the order of its regions just above the start of the window.
+  /// Names the first state's regions, ordered by extent just above the window's start.
   void name_first(FeatureKind kind) {
     const auto extent = extents(kind, below_, history_.window().from.value_or(Rational(0)));
     const std::uint32_t fixed = kind == FeatureKind::hole ? 1 : 0;  // the outside comes first
@@ -258,8 +257,8 @@ class TimelineBuilder {
     count(group + 1, here);
   }
 
-  /// Components whose whole boundary is inside another at the scale: an island that fills its hole.
-  /// (None shrinks to a point: it holds the sum of two triangles.)
+  /// Finds components whose whole boundary lies inside another component at the scale: an island
+  /// that fills its hole. (None shrinks to a point: it holds the sum of two triangles.)
   void find_swallowed(std::vector<std::set<std::uint32_t>>& at_of, const BoundaryRegions& regions,
                       const BoundaryRegions& here, const Rational& scale) const {
     for (std::size_t i = 0; i < regions.links.size(); ++i) {
@@ -273,14 +272,15 @@ class TimelineBuilder {
     }
   }
 
-  /// Carries the names across; reports what is not one to one. Whether there was anything.
+  /// Carries the names across; reports every relation that is not one to one. Returns whether it
+  /// reported any.
   bool relate(FeatureKind kind, const Relation& relation, std::uint32_t at_count,
               std::uint32_t group, const Rational& scale, const BoundaryRegions& here,
               const BoundaryRegions& above) {
     auto& names = names_[index(kind)];
     const auto old = names;
     names.assign(relation.at_of_after.size(), no_entry);
-    // Clusters of regions that hang together.
+    // Clusters of connected regions.
     std::vector<std::uint32_t> cluster(at_count);
     std::iota(cluster.begin(), cluster.end(), 0U);
     const auto find = [&](std::uint32_t x) {
@@ -346,7 +346,7 @@ class TimelineBuilder {
       for (Members* const members : in_order) {
         std::sort(members->after.begin(), members->after.end(), in_place);
       }
-      // Those that give no name come first, in any order.
+      // Clusters that give no name come first, in any order.
       std::sort(in_order.begin(), in_order.end(), [&](const Members* x, const Members* y) {
         if (x->after.size() < 2 || y->after.size() < 2) return x->after.size() < y->after.size();
         return extent[x->after[0]] < extent[y->after[0]];
@@ -400,8 +400,7 @@ class TimelineBuilder {
     return static_cast<std::uint32_t>(features(kind).size() - 1);
   }
 
-  /// The outside first, then by the area that they have at the scale, largest first, then as they
-  /// stand.
+  /// Sorts the outside first, then by area at the scale, largest first, then by index.
   void order_by_size(FeatureKind kind, std::vector<std::uint32_t>& after, const Relation& relation,
                      const BoundaryRegions& here, const Rational& scale) const {
     if (after.size() < 2) return;

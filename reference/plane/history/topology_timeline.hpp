@@ -14,14 +14,14 @@ enum class FeatureKind : std::uint8_t {
   component  ///< connected component of the interior
 };
 
-/// A hole or component through the scales. It is there at the scales between `born` and `died`; a
-/// hole is open and a scale of birth or death has it only if it is born by a split or dies by a
-/// merge (docs/definitions.md, "Critical scales").
+/// A hole or component through the scales. It exists at the scales between `born` and `died`; a
+/// hole is open, and exists at its scale of birth or death only if a split bears it or a merge ends
+/// it (docs/definitions.md, "Critical scales").
 struct Feature {
   std::optional<std::uint32_t> born, died;  ///< groups; none: there when the window begins or ends
 };
 
-/// A change of holes, or of components, in one place at one scale.
+/// A change of holes, or of components, at one place and scale.
 struct TopologyEvent {
   enum class Change : std::uint8_t { birth, death, merge, split, touch };
   std::uint32_t group = 0;
@@ -37,8 +37,8 @@ struct TopologyTimeline {
   std::vector<Feature> components;
   std::vector<TopologyEvent> topology;  ///< sorted by group
   std::vector<BoundaryEvent> boundary;  ///< sorted by group
-  /// Numbers below the first group that touches the boundary, and for each of these groups at its
-  /// scale and in the interval above it.
+  /// Numbers below the first group that touches the boundary, and for each such group at its scale
+  /// and during the interval above.
   struct Count {
     std::uint32_t interval = 0, holes = 0, components = 0, vertices = 0;
     std::uint32_t holes_at = 0, components_at = 0;  ///< at the scale where the interval begins
@@ -46,7 +46,7 @@ struct TopologyTimeline {
   std::vector<Count> counts;
 };
 
-/// The rings of the boundary, in no order, from `interval` on; `component` and `hole` are features.
+/// The boundary's rings, unordered, from `interval` on; `component` and `hole` are features.
 struct RingsFrom {
   std::uint32_t interval = 0;
   std::vector<BoundaryRing> rings;
@@ -58,11 +58,11 @@ struct FeaturesFrom {
   std::vector<std::uint32_t> sub_edges, holes, components;
 };
 
-/// Exact. O(g b) for g groups that are not quiet and touch a boundary of b sub-edges. A hole that
-/// splits goes on as its largest part; where holes merge the oldest goes on, and the outside is
-/// older than any; new names are given in the order of the places. `rings` and `features`: called
-/// for the first state; then the one for each state after a boundary event, the other after each
-/// group that is not quiet. `counts` has the latter only.
+/// Exact. O(g b) for g groups that are not quiet and touch a boundary of b sub-edges. A splitting
+/// hole goes on as its largest part; of merging holes the oldest goes on, and the outside counts as
+/// older than any; places order the new names. `rings` and `features` are called for the first
+/// state; then `rings` for each state after a boundary event, `features` after each group that is
+/// not quiet. `counts` has the latter only.
 TopologyTimeline topology_timeline(const BoundaryHistory& history,
                                    const std::function<void(RingsFrom)>& rings = {},
                                    const std::function<void(FeaturesFrom)>& features = {});

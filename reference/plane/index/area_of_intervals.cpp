@@ -6,7 +6,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// The greatest power of two that matters, of twice the area below any link.
+/// The greatest relevant power of two, for twice the area below any link.
 int magnitude(const MovingBoundary& boundary) {
   double largest = 0;
   for (const Track& track : boundary.tracks) {

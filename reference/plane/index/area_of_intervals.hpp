@@ -1,4 +1,4 @@
-// The area of the sum between two events: a polynomial of the scale.
+// The sum's area between two events: a polynomial of the scale.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace minkref::inline plane {
 
-/// Coefficients of half the cross product of the ends of a link: its part of the area.
+/// Coefficients of half the cross product of a link's ends: the link's part of the area.
 std::array<Rational, 3> area_below(const Track& from, const Track& to);
 
-/// The area in each interval, from sums of fixed-point numbers whose errors are known: exact
-/// coefficients would be as long as all denominators of a boundary together. O(links + intervals).
+/// The area during each interval, from fixed-point sums with known errors: exact coefficients would
+/// be as long as all denominators of a boundary together. O(links + intervals).
 std::vector<IndexArea> areas_of_intervals(const MovingBoundary& boundary,
                                           const BuildControl& control);
 

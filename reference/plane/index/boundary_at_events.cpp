@@ -53,7 +53,7 @@ class Event {
     Point point;
     std::uint32_t track;
   };
-  /// `low` and `high`: numbers of points, which are sorted as they lie on a line.
+  /// `low` and `high`: numbers of points, sorted along a line.
   struct Segment {
     std::uint32_t line;
     Rational offset;
@@ -111,7 +111,7 @@ class Event {
                          std::max(from, to), forward, below, index});
   }
 
-  /// All segments on one line.
+  /// Compares all segments on one line.
   void line(std::size_t first, std::size_t last) {
     std::vector<std::uint32_t> ends;
     for (std::size_t k = first; k < last; ++k) {

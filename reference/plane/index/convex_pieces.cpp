@@ -46,8 +46,8 @@ Corners cut(const Corners& corners, const Corner& a, const Corner& b) {
   return result;
 }
 
-/// Takes corners away, those that hold least first, until the turns are certain and few are left.
-/// Without some of its corners a convex polygon is still convex.
+/// Removes corners, least area first, until all turns are certain and few corners remain. A convex
+/// polygon stays convex without some of its corners.
 void cut_down(Corners& corners, std::size_t most, double size) {
   const double doubt = sure * size;
   while (corners.size() >= 3) {
@@ -103,7 +103,7 @@ class Growth {
   bool is_finite() const { return is_finite_; }
   static Corner rounded(const Point& p) { return {filter_double(p.x), filter_double(p.y)}; }
 
-  /// Around a point of the region; empty if nothing is certain.
+  /// Grows around a point of the region; empty if nothing is certain.
   Corners around(const Corner& seed, std::size_t most_corners) {
     by_distance_.clear();
     for (std::uint32_t k = 0; k < edges_.size(); ++k) {
@@ -156,8 +156,8 @@ class Growth {
                        [&](const Corner& c) { return left_of(a, b, c) <= -least; });
   }
 
-  /// Cuts by the line of the edge, or across the way to the nearest point of what of it is within:
-  /// whichever leaves more.
+  /// Cuts by the edge's line, or across the way to the nearest point of the edge's part within the
+  /// polygon: whichever leaves more.
   static void grow_up_to(const Corner& seed, const Edge& edge, Corners& corners) {
     const Corner &a = edge[0], &b = edge[1];
     Corners by_line, across;
@@ -185,7 +185,7 @@ class Growth {
   std::vector<std::pair<double, std::uint32_t>> by_distance_;
 };
 
-/// The middle of the inscribed circle of a triangle.
+/// The middle of a triangle's inscribed circle.
 Corner middle_of(const Corners& t) {
   const double a = length(t[1], t[2]), b = length(t[2], t[0]), c = length(t[0], t[1]),
                sum = a + b + c;

@@ -9,7 +9,7 @@
 
 namespace minkref::inline plane {
 
-/// Counter-clockwise, with turns that doubles are sure of.
+/// Counter-clockwise, with turns beyond the doubt of doubles.
 struct ConvexPiece {
   std::vector<std::array<double, 2>> corners;
 
@@ -18,11 +18,11 @@ struct ConvexPiece {
   double reach(double x, double y) const;
 };
 
-/// Polygons that certainly lie in the interior of the region, and may overlap: from the middle of a
-/// triangle of a triangulation each grows as far as the edges of the region let it. First come
-/// polygons whose middle is in no earlier polygon, large triangles before small ones, then polygons
-/// of triangles that stick out of all. Parts thinner than some 2^-20 of the region are in none.
-/// O(n^2 + n log n pieces).
+/// Polygons that certainly lie inside the region's interior, and may overlap: from the middle of a
+/// triangle of a triangulation each grows up to the region's edges. First come polygons whose
+/// middle lies outside all earlier polygons, large triangles before small triangles, then polygons
+/// of triangles that stick out of all. Polygons leave out parts thinner than some 2^-20 of the
+/// region. O(n^2 + n log n pieces).
 std::vector<ConvexPiece> convex_pieces(const PolygonSet& region, std::size_t most_corners,
                                        std::size_t most_pieces);
 

@@ -66,7 +66,7 @@ class RingCorners {
   }
 
  private:
-  /// The next one that is there in steps of `step`; itself where there is no other.
+  /// The next existing entry by steps of `step`; the entry itself if no other exists.
   std::uint32_t neighbour(std::uint32_t entry, std::size_t step) const {
     std::size_t k = entry;
     do {

@@ -1,4 +1,4 @@
-// The corners of the rings of a bucket, each for the scales at which it is one.
+// The corners of a bucket's rings, each with its scales.
 #pragma once
 
 #include "reference/plane/critical/edge_directions.hpp"
@@ -6,9 +6,9 @@
 
 namespace minkref::inline plane {
 
-/// Appends the corners of one ring, in ring order: the entries there at an interval are the ring's
-/// corners, where the direction changes; the link of an entry leaves its corner. O(n + changes
-/// times the entries between neighbours).
+/// Appends one ring's corners, in ring order: the entries of an interval are the ring's corners,
+/// where the direction changes; an entry's link leaves its corner. O(n + changes times the entries
+/// between neighbours).
 void append_corners(const RingEntry* begin, const RingEntry* end, const MovingBoundary& boundary,
                     const EdgeDirections& directions, std::vector<RingEntry>& corners);
 

@@ -8,21 +8,20 @@
 namespace minkref::inline plane {
 namespace {
 
-/// Features that the rings of a bucket bound from an interval on; component `no_entry` for rings
-/// not there.
+/// Features that a bucket's rings bound from an interval on; component `no_entry` for absent rings.
 struct Known {
   std::uint32_t interval;
   std::size_t bucket;
   std::vector<RingFeatures> rings;
 };
 
-/// Buckets with their features, cut where these change.
+/// Buckets with their features, cut at changes of features.
 class Naming {
  public:
   Naming(const SweptBoundary& swept, const MovingBoundary& boundary)
       : turns_(swept.moving), boundary_(boundary) {}
 
-  /// `known`: of this bucket, in the order of the intervals.
+  /// `known`: this bucket's features, sorted by interval.
   void add(RingBucket&& bucket, const std::vector<const Known*>& known) {
     std::vector<RingFeatures> features(bucket.ring_ends.size(), RingFeatures{false, 0, no_entry});
     for (const Known* now : known) {
@@ -48,7 +47,7 @@ class Naming {
   std::vector<RingBucket> take() { return std::move(result_); }
 
  private:
-  /// The part of a bucket in some of its intervals.
+  /// A bucket's part for some of its intervals.
   static RingBucket part(const RingBucket& bucket, std::uint32_t first, std::uint32_t last,
                          const std::vector<RingFeatures>& features) {
     RingBucket result;

@@ -77,7 +77,7 @@ class Writing {
     to_.add(Column::directions, ways);
   }
 
-  /// Gives the bits of the longest integer of a track.
+  /// Returns the bit length of the tracks' longest integer.
   std::uint64_t moving(const MovingBoundary& boundary) {
     std::vector<Integer> events, tracks;
     std::vector<double> near_events;
@@ -228,7 +228,7 @@ class Writing {
   IndexImage::Writer to_;
 };
 
-/// Numbers of things are held in 32 bits.
+/// Indices have 32 bits.
 void refuse_too_large(const MovingBoundary& boundary, const RingOrder& order) {
   constexpr std::size_t most = 0x7fffffffU;
   std::size_t entries = 0;

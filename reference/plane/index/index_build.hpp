@@ -8,7 +8,7 @@
 
 namespace minkref::inline plane {
 
-/// The image of the index of a closed window. Exact; the same bytes for any number of threads. See
+/// The index image of a closed window. Exact; the same bytes for any number of threads. See
 /// ScaleIndex.
 IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                        const BuildOptions& options);

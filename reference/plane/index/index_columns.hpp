@@ -1,4 +1,4 @@
-// The contents of the columns of an index.
+// The contents of an index's columns.
 #pragma once
 
 #include "reference/plane/index/index_image.hpp"
@@ -26,7 +26,7 @@ struct IndexBucket {
   std::uint32_t first = 0, last = 0;  ///< intervals
   std::uint32_t entry_begin = 0, entry_end = 0, ring_begin = 0, ring_end = 0;
 };
-/// A corner, and the edge of the convolution that the side behind it lies on.
+/// A corner, and the convolution edge under the side behind the corner.
 struct IndexEntry {
   std::uint32_t first = 0, last = 0;  ///< intervals
   std::uint32_t track = 0, edge = 0;
@@ -38,7 +38,7 @@ struct IndexRing {
 struct IndexArea {
   double a0 = 0, a1 = 0, a2 = 0, error = 0;
 };
-/// From an interval on; `_at`: at the event where it begins.
+/// Counts from an interval on; `_at`: at the event that begins the interval.
 struct IndexFeatureCount {
   std::uint32_t interval = 0, holes = 0, components = 0, holes_at = 0, components_at = 0;
 };
@@ -92,7 +92,7 @@ struct IndexColumns {
   std::span<const std::uint32_t> lists;
   IntegerColumn places;
 
-  /// Checks every number that names a place in another column: no query reads beyond one. Throws
+  /// Checks every number that refers to another column: no query reads beyond a column. Throws
   /// BadInput ("damaged-index"). O(bytes).
   explicit IndexColumns(const IndexImage& image);
 };

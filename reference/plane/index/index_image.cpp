@@ -131,7 +131,7 @@ IndexImage IndexImage::Writer::finish() {
   const std::size_t start = aligned(sizeof(Header));
   Header header{magic, version, byte_order, start + body_.size(), 0, column_count, directory_};
   for (Entry& entry : header.directory) entry.offset += start;
-  // In words, so that it begins where any column may.
+  // As words, so that the image begins where any column may.
   const auto bytes = std::make_shared<std::vector<std::uint64_t>>((header.bytes + 7) / 8);
   auto* const first = reinterpret_cast<std::byte*>(bytes->data());
   std::memcpy(first, &header, sizeof header);

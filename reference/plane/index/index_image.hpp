@@ -1,4 +1,4 @@
-// The bytes of an index: columns of numbers of one kind.
+// The bytes of an index: columns, each with numbers of one kind.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace minkref::inline plane {
 
-/// The order is that of the file format (docs/formats.md, "Index").
+/// The columns keep the file format's order (docs/formats.md, "Index").
 enum class Column : std::uint32_t {
   window,      ///< integers: begin and end, each num and den; 0 / 0 where there is none
   counts,      ///< uint64: IndexCounts
@@ -54,9 +54,9 @@ class IndexImage {
  public:
   class Writer;
 
-  /// Takes a copy of a file (private_copy.hpp), which then may change. Throws BadInput: "no-file",
-  /// "not-an-index" (foreign), "index-version", "damaged-index" (length, directory or checksum).
-  /// O(bytes).
+  /// Takes a copy of a file (private_copy.hpp), which may change afterwards. Throws BadInput:
+  /// "no-file", "not-an-index" (foreign), "index-version", "damaged-index" (length, directory or
+  /// checksum). O(bytes).
   static IndexImage read(const std::string& path);
   /// Writes a file beside, then renames it. Throws BadInput ("cannot-write").
   void save(const std::string& path) const;

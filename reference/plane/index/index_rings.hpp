@@ -1,4 +1,4 @@
-// The boundary at one scale, ring by ring, in the form that the caller chooses.
+// The boundary at one scale, ring by ring, with the form that the caller chooses.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace minkref::inline plane {
 
-/// Rings one after the other, in no particular order, outer ones counter-clockwise and holes
-/// clockwise, without straight vertices. Memory is used again where one is filled twice.
+/// Unordered rings, one after the other, outer rings counter-clockwise and holes clockwise, without
+/// straight vertices. Filling the same object twice reuses its memory.
 struct RingShape {
   std::vector<std::uint32_t> ring_ends;  ///< behind the last vertex of each ring
-  /// The hole and the component that each ring bounds, as in the timeline; at an event where rings
-  /// touch, numbered afresh: there they are parts of those of the timeline.
+  /// The hole and the component that each ring bounds, as on the timeline; at an event with
+  /// touching rings, fresh numbers for parts of the timeline's features.
   std::vector<RingFeatures> rings;
-  /// For each vertex an edge of the convolution on which the side behind the vertex lies, by its
-  /// number in ScaleIndex::edges.
+  /// For each vertex a convolution edge under the side behind the vertex, by its index within
+  /// ScaleIndex::edges.
   std::vector<std::uint32_t> edges;
 };
 
@@ -26,7 +26,7 @@ struct TrackRings : RingShape {
   std::vector<std::uint32_t> tracks;
 };
 
-/// Each coordinate is off by at most `error`.
+/// Each coordinate has an error of at most `error`.
 struct RoundedRings : RingShape {
   std::vector<double> x, y;
   double error = 0;

@@ -5,7 +5,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// The words of -value, from those of value.
+/// Turns the words of a value into the words of -value.
 void negate(std::uint64_t* words, std::uint32_t count) {
   std::uint64_t carry = 1;
   for (std::uint32_t k = 0; k < count; ++k) {

@@ -1,4 +1,4 @@
-// Integers of one fixed length, as they lie in an index.
+// Integers of one fixed length, as stored by an index.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +21,10 @@ struct IntegerColumn {
   static Integer integer_of(const std::uint64_t* words, std::uint32_t count);
 };
 
-/// Bits of an integer and its sign.
+/// The bit length of an integer, with a bit for the sign.
 std::size_t signed_bits(const Integer& value);
 
-/// The words of an integer that they can hold.
+/// Writes an integer; requires enough words.
 void write_words(const Integer& value, std::uint64_t* words, std::uint32_t count);
 
 /// Owner of a column.
@@ -32,7 +32,7 @@ struct IntegerWords {
   std::uint32_t words = 1;
   std::vector<std::uint64_t> data;
 };
-/// In the fewest words that hold each of them.
+/// The integers with the fewest words that hold each.
 IntegerWords integer_words(const std::vector<Integer>& values);
 
 }  // namespace minkref::inline plane

@@ -100,7 +100,7 @@ double InteriorSolids::room_for(const SweptQuad& quad) const {
   return doubt * (quad.high * P_.size + Q_.size);
 }
 
-/// Calls look(pair) for pairs whose boxes hold the quad until it returns true, or that often.
+/// Calls look(pair) for pairs whose boxes hold the quad until look returns true, or `most` times.
 template <class Look>
 bool InteriorSolids::each_candidate(const SweptQuad& quad, int most, Look&& look) const {
   const Extents extents(quad);

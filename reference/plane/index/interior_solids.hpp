@@ -1,4 +1,4 @@
-// Which parts of patches are certainly in the sum of the interiors, by pairs of convex pieces.
+// Parts of patches that certainly lie inside the interiors' sum, by pairs of convex pieces.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@
 
 namespace minkref::inline plane {
 
-/// Four points (x, s), in doubles: two at scale `low`, two at scale `high`. Each coordinate is off
-/// by at most 2^-44 of the coordinates of s P and of Q.
+/// Four points (x, s) as doubles: two at scale `low`, two at scale `high`. A coordinate's error is
+/// at most 2^-44 of the coordinates of s P and of Q.
 struct SweptQuad {
   std::array<double, 4> x{}, y{};
   double low = 0, high = 0;
 };
 
-/// The sums s A ⊕ B of convex A and B at all scales make a convex solid in (x, s): its sides are
-/// flat, n x <= s h_A(n) + h_B(n) for the normals n of the sides of A and B. A quad, and all of its
-/// convex hull, lies within if its four corners do.
+/// The sums s A ⊕ B of convex A and B at all scales form a convex solid in (x, s): its sides are
+/// flat, n x <= s h_A(n) + h_B(n) for the normals n of A's and B's sides. The solid holds a quad,
+/// with its whole convex hull, if it holds the quad's four corners.
 class InteriorSolids {
  public:
   /// For regions; for points and segments nothing is certain.
@@ -33,19 +33,19 @@ class InteriorSolids {
     friend auto operator<=>(const Pair&, const Pair&) = default;
   };
 
-  /// Chooses few pairs more that hold as many of these as may be, those that hold most first; pairs
-  /// that hold next to none are of no use. Gives about how many they hold.
+  /// Chooses a few more pairs that hold as many samples as possible, best pairs first; leaves out
+  /// pairs that hold next to none. Returns roughly the count of held samples.
   std::size_t choose(const std::vector<SweptQuad>& samples);
 
-  /// True only if the quad is certainly in int(sP) ⊕ int(Q): one of the chosen pairs holds it; the
-  /// hint is tried first. Some 10 ns a pair.
+  /// True only if the quad certainly lies inside int(sP) ⊕ int(Q): some chosen pair holds the quad;
+  /// the hint comes first. Some 10 ns a pair.
   bool chosen_holds(const SweptQuad& quad, std::uint32_t& hint) const;
 
-  /// The same for all pairs of pieces, up to a number of tries; the hint is tried first.
+  /// As chosen_holds for all pairs of pieces, up to a number of tries; the hint comes first.
   bool some_pair_holds(const SweptQuad& quad, int most_tries, Pair& hint) const;
 
  private:
-  /// The convex pieces of an operand.
+  /// An operand's convex pieces.
   struct Pieces {
     std::vector<ConvexPiece> all;
     std::vector<Box> boxes;
@@ -62,10 +62,10 @@ class InteriorSolids {
   };
 
   bool holds(Pair pair, const SweptQuad& quad, double room) const;
-  /// The least distance to sides, of which rounding takes all.
+  /// The least distance to sides, consumed entirely by rounding.
   double room_for(const SweptQuad& quad) const;
   double area(Pair pair, double scale) const;
-  /// The largest of some pairs that hold the quad.
+  /// The largest among some pairs that hold the quad.
   std::optional<Pair> largest_pair(const SweptQuad& quad) const;
   template <class Look>
   bool each_candidate(const SweptQuad& quad, int most, Look&& look) const;

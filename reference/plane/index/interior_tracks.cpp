@@ -75,7 +75,7 @@ bool InteriorTracks::certainly_inside(const RoundedTrack& track, double from, do
   return true;
 }
 
-/// A disc c + r of P, scaled, is at s c + s r. The difference x - s c = x0 + s (x1 - c) is a
+/// A disc c + r of P, scaled, becomes s c + s r. The difference x - s c = x0 + s (x1 - c) forms a
 /// segment: only its middle and half its length matter. For a disc of Q, seen from sP, over s, the
 /// segment is x1 + (x0 - c) / s.
 InteriorTracks::Stretch::Stretch(const RoundedTrack& track, double from, double to,

@@ -1,4 +1,4 @@
-// Which moving points are certainly in the sum of the interiors: what need not be looked at.
+// Moving points that certainly lie inside the interiors' sum, and need no further look.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace minkref::inline plane {
 
-/// All points within reach0 + s reach1 of x0 + s x1, in doubles: each coordinate of x0 and x1 is
-/// off by at most `error`.
+/// All points within reach0 + s reach1 of x0 + s x1, as doubles: each coordinate of x0 and x1 has
+/// an error of at most `error`.
 struct RoundedTrack {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   double error = 0, reach0 = 0, reach1 = 0;
@@ -23,14 +23,14 @@ class InteriorTracks {
   /// For regions; for points and segments nothing is certain. O(m + n + samples).
   InteriorTracks(const PolygonSet& P, const PolygonSet& Q);
 
-  /// The discs that settled the last tracks are tried first.
+  /// The discs that settled the last tracks, to be tried first.
   struct Hints {
     std::uint32_t of_P = 0, of_Q = 0;
   };
 
-  /// Positive only if the points are certainly in int(sP) ⊕ int(Q) for all scales from `from` to
-  /// `to`, 0 < from <= to < infinity: by how much a disc reaches over what it has to, for the disc
-  /// that does so most of those that were tried.
+  /// Positive only if the points certainly lie inside int(sP) ⊕ int(Q) for all scales from `from`
+  /// to `to`, 0 < from <= to < infinity: the greatest excess of a tried disc over the required
+  /// reach.
   double clearance(const RoundedTrack& track, double from, double to, Hints& hints) const;
 
   /// Discs by number.
@@ -39,17 +39,18 @@ class InteriorTracks {
   };
   Discs all_discs() const;
 
-  /// The same of some discs, all of which are tried until one settles it. If none does, `hopeful`
-  /// has those that may settle a part of these points and scales. Some 20 ns a disc.
+  /// As certainly_inside for given discs, tried until one settles the question. Otherwise `hopeful`
+  /// receives the discs that may settle a part of these points and scales. Some 20 ns a disc.
   bool some_disc_holds(const RoundedTrack& track, double from, double to, const Discs& discs,
                        Discs& hopeful) const;
 
-  /// True only if the point is certainly in int(sP) ⊕ int(Q) for all scales from `from` to `to`, 0
-  /// < from <= to < infinity. In doubles; some 20 ns where a hint is right, 1 us where nothing is.
+  /// True only if the point certainly lies inside int(sP) ⊕ int(Q) for all scales from `from` to
+  /// `to`, 0 < from <= to < infinity. By doubles; some 20 ns with a right hint, 1 us without any
+  /// success.
   bool certainly_inside(const RoundedTrack& track, double from, double to, Hints& hints) const;
 
  private:
-  /// Discs as a tree: each holds the largest of its own, so that what is found is found early.
+  /// A tree of discs: each node holds the largest disc below, so that successes come early.
   struct Node {
     Disc disc;
     double reach = 0;                   ///< no disc below sticks out farther from the centre
@@ -65,8 +66,8 @@ class InteriorTracks {
     std::vector<Node> nodes_;
   };
 
-  /// The track that is compared with the places of discs: the middle of scales and half their
-  /// length, by how much points may be off, the scale of a disc's least radius.
+  /// The track for comparison with disc places: the middle of the scales and half their length, the
+  /// points' possible error, the scale of a disc's least radius.
   struct Stretch {
     double middle = 0, half = 0, slack = 0, least = 0;
     double x0 = 0, y0 = 0, x1 = 0, y1 = 0;

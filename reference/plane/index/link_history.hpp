@@ -1,4 +1,4 @@
-// The moving boundary as the history from which holes and components are followed.
+// The moving boundary as the history that holes and components follow.
 #pragma once
 
 #include "reference/plane/history/boundary_history.hpp"
@@ -7,9 +7,9 @@
 
 namespace minkref::inline plane {
 
-/// Its sub-edges are links, its groups events. An event is quiet where no point is passed twice, no
-/// two links face each other, and the rings stay. All arguments have to outlive it. Not for
-/// several threads at once.
+/// A history whose sub-edges are links, and whose groups are events. An event is quiet if no point
+/// is passed twice, no two links face each other, and the rings stay. All arguments have to outlive
+/// the history. Not for several threads at once.
 class LinkHistory : public BoundaryHistory {
  public:
   LinkHistory(const SweptBoundary& swept, const MovingBoundary& boundary,
@@ -28,7 +28,7 @@ class LinkHistory : public BoundaryHistory {
   const std::vector<MovingLink>& sub_edges() const override { return boundary_.links; }
   BoundaryAtGroup at_group(std::uint32_t group) const override { return at_events_[group]; }
   std::optional<Quiet> quiet(std::uint32_t group) const override;
-  /// The number of the ring in its bucket.
+  /// The ring's number within its bucket.
   std::uint32_t ring_of(std::uint32_t link, std::uint32_t interval) const override;
 
   std::size_t bucket_of(std::uint32_t interval) const;

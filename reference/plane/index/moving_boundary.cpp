@@ -10,13 +10,13 @@
 namespace minkref::inline plane {
 namespace {
 
-/// Tracks by what they are, and a shorter way to those that are asked for by the same name.
+/// Numbers for distinct tracks, with a shortcut for tracks asked for by the same name.
 class TrackNumbers {
  public:
   TrackNumbers(const SweptBoundary& boundary, std::vector<Track>& tracks)
       : boundary_(boundary), tracks_(tracks) {}
 
-  /// None of a track that is not there.
+  /// None for an absent track.
   std::optional<std::uint32_t> known(std::uint32_t edge, const NodeName& node) const {
     const auto found = by_track_.find(track_of(boundary_, edge, node));
     return found == by_track_.end() ? std::nullopt : std::optional(found->second);
@@ -91,12 +91,12 @@ std::vector<Rational> events_of(const SweptBoundary& boundary,
   return events;
 }
 
-/// Links between the same two tracks: each direction once, and neither where there are both.
+/// Links between the same two tracks: keeps each direction once, and neither if both occur.
 class PairOfTracks {
  public:
   explicit PairOfTracks(MovingBoundary& result) : result_(result) {}
 
-  /// `links`: those between two tracks, in any order.
+  /// `links`: all links between two tracks, in any order.
   void sort_out(const std::vector<MovingLink>& links) {
     if (links.size() == 1) {
       result_.links.push_back(links[0]);

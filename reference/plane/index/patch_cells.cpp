@@ -16,7 +16,7 @@ constexpr int looks_ahead = 3;
 
 constexpr int bits_of_a_cut = 12;
 
-/// A scale near this one that few bits hold, as cells are cut at.
+/// A nearby scale with few bits, for cell cuts.
 double short_scale(double scale) {
   if (!(scale > 0) || !std::isfinite(scale)) return scale;
   int exponent = 0;
@@ -24,7 +24,7 @@ double short_scale(double scale) {
   return std::ldexp(std::nearbyint(std::ldexp(mantissa, bits_of_a_cut)), exponent - bits_of_a_cut);
 }
 
-/// The scales at which the operands are about as large.
+/// The scale at which the operands are about equally large.
 double middle_scale(const std::vector<RoundedEdge>& edges) {
   double of_P = 0, of_Q = 0;
   for (const RoundedEdge& e : edges) {
@@ -35,7 +35,7 @@ double middle_scale(const std::vector<RoundedEdge>& edges) {
   return ratio > 0x1p-500 && ratio < 0x1p500 ? ratio : 1;
 }
 
-/// Bands of scales of about the same ratio; those next to 0 and to infinity may be longer.
+/// Bands of scales with about equal ratios; bands next to 0 and infinity may be longer.
 std::vector<PatchCell> bands(double from, double to, double middle) {
   const double least = from > 0 ? from : std::min(middle / many_times, to / many_times);
   const double most = std::isfinite(to) ? to : std::max(middle * many_times, least * many_times);
@@ -105,7 +105,7 @@ class CellSearch {
     kept.push_back(cell);
   }
 
-  /// Its middle or a corner.
+  /// Tests the cell's middle and corners.
   bool some_point_is_inside(const PatchCell& cell) {
     const double s = std::sqrt(cell.low) * std::sqrt(cell.high), t = (cell.from + cell.to) / 2;
     const auto inside = [&](double scale, double along) {
@@ -129,12 +129,12 @@ class CellSearch {
   std::uint32_t solid_ = 0;
 };
 
-/// Numbers from 0 to 1, the first n of them about evenly spread.
+/// Numbers from 0 to 1, evenly spread for any first n.
 double far_apart(std::size_t k, double step = 0.6180339887498949) {
   return std::fmod(static_cast<double>(k) * step, 1);
 }
 
-/// Small parts of patches, far from each other, that discs do not show to be inside.
+/// Small parts of patches, far from each other, that discs do not prove inside.
 std::vector<SweptQuad> small_parts(const InteriorTracks& tracks,
                                    const std::vector<RoundedEdge>& edges,
                                    const std::vector<PatchCell>& bands) {
@@ -157,7 +157,7 @@ std::vector<SweptQuad> small_parts(const InteriorTracks& tracks,
   return result;
 }
 
-/// Small cells that are left of the patches of some edges.
+/// Small cells that remain on the patches of some edges.
 std::vector<SweptQuad> cells_left(const std::vector<RoundedEdge>& edges,
                                   std::vector<std::vector<PatchCell>>& found, CellSearch search) {
   constexpr std::size_t some = 256;

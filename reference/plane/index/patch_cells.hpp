@@ -1,4 +1,4 @@
-// Where on its patch a convolution edge may be on the boundary: cells that are not surely inside.
+// Cells of a convolution edge's patch that may touch the boundary, being not surely inside.
 #pragma once
 
 #include <cstdint>
@@ -26,17 +26,17 @@ struct PatchCell {
   double low = 0, high = 0, from = 0, to = 1;
 };
 
-/// The track of the middle of a cell, with the half of its length along the edge, and how far from
-/// the middle points of the cell may be at one scale.
+/// The track of a cell's middle, with half its length along the edge, and the greatest distance
+/// from the middle to the cell's points at one scale.
 std::pair<RoundedTrack, double> middle_of(const RoundedEdge& edge, const PatchCell& cell);
 
-/// A cell, between scales that are neither 0 nor infinity.
+/// The quad of a cell; requires scales other than 0 and infinity.
 SweptQuad swept_quad(const RoundedEdge& edge, const PatchCell& cell);
 
-/// Where to cut a stretch of scales: about the middle of its logarithms, in a dozen bits.
+/// A cut of a stretch of scales: about the middle of its logarithms, with a dozen bits.
 double cut_between(double low, double high);
 
-/// All of a patch that is in none of its cells is certainly in the sum of the interiors.
+/// A patch outside its cells certainly lies inside the interiors' sum.
 struct PatchCells {
   std::vector<std::uint32_t> first;  ///< those of edge e: cells[first[e] .. first[e + 1])
   std::vector<PatchCell> cells;
@@ -46,8 +46,8 @@ struct PatchCells {
   }
 };
 
-/// Between two scales, 0 and infinity allowed. In doubles, with a proof; the same for any number of
-/// threads. Some 10 us an edge.
+/// The cells between two scales, 0 and infinity allowed. By doubles, with a proof; the same for any
+/// number of threads. Some 10 us an edge.
 PatchCells patch_cells(const InteriorTracks& tracks, InteriorSolids& solids,
                        const std::vector<RoundedEdge>& edges, double from, double to,
                        const BuildControl& control);

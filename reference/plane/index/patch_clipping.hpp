@@ -1,4 +1,4 @@
-// The nodes of a patch, cut down to where its edge may be on the boundary.
+// The nodes of a patch, reduced to places where its edge may touch the boundary.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace minkref::inline plane {
 
-/// If many nodes pass a cell, the cell is halved as long as halving shows parts to be inside, by
-/// discs or by pairs of convex pieces; nodes are kept at the scales at which they pass a cell that
-/// is left. The parts cut off lie inside: a face that they enlarge is as uniform as it was.
+/// If many nodes pass a cell, the cell is halved as long as halving proves parts inside, by discs
+/// or by pairs of convex pieces; nodes keep the scales at which they pass a remaining cell. The
+/// removed parts lie inside: a face that they enlarge stays uniform.
 template <class K>
 class PatchClipping {
  public:
@@ -21,7 +21,7 @@ class PatchClipping {
                 const InteriorSolids& solids)
       : moving_(moving), tracks_(tracks), solids_(solids) {}
 
-  /// Leaves patches with few nodes as they are.
+  /// Leaves patches with few nodes unchanged.
   void clip(std::uint32_t edge, std::span<const PatchCell> cells, PatchNodes<K>& nodes) {
     if (nodes.nodes.size() < worth_it) return;
     edge_ = rounded(moving_[edge]);
@@ -79,7 +79,7 @@ class PatchClipping {
     for (const std::uint32_t k : passing) stretches_[k].push_back({cell.low, cell.high});
   }
 
-  /// Where a node is: 0 at the start of the edge, 1 at its end.
+  /// A node's place: 0 at the edge's start, 1 at its end.
   double along(const Node& node, double s) const {
     const double place = node.slope * s + node.value;
     return edge_.is_s ? place / s : place;
@@ -97,7 +97,7 @@ class PatchClipping {
     return std::min(u, v) <= cell.to + doubt && std::max(u, v) >= cell.from - doubt;
   }
 
-  /// The node for each stretch of scales that it is kept for.
+  /// Adds the node for each of its kept stretches of scales.
   void add_stretches(std::uint32_t k, std::vector<Node>& kept) const {
     std::vector<Stretch> stretches = stretches_[k];
     std::sort(stretches.begin(), stretches.end(),
@@ -120,7 +120,8 @@ class PatchClipping {
     }
   }
 
-  /// Whether a cut, which cells on its other side have too, is where the node begins or ends.
+  /// Whether only a cut's scale remains, where the node begins or ends; cells beyond the cut have
+  /// it, too.
   static bool is_one_scale(const Node& node) {
     if (!node.from || !node.to) return false;
     const Fraction from = fraction(*node.from), to = fraction(*node.to);

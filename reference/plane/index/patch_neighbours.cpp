@@ -52,7 +52,7 @@ struct Subject {
   }
 };
 
-/// Pairs a < b of one thread.
+/// One thread's pairs a < b.
 struct Found {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> kept;
   std::uint64_t meeting = 0, inside = 0;
@@ -69,7 +69,7 @@ class NeighbourSearch {
         found_(found),
         candidates_(subject.live.size() + 1) {}
 
-  /// All pairs of a live edge with those after it.
+  /// Finds all pairs of a live edge with later edges.
   void operator()(std::size_t index) {
     const auto a = static_cast<std::uint32_t>(index);
     const std::uint32_t s_count = subject_.s_count;
@@ -88,7 +88,7 @@ class NeighbourSearch {
   }
 
  private:
-  /// slope s + value >= 0 somewhere in [low, high], both coefficients off by the error.
+  /// slope s + value >= 0 somewhere in [low, high], both coefficients shifted by the error.
   void restrict_to(double slope, double value, double& low, double& high) const {
     if (slope > error_) {
       low = std::max(low, (-value - error_) / (slope + error_));
@@ -139,8 +139,8 @@ class NeighbourSearch {
     found_.kept.emplace_back(i, j);
   }
 
-  /// Whether the line of the other edge may pass a cell of this one: at (slope s + value) / c along
-  /// it, over s for an S-edge.
+  /// Whether the other edge's line may pass a cell of this edge: at (slope s + value) / c along the
+  /// edge, over s for an S-edge.
   bool passes_cell(std::uint32_t edge, double slope, double value, double c, double low,
                    double high) const {
     const bool is_s = subject_.edges[edge].is_s;

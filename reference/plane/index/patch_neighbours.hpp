@@ -1,4 +1,4 @@
-// For each convolution edge the others whose patch may cut its own where the boundary can be.
+// For each convolution edge the other edges whose patch may cut its own near the boundary.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@ struct PatchNeighbours {
   std::uint64_t inside = 0;                  ///< of these, left out: they meet inside the sum only
 };
 
-/// Pairs that are left out certainly never meet within the window, or certainly meet in the sum of
-/// the interiors only, at all scales: what they cut off from each other is inside. S-edges first.
-/// In doubles; the same for any number of threads. O(N^2).
+/// Omitted pairs certainly never meet within the window, or certainly meet inside the interiors'
+/// sum only, at all scales: the parts that they cut off from each other lie inside. S-edges first.
+/// By doubles; the same for any number of threads. O(N^2).
 PatchNeighbours patch_neighbours(const InteriorTracks& tracks, InteriorSolids& solids,
                                  const std::vector<RationalEdge>& edges, const ScaleWindow& window,
                                  const BuildControl& control);

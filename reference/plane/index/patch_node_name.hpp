@@ -5,7 +5,7 @@
 
 namespace minkref::inline plane {
 
-/// An end of the edge itself, or what another edge does there.
+/// An end of the edge itself, or another edge's action there.
 struct NodeName {
   enum class Kind : std::uint8_t { own_start, own_end, crossing, start_of_other, end_of_other };
   Kind kind = Kind::own_start;

@@ -1,4 +1,4 @@
-// The cuts of the patch of a convolution edge: the tracks of the nodes along the edge.
+// The cuts of a convolution edge's patch: the tracks of the nodes along the edge.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ struct PatchNode {
   PositionAlong<W> position;
   double slope = 0, value = 0;  ///< of the position, each off by a few roundings
   std::optional<Bound> from, to;
-  /// Whether what lies before it along the edge, and behind it, can be on the boundary: not where
-  /// it is on the left of the other edge.
+  /// Whether the edge before the node, and behind it, can belong to the boundary: not on the other
+  /// edge's left.
   bool open_before = true, open_after = true;
 };
 
@@ -32,7 +32,7 @@ struct PatchNodes {
   std::vector<PatchNode<K>> nodes;
   /// Scales at which a parallel edge comes to lie on the edge, and leaves it again.
   std::vector<typename K::Parameter> overlaps;
-  /// Edges that meet the edge at one scale only, in an end of both.
+  /// Edges that meet the edge at one scale only, where ends of both coincide.
   std::vector<std::pair<std::uint32_t, typename K::Parameter>> contacts;
 };
 
@@ -45,7 +45,7 @@ class PatchNodeFinder {
   PatchNodeFinder(K kernel, const std::vector<Edge>& edges)
       : kernel_(std::move(kernel)), edges_(edges) {}
 
-  /// The nodes of an edge with these others. Its own ends come first. Exact.
+  /// Finds an edge's nodes with the given others. The edge's own ends come first. Exact.
   void find(std::uint32_t edge, const std::uint32_t* others, std::size_t count,
             PatchNodes<K>& result) const {
     result.nodes.clear();
@@ -82,7 +82,7 @@ class PatchNodeFinder {
     node.name = {NodeName::Kind::crossing, other};
     node.position = crossing_position(kernel_, e, o);
     if (!is_zero(lines[2]) && !is_zero(lines[3])) {
-      // The other edge goes to the left across this one: what is behind it is on its right.
+      // The other edge crosses to the left: the part behind the node lies on its right.
       node.open_before = conditions.turn < 0;
       node.open_after = conditions.turn > 0;
     }

@@ -13,10 +13,9 @@
 
 namespace minkref::inline plane {
 
-/// Pieces of the patch between two nodes and two scales; a face is made of pieces that are
-/// connected without crossing a node. In (s, position along the edge) nodes are segments, and this
-/// is a sweep over their arrangement (Bentley & Ottmann 1979). Exact: doubles decide where they can
-/// tell.
+/// Pieces of the patch between two nodes and two scales; a face consists of pieces connected
+/// without crossing a node. In (s, position along the edge) nodes form segments, and this class
+/// sweeps their arrangement (Bentley & Ottmann 1979). Exact: doubles decide if they can tell.
 template <class K>
 class PatchSweep {
  public:
@@ -60,7 +59,7 @@ class PatchSweep {
   const std::vector<Piece>& pieces() const { return pieces_; }
   /// The number of a piece's face: the same for all pieces of a face.
   std::uint32_t face(const Piece& piece) { return root(piece.face); }
-  /// Whether some node says that the face is inside the sum.
+  /// Whether some node proves the face inside the sum.
   bool is_shut(std::uint32_t face) { return shut_[root(face)]; }
 
   /// Exact.
@@ -122,7 +121,7 @@ class PatchSweep {
     return sign(Integer(u.num * v.den - v.num * u.den));
   }
 
-  /// The sign of x less y, at the scale that is being looked at.
+  /// The sign of x less y, at the sweep's current scale.
   int compare_here(std::uint32_t x, std::uint32_t y) {
     const Node &a = node(x), &b = node(y);
     const double s = now_.near, u = a.slope * s, v = b.slope * s;
@@ -136,7 +135,7 @@ class PatchSweep {
     return sign_at(exact.slope, exact.value, *exact_now_);
   }
 
-  /// Just above the scale, of nodes that are in one place at it.
+  /// The order just above the scale, for nodes that coincide at the scale.
   bool before_afterwards(std::uint32_t x, std::uint32_t y) const {
     if (x == y) return false;
     if (x == start || y == end) return true;
@@ -174,7 +173,7 @@ class PatchSweep {
     return a;
   }
 
-  /// A gap that opens between the nodes at its place and the next.
+  /// Opens a gap between the nodes at its place and the next.
   Gap opened(std::uint32_t left, std::uint32_t right, std::uint32_t face) {
     if (!node(left).open_after || !node(right).open_before) shut_[root(face)] = true;
     return {face, now_, steps_, is_one_track(left, right)};
@@ -257,7 +256,7 @@ class PatchSweep {
     if (overlapped) cut_everywhere();
   }
 
-  /// A stretch of nodes in one place, [first, last) of the order, with those that are born there.
+  /// A run [first, last) of coincident nodes, with the nodes born there.
   struct Run {
     std::size_t first = 0, last = 0;
     std::vector<std::uint32_t> born;
@@ -288,8 +287,8 @@ class PatchSweep {
       }
       run->born.push_back(x);
     }
-    // From the right to the left: runs on the left keep their places. Runs that are born in one gap
-    // are ordered by their places.
+    // Works from right to left: runs on the left keep their places. Places order the runs born
+    // within one gap.
     std::sort(runs_.begin(), runs_.end(), [&](const Run& a, const Run& b) {
       if (a.first != b.first) return a.first > b.first;
       if (a.last != b.last) return a.last > b.last;
@@ -318,7 +317,7 @@ class PatchSweep {
     }
     std::sort(next.begin(), next.end(),
               [&](std::uint32_t x, std::uint32_t y) { return before_afterwards(x, y); });
-    // The ends of the edge have one neighbour only.
+    // The edge's ends have one neighbour only.
     const bool has_left = run.first > 0, has_right = run.last < order_.size();
     const bool was_empty = run.first == run.last;
     if (was_empty && next.empty()) return;
@@ -334,7 +333,7 @@ class PatchSweep {
     if (has_right && !right_stays && !(was_empty && has_left)) close(right_gap, now_);
     const Gap left_before = has_left ? gaps_[left_gap] : Gap{},
               right_before = has_right ? gaps_[right_gap] : Gap{};
-    // The gaps from the one before the run to the one behind it are made anew.
+    // Makes new gaps, from the gap before the run to the gap behind it.
     std::vector<Gap> gaps;
     if (next.empty()) {
       if (has_left && has_right) {
@@ -372,7 +371,7 @@ class PatchSweep {
     }
   }
 
-  /// The scale at which the nodes on either side of a gap come to be in one place.
+  /// Finds the scale at which the nodes on either side of a gap meet.
   void foresee(std::size_t gap) {
     const std::uint32_t x = order_[gap], y = order_[gap + 1];
     const Node &a = node(x), &b = node(y);

@@ -6,7 +6,7 @@
 
 namespace minkref::inline plane {
 
-/// Where a node of a piece is, as a function of the scale. Exact.
+/// A piece node's position as a function of the scale. Exact.
 Track track_of(const SweptBoundary& boundary, std::uint32_t edge, const NodeName& node);
 
 }  // namespace minkref::inline plane

@@ -30,7 +30,7 @@ class File {
   explicit operator bool() const { return number_ >= 0; }
   int number() const { return number_; }
 
-  /// Reads these bytes, fewer at the end of the file; returns how many.
+  /// Reads these bytes, fewer at the file's end; returns the count.
   std::size_t read(std::byte* to, std::size_t count, std::uint64_t from) const {
     std::size_t done = 0;
     while (done < count) {

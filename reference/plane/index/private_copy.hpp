@@ -10,7 +10,7 @@
 
 namespace minkref::inline plane {
 
-/// Begins where any number of eight bytes may. Copies share the bytes.
+/// Aligned for numbers of eight bytes. Copies share the bytes.
 struct PrivateCopy {
   std::shared_ptr<const void> owner;
   std::span<const std::byte> bytes;  ///< empty where the file does not begin as it should

@@ -9,7 +9,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// The links that are there, and which comes next.
+/// The current links, and each link's successor.
 class Successors {
  public:
   Successors(const SweptBoundary& swept, const MovingBoundary& boundary)
@@ -47,7 +47,7 @@ class Successors {
   std::vector<std::vector<std::uint32_t>> out_;
 };
 
-/// Links in circles, each link in one at most.
+/// Links as circles, each link on at most one.
 class Circles {
  public:
   explicit Circles(std::size_t links) : next_(links, no_entry), before_(links, no_entry) {}
@@ -61,7 +61,7 @@ class Circles {
     }
   }
 
-  /// The way takes the place of what is between the two.
+  /// The way replaces everything between the two.
   void put_between(std::uint32_t from, const std::vector<std::uint32_t>& way, std::uint32_t to) {
     std::uint32_t last = from;
     for (const std::uint32_t link : way) {
@@ -120,7 +120,8 @@ class Builder {
   }
 
  private:
-  /// Where links of a ring end: between the two that go on those that begin take their place.
+  /// A gap left by ending links of a ring: beginning links replace them between the two remaining
+  /// links.
   struct Gap {
     std::uint32_t from, to;
     std::vector<std::uint32_t> way;
@@ -144,7 +145,7 @@ class Builder {
     }
   }
 
-  /// The walk of a link, split where it comes to a track again.
+  /// Traces a link's walk, split wherever it returns to a track.
   void trace(std::uint32_t start) {
     std::vector<std::uint32_t> path;
     std::uint32_t link = start;
@@ -172,7 +173,7 @@ class Builder {
     size_ += links.size();
   }
 
-  /// Puts links that begin in the place of those that end. False where rings merge, split or touch.
+  /// Replaces ending links by beginning links. False if rings merge, split or touch.
   bool mend(std::uint32_t interval, const std::vector<std::uint32_t>& ended,
             const std::vector<std::uint32_t>& begun) {
     for (const std::uint32_t link : begun) {
@@ -212,7 +213,7 @@ class Builder {
     }
   }
 
-  /// Takes one of the links that begin; false if the link is none of them.
+  /// Takes a beginning link; false for any other link.
   bool take(std::uint32_t link) {
     const auto found = std::find(unplaced_.begin(), unplaced_.end(), link);
     if (found == unplaced_.end()) return false;
@@ -227,7 +228,7 @@ class Builder {
     size_ += gap.way.size();
   }
 
-  /// Adds a ring of links that begin, and of nothing else.
+  /// Adds a ring of beginning links only.
   bool new_ring() {
     const std::uint32_t start = unplaced_.front();
     std::vector<std::uint32_t> links;
@@ -241,8 +242,8 @@ class Builder {
     return true;
   }
 
-  /// The corners of a ring, by tracks, change in its gaps only. False where they are the same ones
-  /// in another order, or in other gaps: then only the whole rings tell.
+  /// Compares the corners of a ring, by tracks, which change inside its gaps only. False if the
+  /// same corners come in another order, or in other gaps: then only the whole rings tell.
   bool compare_corners(const std::vector<Gap>& gaps, RingChange& change) const {
     std::vector<std::uint32_t> below, here;
     bool is_same_in_each = true;
@@ -313,7 +314,7 @@ class Builder {
   std::vector<RingBucket> buckets_;
   std::vector<std::uint32_t> in_order_;  // links that are there, and some that ended
   std::size_t live_ = 0;
-  // The bucket that is being made:
+  // The bucket under construction:
   std::uint32_t first_ = 0;
   std::size_t size_ = 0;              // of its entries
   std::vector<std::uint32_t> heads_;  // the first entry of each ring

@@ -1,4 +1,4 @@
-// The links of a moving boundary in the order of the rings, for stretches of scales.
+// The links of a moving boundary in ring order, for stretches of scales.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,21 @@
 
 namespace minkref::inline plane {
 
-/// A link while it is there, in the place that it has in its ring.
+/// A link with its intervals, at its place within its ring.
 struct RingEntry {
   std::uint32_t link = 0;
   std::uint32_t first = 0, last = 0;  ///< intervals
 };
 
-/// The features that a ring bounds, in the numbers of the topology timeline.
+/// The features that a ring bounds, with the topology timeline's numbers.
 struct RingFeatures {
   bool is_hole = false;         ///< clockwise
   std::uint32_t hole = 0;       ///< on its right; 0 is the outside
   std::uint32_t component = 0;  ///< on its left
 };
 
-/// Rings of the boundary over some intervals in a row. At each of them the entries that are there,
-/// in this order, are its rings: a link that takes the place of others stands beside them.
+/// Rings of the boundary over consecutive intervals. The entries present during an interval, in
+/// this order, form the interval's rings: a link that replaces others stands beside them.
 struct RingBucket {
   std::uint32_t first = 0, last = 0;  ///< intervals
   std::vector<RingEntry> entries;
@@ -43,10 +43,10 @@ struct RingOrder {
   std::vector<RingChange> changes;  ///< of each event
 };
 
-/// Where the boundary touches itself its walks along the components are split into simple rings
-/// (docs/definitions.md, "Canonical form"). O(links that begin and end), and of all the rings where
-/// some merge, split or touch. Throws std::logic_error if the links do not close to rings: a check
-/// of the swept boundary by itself.
+/// Splits a boundary's walks along the components into simple rings where the boundary touches
+/// itself (docs/definitions.md, "Canonical form"). O(links that begin and end), and O(all links) at
+/// events with rings that merge, split or touch. Throws std::logic_error if the links do not close
+/// to rings: an independent check of the swept boundary.
 RingOrder ring_order(const SweptBoundary& swept, const MovingBoundary& boundary,
                      const EdgeDirections& directions, const BuildControl& control);
 

@@ -45,7 +45,7 @@ RingFeatures features_of(const IndexRing& ring) {
   return {ring.is_hole != 0, ring.hole, ring.component};
 }
 
-/// Sums of neighbours, then of those: the numbers that are added are about as long as each other.
+/// Sums neighbours, then the sums, and so on: each addition has numbers of about equal length.
 Rational tree_sum(std::vector<Rational> values) {
   if (values.empty()) return 0;
   while (values.size() > 1) {
@@ -63,7 +63,7 @@ BadInput contradicts_itself(const std::string& what) {
           "build it again with `minkref index`"};
 }
 
-/// Validates the operands of an opened index, where an algorithm relies on them.
+/// Validates the operands of an opened index, for algorithms that rely on valid operands.
 void require_valid(std::initializer_list<std::reference_wrapper<const PolygonSet>> operands) {
   for (const PolygonSet& operand : operands) {
     try {
@@ -266,7 +266,7 @@ void ScaleIndex::collect_touching(std::uint32_t event, TrackRings& rings) const 
   for (const IndexPiece& p : columns_.pieces.subspan(own.pieces, next.pieces - own.pieces)) {
     state.links.push_back({p.from, p.to, p.edge, 0, 0});
   }
-  // Tracks and edges that occur, by numbers of their own.
+  // Tracks and edges that occur, renumbered.
   std::vector<std::uint32_t> used, lines;
   for (const BoundaryLink& link : state.links) {
     used.insert(used.end(), {link.from, link.to});

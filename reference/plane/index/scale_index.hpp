@@ -1,4 +1,4 @@
-// All sums sP + Q of a window of scales, built once: any one is then read off.
+// All sums sP + Q of a window of scales, built once: any sum can then be read off.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace minkref::inline plane {
 class ScaleIndex {
  public:
   /// Exact: the boundary of {(x, s) : x in sP + Q} (docs/scale-index.md). A window is closed, and
-  /// open towards 0 or infinity where a bound is none. Operands must have passed `validate`. Throws
+  /// open towards 0 or infinity without a bound. Operands must have passed `validate`. Throws
   /// BadInput ("bad-window", and as minkowski_sum does), LimitExceeded ("memory-limit").
   ScaleIndex(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
              const BuildOptions& options = {});
@@ -42,18 +42,18 @@ class ScaleIndex {
   std::size_t tracks() const { return columns_.tracks_in_doubles.size(); }
   Track track(std::uint32_t k) const;
 
-  /// Where a scale of the window is: the interval that holds it, or the one below the event at
-  /// which it is. Interval k lies between events k - 1 and k. Throws BadInput ("outside-window").
-  /// O(log e) for e events, in doubles as a rule.
+  /// The place of a scale within the window: the interval around the scale, or the interval below
+  /// the event at the scale. Interval k lies between events k - 1 and k. Throws BadInput
+  /// ("outside-window"). O(log e) for e events, mostly by doubles.
   struct Place {
     std::uint32_t interval = 0;
     bool at_event = false;
   };
   Place place(const Rational& scale) const;
 
-  /// The boundary. Throws as `place`. O(b) for a boundary of b edges: nanoseconds a vertex in
-  /// doubles and in integers of up to 128 bits, some 0.3 us in lowest terms. At the few events at
-  /// which rings touch or fold O(b) milliseconds.
+  /// The boundary. Throws as `place`. O(b) for a boundary of b edges: nanoseconds a vertex for
+  /// doubles and for integers of up to 128 bits, some 0.3 us for lowest terms. At the few events
+  /// with touching or folding rings O(b) milliseconds.
   void rings(const Rational& scale, TrackRings& rings) const;
   void rings(const Rational& scale, RoundedRings& rings) const;
   void rings(const Rational& scale, HomogeneousRings& rings) const;
@@ -62,8 +62,8 @@ class ScaleIndex {
   /// The rings of an interval rather than a scale. O(b).
   void rings_of_interval(std::uint32_t interval, TrackRings& rings) const;
 
-  /// In canonical form. Exact. O(b log b). Tight passages, where they are asked for, by the static
-  /// route (tight_passages.hpp).
+  /// The sum in canonical form. Exact. O(b log b). Tight passages, if asked for, come from the
+  /// static route (tight_passages.hpp).
   Sum sum(const Rational& scale, Passages passages = Passages::leave) const;
 
   /// Without the boundary. O(log e).
@@ -72,14 +72,14 @@ class ScaleIndex {
   };
   Features features(const Rational& scale) const;
 
-  /// Within `error` of the true one. O(log e).
+  /// The area within `error` of the truth. O(log e).
   struct RoundedArea {
     double value = 0, error = 0;
   };
   RoundedArea area(const Rational& scale) const;
 
-  /// a0 + a1 s + a2 s^2 in an interval. Exact; denominators multiply. O(b log b) multiplications of
-  /// numbers that grow to the length of the result.
+  /// a0 + a1 s + a2 s^2 during an interval. Exact; denominators multiply. O(b log b)
+  /// multiplications of numbers that grow to the result's length.
   std::array<Rational, 3> area_polynomial(std::uint32_t interval) const;
 
   /// Boundary and topology events, life spans. Groups are events.
@@ -88,7 +88,7 @@ class ScaleIndex {
  private:
   explicit ScaleIndex(IndexImage image);
 
-  /// In an index that was opened, a contradiction is a fault of the file.
+  /// A contradiction of an opened index means a fault of the file.
   void collect(const Place& at, TrackRings& rings) const;
   void collect_from_bucket(const Place& at, TrackRings& rings) const;
   void collect_touching(std::uint32_t event, TrackRings& rings) const;

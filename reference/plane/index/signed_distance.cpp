@@ -56,7 +56,7 @@ void SignedDistance::lay_grid(const std::vector<Edge>& edges) {
   const auto count = [&](double length) {
     return static_cast<std::size_t>(std::ceil(length / spacing_)) + 1;
   };
-  // Coordinates are rounded to 2^-53 of them, distances and differences to a few such.
+  // Coordinates have a relative error of 2^-53, distances and differences a few times more.
   error_ = 0x1p-40 * (largest + width + height);
   if (!(spacing_ > 0 && largest > 1e-120 && largest < 1e120)) {  // squares would not be doubles
     columns_ = rows_ = 1;
@@ -70,15 +70,15 @@ void SignedDistance::lay_grid(const std::vector<Edge>& edges) {
   samples_.resize(columns_ * rows_);
 }
 
-/// Block by block_side: only edges about as near as the nearest to its middle can be the nearest to
-/// a sample in it.
+/// Works block by block: only edges about as near as the nearest to the block's middle can be
+/// nearest to a sample of the block.
 void SignedDistance::measure(const std::vector<Edge>& edges) {
   if (columns_ * rows_ == 1) return;
   std::vector<double> dx, dy, over, distance(edges.size());
   for (const Edge& e : edges) {
     dx.push_back(e.x1 - e.x0);
     dy.push_back(e.y1 - e.y0);
-    // An edge that has no length in doubles is a point: it is shorter than the error.
+    // An edge of length zero in doubles counts as a point: its true length is below the error.
     const double squared_length = dx.back() * dx.back() + dy.back() * dy.back();
     over.push_back(squared_length > 0 ? 1 / squared_length : 0);
   }
@@ -119,7 +119,7 @@ void SignedDistance::measure(const std::vector<Edge>& edges) {
   }
 }
 
-/// By crossings of each row. Where rounding could tell the wrong side the distance is below the
+/// Uses each row's crossings. Where rounding could confuse the sides, the distance stays below the
 /// error.
 void SignedDistance::mark_outside(const std::vector<Edge>& edges) {
   if (columns_ * rows_ == 1) return;
@@ -173,7 +173,7 @@ std::vector<Disc> SignedDistance::inscribed_discs(std::size_t count) const {
     const double radius = samples_[k];
     result.push_back({left_ + static_cast<double>(column) * spacing_,
                       bottom_ + static_cast<double>(row) * spacing_, radius - error_});
-    // Discs that overlap by a little: centres within 0.9 of the radius are covered.
+    // Discs may overlap slightly: each covers the centres within 0.9 of its radius.
     const auto reach = static_cast<std::size_t>(0.9 * radius / spacing_);
     for (std::size_t r = row - std::min(row, reach); r <= std::min(row + reach, rows_ - 1); ++r) {
       for (std::size_t c = column - std::min(column, reach);

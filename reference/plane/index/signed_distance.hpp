@@ -9,7 +9,7 @@
 
 namespace minkref::inline plane {
 
-/// A closed disc in a region.
+/// A closed disc inside a region.
 struct Disc {
   double x = 0, y = 0, radius = 0;
 };
@@ -18,14 +18,15 @@ struct Disc {
 /// changes by no more than the point moves, so samples on a grid bound it everywhere.
 class SignedDistance {
  public:
-  /// Samples the distances of a region. O(n g) for n edges and g samples at worst, about n + g as a
+  /// Samples a region's distances. O(n g) for n edges and g samples at worst, about n + g as a
   /// rule.
   explicit SignedDistance(const PolygonSet& region);
 
-  /// At most the signed distance of any point that is within 2^-45 of its coordinates' magnitude.
+  /// At most the signed distance of any point within 2^-45 of its coordinates' magnitude.
   double below(double x, double y) const;
 
-  /// Discs that certainly lie in the region, those that cover most of what is left first.
+  /// Discs that certainly lie inside the region, largest first; earlier discs do not cover their
+  /// centres.
   std::vector<Disc> inscribed_discs(std::size_t count) const;
 
  private:

@@ -5,9 +5,9 @@
 
 namespace minkref::inline plane {
 
-/// sP + Q in canonical form, without statistics and tight passages. The window of the boundary has
-/// to hold the scale; at an event's the sum is the limit of those just below, and at the start of
-/// the window of those just above. Exact. O(p + b log b) for p pieces in all and b at the scale.
+/// sP + Q in canonical form, without statistics and tight passages. The boundary's window has to
+/// hold the scale; at an event the sum is the limit of sums just below, and at the window's start
+/// the limit of sums just above. Exact. O(p + b log b) for p pieces overall and b at the scale.
 Sum slice(const SweptBoundary& boundary, const Rational& scale);
 
 }  // namespace minkref::inline plane

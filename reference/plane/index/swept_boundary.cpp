@@ -17,7 +17,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// A number of few bits well between two that are known up to `error`, if doubles tell; else none.
+/// A number with few bits well between two numbers known up to `error`, if doubles tell; else none.
 std::optional<double> between(double low, double high, double error) {
   const double room = high - low;
   if (!(room > 64 * error) || !std::isfinite(room)) return std::nullopt;
@@ -99,7 +99,8 @@ class BoundarySearch {
   double near(std::uint32_t node, double s) const {
     return nodes_.nodes[node].slope * s + nodes_.nodes[node].value;
   }
-  /// Bounds what near() is off by: terms that nearly cancel are each off by a share of themselves.
+  /// Bounds the error of near(): each term, even if the terms nearly cancel, has its relative
+  /// error.
   double error(std::uint32_t node, double s) const {
     const double terms =
         std::fabs(nodes_.nodes[node].slope) * s + std::fabs(nodes_.nodes[node].value);
@@ -119,7 +120,7 @@ class BoundarySearch {
     return Rational(grid_integer(value));
   }
 
-  /// By a point within the piece.
+  /// Decides by a point within the piece.
   bool is_exposed(std::uint32_t edge, const Piece& piece) const {
     Rational s;
     const double to = finite(piece.to, piece.from);
@@ -154,7 +155,7 @@ class BoundarySearch {
   SweptBoundary& result_;
 };
 
-/// Gathers the parts of all threads, in the order of the edges.
+/// Gathers the parts of all threads, sorted by edge.
 void gather(std::vector<SweptBoundary>& parts, SweptBoundary& result) {
   for (SweptBoundary& part : parts) {
     result.pieces_in_all += part.pieces_in_all;

@@ -1,5 +1,5 @@
-// The boundary of the swept sum {(x, s) : x in sP + Q}: where the patches of convolution edges are
-// exposed.
+// The boundary of the swept sum {(x, s) : x in sP + Q}: the exposed parts of convolution edges'
+// patches.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@
 
 namespace minkref::inline plane {
 
-/// A piece of the patch of an edge, between two nodes and two scales, in which no point is in the
-/// sum of the interiors. The sum is on the left of the edge; on its right it is not, or another
-/// piece runs the other way.
+/// A piece of an edge's patch, between two nodes and two scales, without a point of the interiors'
+/// sum. The sum lies on the edge's left; the edge's right lies outside, or another piece runs the
+/// other way.
 struct ExposedPiece {
   std::uint32_t edge = 0;
   NodeName from, to;              ///< along the edge
@@ -22,7 +22,7 @@ struct ExposedPiece {
   std::optional<Rational> upper;  ///< none: up to infinity
 };
 
-/// Two edges that meet at one scale only, in an end of both.
+/// Two edges that meet at one scale only, where ends of both coincide.
 struct EndContact {
   std::uint32_t edge = 0, other = 0;
   Rational scale;
@@ -38,11 +38,10 @@ struct SweptBoundary {
   std::uint64_t pieces_in_all = 0, faces_tested = 0;
 };
 
-/// Within a window, open towards 0 or infinity where a bound is none. Exact, and the same for any
-/// number of threads. Operands must have passed `validate`. Throws BadInput ("bad-window"),
-/// LimitExceeded
-/// ("memory-limit"). O(N^2)
-/// in doubles for N edges of the convolution; what follows depends on the pairs that are left.
+/// The boundary within a window, open towards 0 or infinity without a bound. Exact, and the same
+/// for any number of threads. Operands must have passed `validate`. Throws BadInput ("bad-window"),
+/// LimitExceeded ("memory-limit"). O(N^2) doubles for N convolution edges; the further cost depends
+/// on the remaining pairs.
 SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                              const BuildOptions& options = {});
 

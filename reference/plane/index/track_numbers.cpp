@@ -25,7 +25,7 @@ void store(Word2 value, std::uint64_t* words) {
   if constexpr (count == 2) words[1] = static_cast<std::uint64_t>(value >> 64);
 }
 
-/// Modulo 2^128, which is exact where the result fits.
+/// Computes modulo 2^128, exactly if the result fits.
 template <std::uint32_t in, std::uint32_t out>
 void in_two_words(const IntegerColumn& tracks, const std::vector<std::uint32_t>& which, Word2 num,
                   Word2 den, std::uint64_t* to) {

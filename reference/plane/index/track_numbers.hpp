@@ -5,8 +5,8 @@
 
 namespace minkref::inline plane {
 
-/// Into result.numbers and .words, for tracks of a column of five integers each whose longest has
-/// `bits` bits. Exact. Some 5 ns a vertex where all fits into 128 bits, else some 0.3 us.
+/// Fills result.numbers and .words, for tracks from a column with five integers each, at most
+/// `bits` bits long. Exact. Some 5 ns a vertex if all numbers fit into 128 bits, else some 0.3 us.
 void homogeneous_numbers(const IntegerColumn& tracks, std::uint64_t bits,
                          const std::vector<std::uint32_t>& which, const Rational& scale,
                          HomogeneousRings& result);

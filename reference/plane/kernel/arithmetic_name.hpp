@@ -1,4 +1,4 @@
-// From the name of an arithmetic, as the command line spells it, to its scalar type.
+// From an arithmetic's name, as the command line spells it, to its scalar type.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace minkref::inline plane {
 
-/// The bits of "mpfr:BITS", if the name is one. Throws BadInput (code "unknown-arithmetic") for
-/// names that name nothing, and for fewer than 2 or more than 1,000,000 bits.
+/// The bits of a name "mpfr:BITS"; none for other known names. Throws BadInput (code
+/// "unknown-arithmetic") for unknown names, and for fewer than 2 or more than 1,000,000 bits.
 std::optional<long> mpfr_bits(const std::string& name);
 
 /// Calls use(Arithmetic<T>) with T by name: rational, interval, double or mpfr:BITS.

@@ -1,4 +1,4 @@
-// Axis-parallel boxes in doubles that certainly enclose what they stand for.
+// Axis-parallel boxes of doubles, certain enclosures.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +30,8 @@ struct Box {
   }
 };
 
-/// The next double downwards and upwards: what makes a rounded bound a certain one. A difference of
-/// infinities bounds nothing.
+/// The next double downwards and upwards: turns a rounded bound into a certain bound. A difference
+/// of infinities bounds nothing.
 inline double below(double value) {
   constexpr double bottom = -std::numeric_limits<double>::infinity();
   return std::isnan(value) ? bottom : std::nextafter(value, bottom);
@@ -51,7 +51,7 @@ inline Box sum_of(const Box& a, const Box& b) {
           above(a.ymax + b.ymax)};
 }
 
-/// The box of x - q for q in `box` and x in `at`; outward rounded.
+/// The box of x - q for q of `box` and x of `at`; outward rounded.
 inline Box reflected(const Box& box, const Box& at) {
   return {below(at.xmin - box.xmax), below(at.ymin - box.ymax), above(at.xmax - box.xmin),
           above(at.ymax - box.ymin)};

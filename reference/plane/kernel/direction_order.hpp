@@ -10,15 +10,14 @@ int half_turn(const K& kernel, const V& d) {
   return y < 0 || (y == 0 && kernel.sign(d.x()) < 0) ? 0 : 1;
 }
 
-/// Whether the angle of u is less than that of v, both in [-180, 180). Equal directions are not
-/// less.
+/// Whether u has a smaller angle than v, both in [-180, 180). False for equal directions.
 template <class K, class V>
 bool angle_less(const K& kernel, const V& u, const V& v) {
   const int hu = half_turn(kernel, u), hv = half_turn(kernel, v);
   return hu != hv ? hu < hv : kernel.turn(u, v) > 0;
 }
 
-/// Whether two directions that are known to be parallel point the same way.
+/// Whether two parallel directions point the same way.
 template <class K, class V>
 bool same_way(const K& kernel, const V& u, const V& v) {
   const int ux = kernel.sign(u.x());

@@ -1,5 +1,4 @@
-// The exact kernel that fits the numbers of two operands: grid integers where they fit, rationals
-// otherwise.
+// The exact kernel that fits two operands' numbers: grid integers if possible, otherwise rationals.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Scales as fractions of integers of any length, not in lowest terms.
+// Scales as fractions of integers of any length, not reduced.
 #pragma once
 
 #include "reference/plane/kernel/grid_kernel.hpp"
@@ -18,7 +18,7 @@ Fraction fraction(const Wide& num, const Wide& den) {
   if (den < 0) return {-grid_integer(num), -grid_integer(den)};
   return {grid_integer(num), grid_integer(den)};
 }
-/// A parameter of a grid kernel.
+/// A grid kernel's parameter as a fraction.
 template <class Parameter>
 Fraction fraction(const Parameter& parameter) {
   return fraction(parameter.num, parameter.den);

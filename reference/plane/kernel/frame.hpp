@@ -1,4 +1,4 @@
-// One frame for both operands: the kernel that fits their numbers, and coordinates in it.
+// A common frame for both operands: the kernel that fits their numbers, and their coordinates.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace minkref::inline plane {
 
-/// The common denominator of a set of points, and the bits that it needs.
+/// The common denominator of some points, and the bits needed.
 struct GridFit {
   Integer denominator = 1;  ///< frame coordinates are real coordinates times this
   std::size_t bits = 0;     ///< of the largest frame coordinate
@@ -44,7 +44,7 @@ Operand<Vector2<T>> scalar_operand(const PolygonSet& set, const Arithmetic<T>& a
       set, [&](const Point& p) { return Vector2<T>(arithmetic(p.x), arithmetic(p.y)); });
 }
 
-/// The exact position of a grid node in real coordinates.
+/// A grid node's exact position with real coordinates.
 template <class Grid>
 Point grid_position(const typename GridKernel<Grid>::Node& node, const Integer& denominator) {
   const Rational unit = Rational(Integer(1), denominator);

@@ -15,7 +15,7 @@
 
 namespace minkref::inline plane {
 
-/// Integers of the grid: Int for coordinates, Wide for products of two, Huge for products of four.
+/// The grid's integers: Int for coordinates, Wide for products of two, Huge for products of four.
 struct Grid64 {
   using Int = std::int64_t;
   using Wide = Int128;
@@ -59,9 +59,9 @@ Integer grid_integer(const FixedInteger<Bits>& value) {
 template <class Int>
 using GridVector = Eigen::Matrix<Int, 2, 1>;
 
-/// Relative error, in units of the magnitudes that entered, beyond which a double is believed. Each
-/// conversion is off by at most 2^-51, each product and difference by 2^-53 more: 11 * 2^-53 in
-/// all; 16 * 2^-53 is used.
+/// Relative error, in units of the input magnitudes, beyond which a double is trusted. Each
+/// conversion has an error of at most 2^-51, each product and difference 2^-53 more: altogether 11
+/// * 2^-53; the bound takes 16 * 2^-53.
 inline constexpr double filter_bound = 16.0 / 9007199254740992.0;
 
 template <class Grid>
@@ -72,7 +72,7 @@ class GridKernel {
   using Huge = typename Grid::Huge;
   using Vector = GridVector<Coordinate>;
 
-  /// t = num / den, den > 0; `value` is off by at most 9 * 2^-53 relatively.
+  /// t = num / den, den > 0; `value` has a relative error of at most 9 * 2^-53.
   struct Parameter {
     double value = 0;
     Wide num = 0, den = 1;
@@ -89,7 +89,7 @@ class GridKernel {
     double x = 0, y = 0;
   };
 
-  /// `magnitude`: a bound on the absolute value of every coordinate of every vertex.
+  /// `magnitude`: a bound on the absolute value of every vertex coordinate.
   explicit GridKernel(double magnitude = 0) : node_error(16 * filter_bound * (magnitude + 1)) {}
 
   int sign(const Coordinate& value) const { return sign_of(value); }
@@ -181,7 +181,7 @@ class GridKernel {
                                   (exact(b, 1) - ay) * (exact(c, 0) - ax)));
   }
 
-  /// One coordinate of a node, exact (axis 0: x, 1: y).
+  /// A node's exact coordinate (axis 0: x, 1: y).
   static Rational exact(const Node& node, int axis) {
     const Integer start = grid_integer(node.start[axis]);
     if (node.direction.x() == 0 && node.direction.y() == 0) return Rational(start);
@@ -220,8 +220,8 @@ class GridKernel {
   mutable SignCounts counts;
 
  private:
-  /// The sign of u x v where each component of u and v is off by at most `error` besides rounding;
-  /// 0: not decided.
+  /// The sign of u x v if each component of u and v has at most `error` besides rounding; 0:
+  /// undecided.
   static int filtered_turn(double ux, double uy, double vx, double vy, double error) {
     const double left = ux * vy, right = uy * vx;
     const double difference = left - right;

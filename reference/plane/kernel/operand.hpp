@@ -1,4 +1,4 @@
-// Both operands in one frame of a kernel's coordinates: the scaled P and Q, ring by ring.
+// Both operands within a common frame of a kernel's coordinates: the scaled P and Q, ring by ring.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace minkref::inline plane {
 
-/// The rings of an operand in the order outer, holes, outer, holes, ...
+/// An operand's rings: outer, holes, outer, holes, ...
 template <class V>
 struct Operand {
   std::vector<std::vector<V>> rings;

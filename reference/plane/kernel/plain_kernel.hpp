@@ -1,4 +1,4 @@
-// The kernel over one scalar type: every sign is the sign of a number computed in that type.
+// The kernel over one scalar type: every sign comes from a number of this type.
 #pragma once
 
 #include <utility>

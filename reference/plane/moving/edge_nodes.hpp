@@ -8,14 +8,14 @@
 
 namespace minkref::inline plane {
 
-/// A point of the arrangement on an edge: where another edge crosses it, or an end point of another
-/// edge on the same line.
+/// A point of the arrangement on an edge: another edge's crossing, or an end point of another edge
+/// on the same line.
 struct EdgeNode {
   enum class Kind : std::uint8_t { crossing, start_of_other, end_of_other };
   static constexpr std::uint32_t always = 0xffffffffU;
   std::uint32_t other = 0;  ///< the other edge
   Kind kind = Kind::crossing;
-  /// Moments (then groups of events) at which it appears and disappears; the node exists at both.
+  /// Moments (later groups of events) at which the node appears and disappears; it exists at both.
   /// `always`: before the first, after the last.
   std::uint32_t from = always, to = always;
 };
@@ -28,7 +28,8 @@ struct PositionAlong {
   W slope = W(0), value = W(0), den = W(1);
 };
 
-/// The position of the crossing with b along a; a and b are not parallel. Exact as the kernel is.
+/// The position of the crossing with b along a. Requires a and b not parallel. As exact as the
+/// kernel.
 template <class K>
 PositionAlong<typename K::Wide> crossing_position(const K& kernel,
                                                   const MovingEdge<typename K::Vector>& a,
@@ -50,7 +51,7 @@ PositionAlong<typename K::Wide> vertex_position(const MovingEdge<typename K::Vec
   return {K::dot(p, a.d), K::dot(q, a.d), K::dot(a.d, a.d)};
 }
 
-/// The position of a node along its edge.
+/// A node's position along its edge.
 template <class K>
 PositionAlong<typename K::Wide> node_position(
     const K& kernel, const std::vector<MovingEdge<typename K::Vector>>& edges, std::uint32_t edge,
@@ -67,7 +68,7 @@ PositionAlong<typename K::Wide> node_position(
   return vertex_position<K>(edges[edge], end_of(other));
 }
 
-/// The nodes of all edges, edge by edge.
+/// All edges' nodes, edge by edge.
 struct NodeTable {
   std::vector<EdgeNode> nodes;
   std::vector<std::uint32_t> first;  ///< of each edge, and the end

@@ -21,7 +21,7 @@ struct ConvexPieces {
   BoxTree tree;
   double magnitude = 0;
 
-  /// A segment or a point is a triangle without an area, two or three corners of it one.
+  /// A segment or a point becomes a triangle without area, with two or three equal corners.
   explicit ConvexPieces(const PolygonSet& set) {
     if (set.is_region()) {
       exact = triangulate(set);
@@ -46,8 +46,8 @@ struct ConvexPieces {
   }
 };
 
-/// The answer of doubles about the edges of `a`, coordinates being off by `error`: one edge has all
-/// of `b` on its right, each edge has some of `b` on its left, or neither is certain.
+/// The doubles' verdict about the edges of `a`, with coordinate errors up to `error`: an edge has
+/// all of `b` on its right, each edge has some of `b` on its left, or neither is certain.
 enum class Told : std::uint8_t { separates, none_separates, nothing };
 
 Told by_edges(const TriangleInDoubles& a, const TriangleInDoubles& b, double error) {
@@ -83,7 +83,7 @@ std::optional<bool> told(const TriangleInDoubles& a, const TriangleInDoubles& b,
 
 using FilteredTriangle = std::array<FilteredPoint, 3>;
 
-/// Whether the line of an edge of `a` has all of `b` on its right side, closed.
+/// Whether some edge line of `a` has all of `b` on its closed right side.
 bool separates(const FilteredTriangle& a, const FilteredTriangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (std::all_of(b.begin(), b.end(), [&](const FilteredPoint& p) {
@@ -95,7 +95,7 @@ bool separates(const FilteredTriangle& a, const FilteredTriangle& b) {
   return false;
 }
 
-/// Whether it has all of `b` on its right side, open, once `b` has moved by a little.
+/// Whether some edge line of `a` has all of `b` on its open right side, after a small move of `b`.
 bool separates_after(const Point& move, const FilteredTriangle& a, const FilteredTriangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     const FilteredPoint &from = a[i], &to = a[(i + 1) % 3];
@@ -118,7 +118,7 @@ struct InteriorTest::Impl {
   Impl(const PolygonSet& P_, const PolygonSet& Q_)
       : P(P_), Q(Q_), p(P_), q(Q_), regions(P_.is_region() && Q_.is_region()) {}
 
-  /// How far coordinates of s a and of x - b are off at most.
+  /// The greatest coordinate error of s a and of x - b.
   double error(double x, double y, double scale, double own) const {
     return own + 0x1p-48 * (p.magnitude * scale + q.magnitude + std::abs(x) + std::abs(y)) + 1e-300;
   }
@@ -131,7 +131,7 @@ struct InteriorTest::Impl {
     return {a, b};
   }
 
-  /// Whether some s a and x - b meet: by doubles where they tell, else by `meet`.
+  /// Whether some s a and x - b meet: by doubles if they tell, else by `meet`.
   template <class Meet>
   bool some_pair(const Point& x, const Rational& scale, Meet&& meet) const {
     const FilteredPoint at(x);

@@ -44,7 +44,7 @@ V at(const MovingVertex<V>& vertex, const T& scale) {
   return V(T(scale * vertex.p.x()) + vertex.q.x(), T(scale * vertex.p.y()) + vertex.q.y());
 }
 
-/// The edges of a convolution of P and Q, neither of them scaled. As exact as the subtraction in V.
+/// A convolution's edges for unscaled P and Q. As exact as V's subtraction.
 template <class V>
 std::vector<MovingEdge<V>> moving_edges(const std::vector<ConvolutionEdge>& edges,
                                         const Operand<V>& P, const Operand<V>& Q) {

@@ -1,4 +1,4 @@
-// The difference of two positions along an edge, exact, in the type that holds it.
+// The exact difference of two positions along an edge, with a sufficient type.
 #pragma once
 
 #include "reference/plane/kernel/grid_kernel.hpp"
@@ -18,11 +18,11 @@ struct WideProduct<GridKernel<Grid>> {
 };
 }  // namespace detail
 
-/// Holds products of two of a kernel's wide numbers, and their differences.
+/// Holds products of two wide numbers of a kernel, and their differences.
 template <class K>
 using WideProduct = typename detail::WideProduct<K>::Type;
 
-/// num / den in doubles, off by at most 2^-51 of it; den > 0.
+/// num / den as a double, with a relative error of at most 2^-51; den > 0.
 inline double wide_quotient(const Rational& num, const Rational& den) {
   return to_double(Rational(num / den));
 }

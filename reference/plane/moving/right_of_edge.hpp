@@ -1,4 +1,4 @@
-// Whether the sum lies on the right of a convolution edge where no other edge runs back along it.
+// Whether the sum lies right of a convolution edge where no other edge runs back along it.
 #pragma once
 
 #include "reference/plane/moving/interior_test.hpp"
@@ -12,8 +12,8 @@ namespace minkref::inline plane {
 /// decides a face"). Exact. O(n log n) on usual input.
 bool may_hide_passages(const PolygonSet& P, const PolygonSet& Q);
 
-/// Whether the closed sum lies on the right of an edge at a scale, next to a point inside of it
-/// through which no edge passes that is not on the same line. The cost is that of a point.
+/// Whether the closed sum lies right of an edge at a scale, next to an inner point of the edge.
+/// Every edge through the point must lie on the same line. Costs as much as deciding a point.
 bool sum_on_the_right(const RationalEdge& edge, const Point& x, const Rational& scale,
                       const InteriorTest& interior);
 

@@ -1,4 +1,4 @@
-// Where a point that moves with the scale is.
+// A moving point's position as a function of the scale.
 #pragma once
 
 #include "reference/plane/moving/edge_nodes.hpp"

@@ -30,8 +30,8 @@ bool collinear(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.y - b.y) == (b.y - a.y) * (c.x - b.x);
 }
 
-/// Where neighbouring segments lie on one line their contacts are put together. In an arrangement
-/// they go on in one direction. The first vertex stays.
+/// Joins the contacts of neighbouring segments on a common line. Such segments continue straight in
+/// an arrangement. The first vertex stays.
 TightPassage without_collinear_vertices(TightPassage chain) {
   TightPassage result;
   for (std::size_t i = 0; i < chain.points.size(); ++i) {
@@ -69,8 +69,8 @@ class Chains {
     for (std::uint32_t p = 0; p < graph_.points.size(); ++p) {
       if (!passed(p)) follow_all(p);
     }
-    // The passages that are left are closed and have no end: each begins at its smallest vertex,
-    // never a straight one.
+    // The remaining passages are closed, without ends: each begins at its smallest vertex, never a
+    // straight vertex.
     std::vector<std::uint32_t> order;
     for (std::uint32_t p = 0; p < graph_.points.size(); ++p) order.push_back(p);
     std::sort(order.begin(), order.end(), [&](std::uint32_t p, std::uint32_t q) {

@@ -1,4 +1,4 @@
-// The tight passages in an arrangement of the reduced convolution that is there already.
+// The tight passages of an existing arrangement of the reduced convolution.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,9 @@
 
 namespace minkref::inline plane {
 
-/// P is already scaled; segment i of the arrangement is edges[i]. `inside(face)` tells whether a
-/// face lies in the sum. Exact. The operands are triangulated only if there is a point to decide.
+/// Requires P already scaled; segment i of the arrangement belongs to edges[i]. `inside(face)`
+/// tells whether a face belongs to the sum. Exact. Triangulates the operands only if some point
+/// needs a decision.
 template <class Frame, class Inside>
 TightGraph tight_graph_of_arrangement(const Frame& frame,
                                       const Arrangement<typename Frame::K>& arrangement,

@@ -1,4 +1,4 @@
-// The parts of an arrangement that are tight passages, as a graph.
+// An arrangement's tight passages, as a graph.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace minkref::inline plane {
 
-/// Straight edges that meet at points only. An edge from a point to itself is a tight point that no
-/// other edge has.
+/// Straight edges that meet at points only. An edge from a point to itself means an isolated tight
+/// point.
 struct TightGraph {
   struct Edge {
     std::uint32_t from = 0, to = 0;
@@ -23,13 +23,13 @@ struct TightGraph {
   std::vector<Edge> edges;
 };
 
-/// The edges of the graph in maximal pieces, in canonical order. Exact.
+/// The graph's edges as maximal pieces, in canonical order. Exact.
 std::vector<TightPassage> passages_along(const TightGraph& graph);
 
 namespace detail {
 
-/// Whether segments run along a sub-edge in both directions. The sum is on the left of each: no
-/// other sub-edge has it on both sides and is touched only (Behar & Lien 2012, Sec. 3).
+/// Whether segments run along a sub-edge both ways. The sum lies left of each segment: no other
+/// sub-edge has the sum on both sides and is only touched (Behar & Lien 2012, Sec. 3).
 template <class K>
 bool runs_both_ways(const Arrangement<K>& arrangement, std::uint32_t h) {
   bool with = false, against = false;
@@ -39,8 +39,8 @@ bool runs_both_ways(const Arrangement<K>& arrangement, std::uint32_t h) {
   return with && against;
 }
 
-/// Whether `holds` of the segments that pass through a node or end there, each of those named twice
-/// that pass through.
+/// Whether `holds` accepts all segments that pass through a node or end there; segments through the
+/// node are asked twice.
 template <class K, class Holds>
 bool all_segments_at(const Arrangement<K>& arrangement, std::uint32_t node, Holds&& holds) {
   return std::all_of(arrangement.leaving_begin(node), arrangement.leaving_end(node),
@@ -50,8 +50,8 @@ bool all_segments_at(const Arrangement<K>& arrangement, std::uint32_t node, Hold
                      });
 }
 
-/// Whether no direction leads to the right of all segments at a node. Otherwise a small motion that
-/// way parts everything that touches, or the interiors meet in the node.
+/// Whether no direction leads right of all segments at a node. Otherwise a small motion along such
+/// a direction parts everything that touches, or the interiors meet at the node.
 template <class K>
 bool surrounded(const K& kernel, const Arrangement<K>& arrangement, std::uint32_t node) {
   const auto begin = arrangement.leaving_begin(node), end = arrangement.leaving_end(node);
@@ -61,7 +61,7 @@ bool surrounded(const K& kernel, const Arrangement<K>& arrangement, std::uint32_
   };
   // Two segments that cross, the usual case.
   if (crossing && end - begin == 4 && std::all_of(begin, end, covered_once)) return false;
-  // There is such a direction iff all lie in the half-turn to the left of one of them.
+  // Such a direction exists iff all segments lie within the half-turn left of some segment.
   return all_segments_at(arrangement, node, [&](std::uint32_t first) {
     const auto& rightmost = arrangement.segment_direction(first);
     return !all_segments_at(arrangement, node, [&](std::uint32_t segment) {
@@ -81,10 +81,11 @@ bool all_faces_at(const Arrangement<K>& arrangement, std::uint32_t node, Visit&&
 
 }  // namespace detail
 
-/// The tight parts of the arrangement of the reduced convolution `edges`. `position(n)` is a node's
-/// exact point, `inside(face)` whether a face lies in the sum, `touching(x)` whether sP and x - Q
-/// meet with disjoint interiors. Exact as these are. The open sub-edges are either tight or not, so
-/// a point of each decides; a node between them counts only if it is the end of none.
+/// The tight parts of the arrangement of the reduced convolution `edges`. `position(n)` gives a
+/// node's exact point, `inside(face)` whether a face belongs to the sum, `touching(x)` whether sP
+/// and x - Q meet with disjoint interiors. As exact as these functions. An open sub-edge is wholly
+/// tight or not at all, so one of its points decides; a node counts separately only if it ends no
+/// tight sub-edge.
 template <class K, class Position, class Inside, class Touching>
 TightGraph tight_graph(const K& kernel, const Arrangement<K>& arrangement,
                        const std::vector<ConvolutionEdge>& edges, Position&& position,

@@ -35,8 +35,8 @@ bool touches_itself(const Arrangement<K>& arrangement) {
   return false;
 }
 
-/// The boundary cycles of the faces inside. Names are those of the outgoing edge; where that is the
-/// rest of an edge in which another ring's vertex lies, the vertex is the end of the incoming edge.
+/// The boundary cycles of the inner faces. Names come from the outgoing edge; if this is the rest
+/// of an edge that another ring's vertex cuts, the vertex has the name of the incoming edge's end.
 template <class Frame>
 WedgeWalks cycles_inside(const Frame& frame, const Boundary<Frame>& boundary,
                          const Arrangement<typename Frame::K>& arrangement) {

@@ -1,4 +1,4 @@
-// The boundary of an operand whose rings touch, walked wedge by wedge of its interior.
+// The boundary of an operand with touching rings, walked wedge by wedge of its interior.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace minkref::inline plane {
 
-/// Where rings touch, the interior of the set is parted although the set is not. The rings turn
-/// there from one part to the next; the walks stay along one, and their convolution holds the
-/// boundary of the sum of the interiors, which that of the rings need not.
+/// Touching rings part the interior of the set, although the set stays connected. There the rings
+/// turn from one part to the next; the walks stay along one part, and their convolution holds the
+/// boundary of the interiors' sum, unlike, possibly, the rings' convolution.
 struct WedgeWalks {
   PolygonSet walks;  ///< each closed walk as a ring of its own; it may pass a point again
-  /// For each vertex of a walk, the edge of the operand that the walk's edge from there is (or is a
-  /// part of), and the vertex of the operand.
+  /// For each vertex of a walk, the operand's edge that contains the walk's outgoing edge, and the
+  /// operand's vertex.
   std::vector<std::vector<VertexId>> edge_names, vertex_names;
 };
 
@@ -22,7 +22,7 @@ struct WedgeWalks {
 /// O(n log n) on usual input.
 std::optional<WedgeWalks> wedge_walks(const PolygonSet& set);
 
-/// An edge of the convolution of walks (or of rings, where they are none) by its parents in the
+/// Names an edge of the convolution of walks (or of rings, without walks) by its parents from the
 /// operands.
 ConvolutionEdge in_operands(ConvolutionEdge edge, const std::optional<WedgeWalks>& P,
                             const std::optional<WedgeWalks>& Q);

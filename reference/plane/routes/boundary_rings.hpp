@@ -1,4 +1,4 @@
-// The boundary of some faces of an arrangement, whatever its coordinates say.
+// The boundary of some faces of an arrangement, whatever its coordinates.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,7 @@
 
 namespace minkref::inline plane {
 
-/// Decides membership of points in P + Q from the operands alone. P is already scaled.
+/// Decides whether points belong to P + Q, from the operands alone. Requires P already scaled.
 template <class K>
 class Collision {
  public:
@@ -26,8 +26,8 @@ class Collision {
         tree_p_(boxes(edges_p_)),
         tree_q_(boxes(edges_q_)) {}
 
-  /// Whether x lies in P + Q, a closed set. Exact as the kernel's `side` is. O(m + n + k), k pairs
-  /// of boxes that overlap.
+  /// Whether x belongs to the closed set P + Q. As exact as the kernel's `side`. O(m + n + k) for k
+  /// pairs of overlapping boxes.
   bool meets(const Query& x) const {
     const Box at = kernel_.box(x);
     const auto overlap = [&at](const Box& p, const Box& q) { return p.overlaps(reflected(q, at)); };
@@ -36,8 +36,7 @@ class Collision {
         })) {
       return true;
     }
-    // The boundaries do not meet: each polygon of one side lies wholly inside or outside of the
-    // other.
+    // The boundaries do not meet: each polygon of one side lies wholly inside or outside the other.
     for (std::size_t r = 0; r < P_.rings.size(); ++r) {
       if (planted(Fault::containment_forgotten)) break;
       if (P_.is_outer[r] && holds(edges_q_, P_.rings[r][0], x)) return true;
@@ -84,7 +83,7 @@ class Collision {
     return true;
   }
 
-  /// For p and x - q on one line: x lies in the hull of the four sums of end points.
+  /// For p and x - q on a common line: x lies between the extreme sums of end points.
   bool overlap_on_line(const Edge& p, const Edge& q, const Query& x) const {
     const Vector across(-p.direction.y(), p.direction.x());
     const Vector sums[4] = {Vector(p.start + q.start), Vector(p.start + q.end),

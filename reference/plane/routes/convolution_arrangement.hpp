@@ -1,4 +1,4 @@
-// The arrangement of a convolution, with the figures that a route reports.
+// A convolution's arrangement, with the figures that a route reports.
 #pragma once
 
 #include "reference/plane/arrangement/arrangement.hpp"
@@ -35,7 +35,7 @@ inline void add_counts(Statistics& statistics, const SignCounts& counts) {
   statistics.by_rational += counts.by_rational;
 }
 
-/// Whether an operand is one polygon (or a point, or a segment): its closed set is connected.
+/// Whether an operand is a single polygon (or a point, or a segment): its closed set is connected.
 inline bool connected(const PolygonSet& set) { return set.polygons.size() <= 1; }
 
 }  // namespace minkref::inline plane

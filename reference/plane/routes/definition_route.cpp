@@ -17,7 +17,7 @@ struct PointPair {
   Point start, end;
 };
 
-/// The operand's triangles as polygons of their own; points and segments stay what they are.
+/// The operand's triangles as separate polygons; points and segments stay.
 PolygonSet as_triangles(const PolygonSet& set) {
   if (!set.is_region()) return set;
   PolygonSet result;
@@ -27,8 +27,8 @@ PolygonSet as_triangles(const PolygonSet& set) {
   return result;
 }
 
-/// Pieces of boundary as a graph: equal ends become one point, and a piece is cut where another
-/// one's end lies on it.
+/// Joins boundary pieces to a graph: equal ends become one point, and another piece's end cuts a
+/// piece.
 BoundaryGraph join(const std::vector<PointPair>& pieces) {
   const auto before = [](const Point& a, const Point& b) { return compare_xy(a, b) < 0; };
   std::map<Point, std::uint32_t, decltype(before)> known(before);

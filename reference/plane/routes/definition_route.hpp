@@ -1,5 +1,5 @@
-// The sum as the union of the sums of all pairs of triangles, by covering each edge of each sum on
-// its own.
+// The sum as the union of all sums of pairs of triangles, by covering each edge of each sum
+// separately.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,14 @@
 
 namespace minkref::inline plane {
 
-/// The union of convex polygons, edge by edge: the part of an edge that lies in the interior of
-/// another polygon is an open interval; what no interval covers is boundary. No arrangement is
-/// built. Exact as the kernel is.
+/// The union of convex polygons, edge by edge: another polygon's interior covers an open interval
+/// of an edge; uncovered parts are boundary. Builds no arrangement. As exact as the kernel.
 template <class K>
 class ConvexUnion {
  public:
   using Vector = typename K::Vector;
   using Parameter = typename K::Parameter;
-  /// A part of an edge with positive length that lies on the boundary of the union, the union on
-  /// its left.
+  /// A part of an edge with positive length on the union's boundary, the union on its left.
   struct Piece {
     Vector start, direction;
     Parameter from, to;
@@ -31,8 +29,8 @@ class ConvexUnion {
   /// A convex polygon, counter-clockwise, without collinear vertices.
   void add(std::vector<Vector> polygon) { polygons_.push_back(std::move(polygon)); }
 
-  /// O(sum over the edges of the polygons whose boxes they meet) at worst; stops early where an
-  /// edge is covered.
+  /// O(sum over the edges of the polygons whose boxes they meet) at worst; stops early at a fully
+  /// covered edge.
   std::vector<Piece> boundary() const {
     std::vector<Box> boxes;
     for (const auto& polygon : polygons_) {
@@ -67,9 +65,9 @@ class ConvexUnion {
   Parameter zero(const Vector& d) const { return kernel_.projection(Vector(d - d), d); }
   Parameter one(const Vector& d) const { return kernel_.projection(d, d); }
 
-  /// Takes from `open` what the polygon covers of the edge: its interior always; its boundary where
-  /// it runs against the edge (both sides are then covered), or with it if the polygon comes
-  /// `first` (one copy is kept).
+  /// Removes from `open` the part of the edge that the polygon covers: its interior always; its
+  /// boundary if this runs against the edge (both sides are then covered), or with the edge if the
+  /// polygon comes `first` (one copy is kept).
   void cover(const Vector& start, const Vector& direction, const std::vector<Vector>& polygon,
              bool first, std::vector<Interval1>& open) const {
     Parameter from = zero(direction), to = one(direction);
@@ -109,8 +107,8 @@ class ConvexUnion {
   std::vector<std::vector<Vector>> polygons_;
 };
 
-/// The sum of two convex polygons (counter-clockwise, no collinear vertices): edges merged by
-/// angle, parallel ones joined. A point or a segment (two vertices) is allowed on either side.
+/// The sum of two convex polygons (counter-clockwise, no collinear vertices): merges edges by angle
+/// and joins parallel edges. Either side may also be a point or a segment (two vertices).
 template <class K>
 std::vector<typename K::Vector> convex_sum(const K& kernel,
                                            const std::vector<typename K::Vector>& p,

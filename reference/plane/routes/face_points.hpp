@@ -1,4 +1,4 @@
-// One interior point of every face of the arrangement of the reduced convolution.
+// An interior point for every face of the arrangement of the reduced convolution.
 #pragma once
 
 #include <vector>

@@ -20,7 +20,7 @@ BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& 
     });
     add_counts(statistics, frame.kernel.counts);
     if (passages != nullptr) {
-      // Where rings touch the passages are in another convolution than the boundary of the sum.
+      // With touching rings, another convolution than the boundary's holds the passages.
       const bool apart = !wedge_walks(P) && !wedge_walks(Q);
       *passages = apart ? passages_along(tight_graph_of_arrangement(
                               frame, built.arrangement, built.convolution.edges, P, Q,

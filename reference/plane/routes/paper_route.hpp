@@ -13,8 +13,8 @@
 
 namespace minkref::inline plane {
 
-/// Whether every segment along the boundary of a face runs against it. The sum lies on the left of
-/// each convolution edge, so only such a face can be outside of the sum.
+/// Whether every segment along a face's boundary runs against the face. The sum lies left of each
+/// convolution edge, so only such a face can lie outside the sum.
 template <class K>
 bool orientable(const Arrangement<K>& arrangement, std::uint32_t face) {
   bool result = true;
@@ -90,10 +90,10 @@ PlainFaceCollision<T> face_collision(const ScalarFrame<T>& frame) {
   return {frame.kernel, frame.P, frame.Q};
 }
 
-/// Whether a face of the arrangement of the reduced convolution lies in the sum.
-/// `meets(arrangement, face)` decides one by collision detection and is asked only for faces that
-/// could be outside. With `connected` operands a face with boundary inside it is not (proper
-/// nesting: the complement of a connected set has connected boundaries).
+/// Whether a face of the reduced convolution's arrangement belongs to the sum. `meets(arrangement,
+/// face)` decides by collision detection, and is asked only about faces that could lie outside.
+/// With `connected` operands, a face with boundary inside it cannot lie outside (proper nesting: a
+/// connected set's complement has connected boundaries).
 template <class K, class Meets>
 bool face_in_sum(const Arrangement<K>& arrangement, std::uint32_t face, bool connected,
                  Meets&& meets, std::size_t& asked) {
@@ -107,7 +107,7 @@ bool face_in_sum(const Arrangement<K>& arrangement, std::uint32_t face, bool con
   return meets(arrangement, face);
 }
 
-/// face_in_sum of every face.
+/// face_in_sum for every face.
 template <class K, class Meets>
 std::vector<bool> faces_of_sum(const Arrangement<K>& arrangement, bool connected, Meets&& meets,
                                std::size_t& asked) {

@@ -1,4 +1,4 @@
-// The paper's route in arithmetics other than rational: what they answer.
+// The paper's route with arithmetics other than rational: their answers.
 #include "reference/number/exact_value.hpp"
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 #include "reference/plane/boundary/face_boundary.hpp"

@@ -1,4 +1,4 @@
-// The three routes to the sum, each in a translation unit of its own. P is already scaled.
+// The three routes to the sum, each a separate translation unit. Requires P already scaled.
 #pragma once
 
 #include "reference/plane/boundary/boundary_graph.hpp"
@@ -6,21 +6,21 @@
 
 namespace minkref::inline plane {
 
-/// Reduced convolution and collision detection, exact. Finds the tight passages in the same
-/// arrangement where they are asked for.
+/// Reduced convolution and collision detection, exact. Finds the tight passages from the same
+/// arrangement, if asked for.
 BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics,
                           std::vector<TightPassage>* passages = nullptr);
 
-/// The paper's route in another arithmetic: "interval" (certified, or UndecidedSign), "double",
-/// "mpfr:BITS". The scale enters the computation itself. The result is what that arithmetic
-/// answers, put into canonical form exactly.
+/// The paper's route with another arithmetic: "interval" (certified, or UndecidedSign), "double",
+/// "mpfr:BITS". The scale enters the computation itself. Returns this arithmetic's answer, brought
+/// exactly to canonical form.
 Canonical paper_route_in(const std::string& arithmetic, const PolygonSet& P, const PolygonSet& Q,
                          const Rational& scale, Statistics& statistics);
 
 /// Full signed convolution of operands cut to be simply connected, exact.
 BoundaryGraph winding_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics);
 
-/// Union of the sums of all pairs of triangles, exact.
+/// Union of all sums of pairs of triangles, exact.
 BoundaryGraph definition_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics);
 
 }  // namespace minkref::inline plane

@@ -13,7 +13,7 @@ namespace {
 using Indices = std::vector<std::uint32_t>;
 using IndexTriangle = std::array<std::uint32_t, 3>;
 
-/// Joins the walks of one component, the outer one first.
+/// Joins a component's walks, the outer walk first.
 class Cutter {
  public:
   explicit Cutter(const std::vector<FilteredPoint>& points) : points_(points) {}
@@ -39,7 +39,7 @@ class Cutter {
   }
 
  private:
-  /// A vertex of the ring that m sees, to its right (Eberly, "Triangulation by ear clipping").
+  /// A vertex of the ring visible from m, to the right (Eberly, "Triangulation by ear clipping").
   std::uint32_t visible_vertex(const Indices& ring, std::uint32_t m) const {
     const FilteredPoint& at = points_[m];
     bool found = false, hit_vertex = false;
@@ -72,8 +72,8 @@ class Cutter {
     if (hit_vertex) return a_hit;
     const bool upper = compare_x(points_[b_hit], points_[a_hit]) >= 0;
     const std::uint32_t end = upper ? b_hit : a_hit;
-    // Vertices within the triangle of m, the point hit and `end` may hide it: the one nearest to
-    // the ray by angle, then by distance, is visible.
+    // Vertices within the triangle of m, the point hit and `end` may hide `end`: the vertex nearest
+    // to the ray by angle, then by distance, is visible.
     const int sense = upper ? 1 : -1;
     std::uint32_t best = end;
     for (const std::uint32_t r : ring) {
@@ -86,8 +86,8 @@ class Cutter {
     return best;
   }
 
-  /// The position at which `point` stands in the ring with the direction to `towards` inside its
-  /// wedge of the interior.
+  /// The position of `point` within the ring such that its wedge of the interior holds the
+  /// direction to `towards`.
   std::size_t corner(const Indices& ring, std::uint32_t point, std::uint32_t towards) const {
     const std::size_t n = ring.size();
     std::size_t last = n;
@@ -155,8 +155,8 @@ class EarClipper {
     return std::none_of(ring.begin(), ring.end(), [&](std::uint32_t w) {
       if (w == a || w == b || w == c) return false;
       const FilteredPoint& p = points_[w];
-      // Rounding is monotone: a point within the triangle has its doubles within the box of the
-      // corners' doubles.
+      // Rounding is monotone: if the triangle holds a point, the box of the corners' doubles holds
+      // the point's doubles.
       if (p.x() < xmin || p.x() > xmax || p.y() < ymin || p.y() > ymax) return false;
       return orientation(pa, pb, p) > 0 && orientation(pb, pc, p) > 0 &&
              orientation(pc, pa, p) >= 0;

@@ -11,9 +11,9 @@
 namespace minkref::inline plane {
 
 /// The set with its holes joined to their outer rings by slits between vertices: one weakly simple
-/// ring for each connected component of the interior, in `outer`, and no holes. Every vertex of the
-/// result is one of the set. The interior less the slits is simply connected. Points and segments
-/// are returned as they are. Exact. O(h n + n log n).
+/// ring for each connected component of the interior, as `outer`, and no holes. Every vertex of the
+/// result belongs to the set. The interior less the slits is simply connected. Returns points and
+/// segments unchanged. Exact. O(h n + n log n).
 PolygonSet cut_to_simply_connected(const PolygonSet& set);
 
 using Triangle = std::array<Point, 3>;
@@ -22,10 +22,10 @@ using Triangle = std::array<Point, 3>;
 /// std::logic_error if the areas do not add up (never seen). Exact. O(n^2).
 std::vector<Triangle> triangulate(const PolygonSet& set);
 
-/// The same of one connected region, given by the walks along its border (boundary_walks), by the
-/// numbers of points: every vertex of the walks is one of some triangle, also where the border is
-/// straight. Walks may run along slits; a hole may be a single point. Areas are not checked. Exact.
-/// O(n^2).
+/// A triangulation of a single connected region, given by the walks along its border
+/// (boundary_walks) as point numbers: every vertex of the walks is a corner of some triangle, also
+/// on a straight border. Walks may run along slits; a hole may be a single point. Areas are not
+/// checked. Exact. O(n^2).
 std::vector<std::array<std::uint32_t, 3>> triangulate(
     const std::vector<FilteredPoint>& points, const std::vector<std::uint32_t>& outer,
     const std::vector<std::vector<std::uint32_t>>& holes);

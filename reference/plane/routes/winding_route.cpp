@@ -24,8 +24,7 @@ BoundaryGraph winding_route(const PolygonSet& P, const PolygonSet& Q, Statistics
     std::vector<bool> inside;
     inside.reserve(winding.size());
     for (const int number : winding) {
-      // The number counts components of P and x - Q in common: a negative one would be a fault of
-      // ours.
+      // The number counts common components of P and x - Q: a negative number would be our fault.
       if (number < 0) throw std::logic_error("winding route: a negative winding number");
       inside.push_back(number > 0);
     }
