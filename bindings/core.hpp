@@ -54,8 +54,8 @@ void refuse_large_definition(const PolygonSet& P, const PolygonSet& Q);
 /// "printed" or "corrected"; throws BadInput otherwise.
 Form form_named(const std::string& name);
 
-/// While it lives, C++ computes without the interpreter lock, whatever a library has made of the
-/// floating-point environment of Python's thread; what the handler of a signal raises, as
+/// A guard: while it lives, C++ computes without the interpreter lock, whatever floating-point
+/// environment a library has left to Python's thread; an exception from a signal's handler, like
 /// KeyboardInterrupt, ends the work, and so does the memory limit (LimitExceeded).
 class Computing {
  public:

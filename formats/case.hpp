@@ -38,7 +38,7 @@ struct Case {
   std::vector<std::string> flags;
   std::vector<Expected> expected;
   std::string source, licence;  ///< licence: an SPDX expression
-  std::string certificate;      ///< path relative to the case; "" where there is none
+  std::string certificate;      ///< path relative to the case; "" if none
   friend bool operator==(const Case&, const Case&) = default;
 };
 

@@ -19,7 +19,7 @@ enum class Format {
 struct FormatEntry {
   Format format;
   std::string_view name;
-  bool is_extension;  ///< of files; those of cases end in .json too
+  bool is_extension;  ///< of files; files of cases end with .json too
   bool is_read;       ///< by that extension
 };
 

@@ -47,7 +47,7 @@ class Input {
   void count_face(const Place& place);
   void count_face_corner(const Place& place);
 
-  /// Keeps the first hundred warnings and counts the rest: the text of those need not be made.
+  /// Keeps the first hundred warnings and counts the rest, without need for their text.
   bool keeps_warnings() const { return warnings_.size() < 100; }
   void warn(std::size_t line, const std::string& text);
   std::vector<std::string> take_warnings();

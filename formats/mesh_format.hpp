@@ -22,7 +22,7 @@ enum class MeshFormat {
 struct MeshFormatEntry {
   MeshFormat format;
   std::string_view name;       ///< also the extension of files
-  std::string_view empty_set;  ///< how it is written; none where a text may be binary
+  std::string_view empty_set;  ///< as text; none for formats with binary files
   MeshReading (*read)(std::string_view text, Input& input);
   std::string (*write)(const Polyhedron& polyhedron);
   bool is_exact;  ///< writes every number

@@ -26,7 +26,7 @@ struct PlyProperty {
 struct PlyElement {
   std::string name;
   std::size_t count = 0;
-  std::vector<PlyProperty> properties;  ///< one or more, unless there is no such element
+  std::vector<PlyProperty> properties;  ///< one or more, unless the count is 0
   std::size_t line = 0;
 };
 

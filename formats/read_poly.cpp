@@ -114,7 +114,7 @@ class PolyReader {
     ring.lines = std::move(lines);
   }
 
-  /// One of them, from 0; `before`: how many have come.
+  /// Reads an index, counted from 0; `before`: the number of indices so far.
   std::size_t index(std::string_view token, const TextRing& ring, std::size_t before,
                     std::vector<bool>& named) const {
     const std::size_t size = named.size(), line = lines_.line()->number;

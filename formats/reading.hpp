@@ -9,8 +9,8 @@
 
 namespace minkref {
 
-/// Where a ring of the set came from, so that a later refusal names the place in the file and not
-/// the place in memory: rings may have been turned, and holes sorted under their outer rings.
+/// The origin of a ring of the set, so that a later refusal names its place within the file, not
+/// within memory: rings may have been turned, and holes sorted under their outer rings.
 struct RingOrigin {
   enum class Order : std::uint8_t { as_read, reversed, reversed_after_first };
   std::size_t ring = 0;              ///< 0-based, in the order of the file

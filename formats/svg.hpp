@@ -17,7 +17,7 @@ struct Layer {
   std::string fill = "#4c78a8";
   std::string stroke = "#1f3b57";
   double opacity = 0.5;     ///< of the fill
-  double stroke_width = 1;  ///< in units of the picture, whose longer side is 1000
+  double stroke_width = 1;  ///< in picture units; the longer side measures 1000
 };
 
 /// An SVG document with all layers, first one undermost. The y axis points up. Coordinates are

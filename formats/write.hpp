@@ -17,10 +17,9 @@ namespace minkref {
 /// range of doubles).
 std::string write(const PolygonSet& set, Format format);
 
-/// Whether reading what `write` gives yields the same valid set: always for json; for WKT, GeoJSON
-/// and
-/// `.poly` iff every denominator is a product of twos and fives (and, for `.poly`, the set is no
-/// point and no segment); never for a picture.
+/// Whether reading the result of `write` yields the same valid set: always for json; for WKT,
+/// GeoJSON and `.poly` iff every denominator is a product of twos and fives (and, for `.poly`, the
+/// set is no point and no segment); never for a picture.
 bool writes_exactly(const PolygonSet& set, Format format);
 
 /// Writes the text to a file. Throws BadInput ("cannot-write").

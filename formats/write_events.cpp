@@ -133,7 +133,7 @@ class EventText {
   const PolygonSet &P_, &Q_;
   const std::vector<std::string>& edges_;
   std::string_view end_;
-  std::vector<RationalEdge> rational_;  // made where they are needed
+  std::vector<RationalEdge> rational_;  // made if needed
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ struct ScaleTexts {
   std::vector<std::int64_t> begins{0};  ///< of each text in `text`, and the end of all
   std::string text;
   std::vector<double> nearest;      ///< to each
-  std::vector<std::int32_t> which;  ///< of each event, which text
+  std::vector<std::int32_t> which;  ///< each event's text
 };
 
 /// Some 0.5 us a scale where coordinates fit grid64, 2 us otherwise.

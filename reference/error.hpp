@@ -22,7 +22,7 @@ struct Place {
   std::optional<std::size_t> ring;          ///< 0-based, in the order of the input
   std::optional<std::size_t> face;          ///< of a polyhedron, 0-based
   std::vector<std::size_t> vertices;        ///< 0-based indices within the ring, or of a polyhedron
-  std::vector<std::string> coordinates;     ///< "(x, y)" or "(x, y, z)" of those vertices, exact
+  std::vector<std::string> coordinates;     ///< "(x, y)" or "(x, y, z)" of `vertices`, exact
   std::optional<std::size_t> other_face;    ///< second face, where two are involved
   std::optional<std::size_t> other_ring;    ///< second ring, where two are involved
   std::vector<std::size_t> other_vertices;  ///< 0-based indices within the second ring

@@ -56,7 +56,7 @@ struct TouchingPoint {
 std::optional<TouchingPoint> touching(const PathProblem& problem, const ConvexCorners& robot,
                                       const ConvexCorners& obstacle, const Point& x,
                                       const Rational& scale) {
-  std::vector<Point> placed;  // the pieces are those of -R
+  std::vector<Point> placed;  // pieces belong to -R
   for (const Point& p : robot) placed.push_back({x.x - scale * p.x, x.y - scale * p.y});
   std::vector<Point> candidates;
   for (const Point& p : placed) {

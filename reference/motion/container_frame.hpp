@@ -9,7 +9,7 @@ namespace minkref::inline paths {
 /// container or all outside the box.
 struct ContainerFrame {
   PolygonSet set;
-  ScaleWindow window;  ///< scales at which the part has room in the box of the container, twice
+  ScaleWindow window;  ///< up to twice the greatest scale at which the part's box fits
 
   /// For a part at scales at which its box fits into the container's box. `about`: places of the
   /// part for later questions; there the part is not outside the box. Exact. Throws BadInput

@@ -13,7 +13,7 @@ namespace minkref::inline paths {
 /// the turned part: "birth", "death", "merge", "split", "touch".
 struct FreeBound {
   Rational scale;
-  bool ends = true;  ///< scales of the answer lie just below; otherwise just above, or it is alone
+  bool ends = true;  ///< answers lie just below; otherwise just above, or only at this scale
   std::string event;
   Point at;
   std::optional<PathBound> contact;

@@ -21,7 +21,7 @@ struct ByCoordinates {
   }
 };
 
-/// Triangles joined across diagonals as long as what comes out is convex (Hertel & Mehlhorn 1983).
+/// Joins triangles across diagonals as long as the result is convex (Hertel & Mehlhorn 1983).
 class Joining {
  public:
   explicit Joining(const std::vector<Triangle>& triangles) {

@@ -47,7 +47,7 @@ PathDiagram path_diagram(const PolygonSet& robot, const PolygonSet& obstacles,
       });
   for (const SidedPiece& piece : pieces.robot()) {
     ConvexCorners& corners = result.part_pieces.emplace_back();
-    for (const Point& p : piece.corners) corners.push_back({-p.x, -p.y});  // they are those of -R
+    for (const Point& p : piece.corners) corners.push_back({-p.x, -p.y});  // pieces belong to -R
   }
   for (const SidedPiece& piece : pieces.obstacles()) {
     result.obstacle_pieces.push_back(piece.corners);

@@ -51,7 +51,7 @@ ScaleRange range_of(const ScaleWindow& window) {
 std::vector<ScaleRange> ScaleSet::left_of(const ScaleWindow& window) const {
   const ScaleRange all = range_of(window);
   std::vector<ScaleRange> left;
-  std::optional<ScaleCut> from = all.from;  // where what is left begins; none: nothing more is
+  std::optional<ScaleCut> from = all.from;  // begin of the remaining part; none: nothing remains
   for (const ScaleRange& range : ranges_) {
     if (!from || (all.to && !(range.from < *all.to))) break;
     if (*from < range.from) left.push_back({*from, range.from});

@@ -53,7 +53,7 @@ using PathBound = PathBoundOf<Point, TouchingFeature>;
 struct PathStatistics {
   std::uint64_t pieces_of_part = 0, pieces_of_obstacles = 0;
   std::uint64_t triples = 0;          ///< a piece of each and a segment of the path
-  std::uint64_t exact_triples = 0;    ///< which doubles could not leave out
+  std::uint64_t exact_triples = 0;    ///< not left out by doubles
   std::uint64_t critical_scales = 0;  ///< that routes by critical scales looked at
 };
 

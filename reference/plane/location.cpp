@@ -11,8 +11,8 @@ bool add_winding(const FilteredPoint& a, const FilteredPoint& b, const FilteredP
   if (ya * yb > 0) return false;
   const int side = orientation(a, b, point);
   if (side == 0) return true;
-  // Upward edges with the point on their left and downward ones with it on their right; ends are
-  // half-open.
+  // Upward edges with the point on their left and downward edges with the point on their right;
+  // ends are half-open.
   if (ya <= 0 && yb > 0 && side > 0) ++winding;
   if (ya > 0 && yb <= 0 && side < 0) --winding;
   return false;

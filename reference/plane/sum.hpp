@@ -42,7 +42,7 @@ struct Sum {
 
 /// `sP + Q` at a rational scale s > 0 (docs/definitions.md, "Sum"). `arithmetic`: "rational"
 /// (exact, the default: grid integers behind a float filter, or rationals), "interval" (throws
-/// UndecidedSign where it cannot certify), "double" or "mpfr:BITS" (what those arithmetics answer;
+/// UndecidedSign where it cannot certify), "double" or "mpfr:BITS" (these arithmetics' answers;
 /// may be wrong; route paper only). Operands must have passed `validate`. Throws BadInput for s <=
 /// 0 and for two operands that are both a point or a segment. Cost: paper O((N + k) log N), N the
 /// size of the reduced convolution.

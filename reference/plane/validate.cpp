@@ -119,7 +119,7 @@ class Validator {
         edges.push_back(e);
         Box box{start(e).x(), start(e).y(), start(e).x(), start(e).y()};
         box.add({end(e).x(), end(e).y(), end(e).x(), end(e).y()});
-        boxes.push_back(box);  // rounding is monotone: what overlaps exactly overlaps here
+        boxes.push_back(box);  // rounding is monotone: exact overlaps remain overlaps
       }
     }
     // The first fault of the input is reported. Edges are asked in input order, so that a ring with
@@ -219,7 +219,7 @@ class Validator {
               a1 = orientation(start(b), end(b), end(a));
     if (b0 * b1 > 0 || a0 * a1 > 0) return std::nullopt;
     if (same) {
-      if (adjacent(a, b)) return std::nullopt;  // they meet in their common vertex only
+      if (adjacent(a, b)) return std::nullopt;  // the edges meet at their common vertex only
       return self(b0 * b1 < 0 && a0 * a1 < 0 ? "two edges of a ring cross"
                                              : "a ring touches itself");
     }

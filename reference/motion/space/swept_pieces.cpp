@@ -114,7 +114,7 @@ bool SweptPieces::collides(const Sweep& sweep, const Placed& at, std::size_t obs
       return strict_ ? is_strictly_below_somewhere(ring, planes) : !below_all(ring, planes).empty();
     });
   };
-  if (!other.is_solid()) return meets(faces_[obstacle], at.planes);  // what is swept is solid
+  if (!other.is_solid()) return meets(faces_[obstacle], at.planes);  // the sweep is solid
   if (meets(at.faces, planes_[obstacle])) return true;
   return sweep.is_solid &&
          is_below(strict_ ? other.middle() : other.corners[0], at.planes, strict_);

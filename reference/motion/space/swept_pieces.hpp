@@ -26,12 +26,12 @@ class SweptPieces {
   struct Sweep {
     std::uint32_t segment, robot;
     SpacePoint from, along;
-    std::vector<SpacePoint> normals;  ///< of what is swept, and perhaps others
+    std::vector<SpacePoint> normals;  ///< of the sweep, and perhaps more
     bool is_solid;
   };
   /// At one scale.
   struct Placed {
-    std::vector<std::vector<SpacePoint>> faces;  ///< they hold the whole boundary
+    std::vector<std::vector<SpacePoint>> faces;  ///< hold the whole boundary
     std::vector<HalfSpace> planes;
     SpaceBox box;
   };
@@ -41,7 +41,7 @@ class SweptPieces {
   bool strict_;  ///< interiors meet
   std::vector<SolidPiece> robot_, obstacles_;
   std::vector<std::vector<HalfSpace>> planes_;               ///< of obstacles
-  std::vector<std::vector<std::vector<SpacePoint>>> faces_;  ///< of those without volume: the whole
+  std::vector<std::vector<std::vector<SpacePoint>>> faces_;  ///< of obstacles; thin ones whole
   std::vector<Sweep> sweeps_;
   std::vector<std::pair<std::size_t, std::size_t>> likely_;  ///< the last that collided, first
 };

@@ -40,7 +40,7 @@ constexpr std::size_t most_pairs_on_a_path = std::size_t{1} << 22;
 /// Linear.
 bool star_shaped(const Polyhedron& robot);
 
-/// A scale at which the answer was found again from what the pieces sweep (swept_pieces.hpp).
+/// A scale at which the sweeps of the pieces confirmed the answer (swept_pieces.hpp).
 struct SweptProof {
   Rational scale;
   bool holds = false;

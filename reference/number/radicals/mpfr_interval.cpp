@@ -16,7 +16,8 @@ Rational exact(const mpfr_t& value) {
   return result;
 }
 
-/// Takes into [low, high] what `act` gives at the four corners of the box a x b, rounded outwards.
+/// Takes into [low, high] the results of `act` at the four corners of the box a x b, rounded
+/// outwards.
 template <class Act>
 void take_hull(mpfr_ptr low, mpfr_ptr high, std::array<mpfr_srcptr, 2> a,
                std::array<mpfr_srcptr, 2> b, Act act) {

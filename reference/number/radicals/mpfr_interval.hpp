@@ -35,8 +35,8 @@ class MpfrInterval {
   Rational low() const;
   Rational high() const;
 
-  /// The doubles nearest to the bounds, and those next to them on the outer side. An infinity
-  /// beyond the range of doubles; no -0.
+  /// The doubles nearest to the bounds, and the next doubles on the bounds' outer sides. An
+  /// infinity beyond the range of doubles; no -0.
   Enclosure nearest() const;
   /// Whether the interval lies between two numbers, and neither is a bound.
   bool is_strictly_between(double low, double high) const {

@@ -54,7 +54,7 @@ class PaperUpdate {
 
   /// An event of the array: two edges of the reduced convolution begin or cease to meet.
   struct Event {
-    Rational scale;  ///< that of the arithmetic, exactly
+    Rational scale;  ///< the arithmetic's scale, exactly
     std::uint32_t a = 0, b = 0;
     bool insertion = false;
   };

@@ -21,7 +21,7 @@ struct PaperContact {
   /// sides), a single solution for two sides. Missing if a side's line runs along the other plane,
   /// or never meets it.
   std::vector<ScaleSolution<T>> solutions{};
-  std::optional<T> scale{};  ///< of the event, if there is one
+  std::optional<T> scale{};  ///< of the event, if any
 };
 
 /// The events of two facets that are not parallel. `printed` follows the text sentence by sentence:

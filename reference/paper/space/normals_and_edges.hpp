@@ -42,7 +42,7 @@ class NormalsAndEdges {
   }
 
   bool of_P() const { return of_P_; }
-  const ConvexPolyhedron& body() const { return body_; }  ///< whose edges these are
+  const ConvexPolyhedron& body() const { return body_; }  ///< the edges' body
 
   /// The normal of a scaled facet is n_i / s_i, a scaled edge s_i d_i.
   void rescale(const Vector3<T>& factors) {

@@ -41,7 +41,7 @@ struct ChainRepair {
 
 struct RepairReport {
   std::vector<FacetError> errors;
-  std::vector<ChainRepair> chains;  ///< those that changed or got stuck
+  std::vector<ChainRepair> chains;  ///< chains that changed or got stuck
   std::uint64_t chains_walked = 0;
   std::uint64_t ee_errors = 0;  ///< pairs of edges that were found to be no more
 };

@@ -16,14 +16,14 @@ struct FacetContactTrial {
 
   // The systems of three equations for s.
   std::uint64_t roots = 0;               ///< with a root, in truth
-  std::uint64_t false_inconsistent = 0;  ///< of those: answered "inconsistent"
-  std::uint64_t false_identity = 0;      ///< of those: answered "identity"
-  std::uint64_t invented_roots = 0;      ///< a root where there is none, in truth
+  std::uint64_t false_inconsistent = 0;  ///< of `roots`: answered "inconsistent"
+  std::uint64_t false_identity = 0;      ///< of `roots`: answered "identity"
+  std::uint64_t invented_roots = 0;      ///< a root answered, but none in truth
 
   // Events with s > 0, one for each corner and each two sides.
   std::uint64_t events = 0;     ///< in truth
   std::uint64_t missed = 0;     ///< in truth, and nothing is answered for its scale
-  std::uint64_t singular = 0;   ///< of those: a side is along the other plane, so nothing to solve
+  std::uint64_t singular = 0;   ///< of `missed`: a side along the other plane; nothing to solve
   std::uint64_t invented = 0;   ///< answered, not in truth
   std::uint64_t misplaced = 0;  ///< answered, off by more than an ulp of the scale
 };

@@ -1,4 +1,4 @@
-// Filters on trial: what bounded doubles and the kernels' filters call certain is so.
+// Filters on trial: results that bounded doubles and the kernels' filters call certain are true.
 #pragma once
 
 #include <array>

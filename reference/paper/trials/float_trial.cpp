@@ -1,5 +1,5 @@
-// float_trial SEED COUNT: the trial in this program, compiled with whatever flags. Prints what was
-// tried, how often, and how often it was wrong; exit code 1 if anything was.
+// float_trial SEED COUNT: the trial within this program, compiled with whatever flags. Prints each
+// subject, the count of its tries, and the count of wrong results; exit code 1 if any was wrong.
 #include <cstdio>
 #include <cstdlib>
 

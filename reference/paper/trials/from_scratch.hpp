@@ -1,4 +1,4 @@
-// The dynamic arrangement and sum held against those computed from scratch.
+// The dynamic arrangement and sum, compared with an arrangement and a sum from scratch.
 #pragma once
 
 #include <string>

@@ -16,9 +16,9 @@ struct PrecisionTrial {
 
   // Four solves s alpha = beta for each pair.
   std::uint64_t roots = 0;               ///< solves with a root, in truth
-  std::uint64_t false_inconsistent = 0;  ///< of those: answered "inconsistent"
-  std::uint64_t false_identity = 0;      ///< of those: answered "identity"
-  std::uint64_t invented_roots = 0;      ///< a root where there is none, in truth
+  std::uint64_t false_inconsistent = 0;  ///< of `roots`: answered "inconsistent"
+  std::uint64_t false_identity = 0;      ///< of `roots`: answered "identity"
+  std::uint64_t invented_roots = 0;      ///< a root answered, but none in truth
 
   // Births, deaths and touches, matched by pair and change.
   std::uint64_t events = 0;    ///< in truth

@@ -98,7 +98,7 @@ void Arrangement<K>::find_faces() {
   for (const std::uint32_t n : least) {
     std::uint32_t nearest = none;
     double reach =
-        -std::numeric_limits<double>::infinity();  // what ends further left cannot be nearer
+        -std::numeric_limits<double>::infinity();  // edges ending further left cannot be nearer
     Box ray = kernel_.box(nodes_[n]);
     ray.xmin = reach;
     tree.query(ray, [&](std::uint32_t i) {

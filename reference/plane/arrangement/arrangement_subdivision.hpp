@@ -1,4 +1,4 @@
-// Arrangement: cutting segments at their contacts, merging what coincides, ordering edges around
+// Arrangement: cutting segments at their contacts, merging coincident pieces, ordering edges around
 // nodes.
 #pragma once
 

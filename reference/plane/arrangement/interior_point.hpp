@@ -107,7 +107,7 @@ std::optional<typename GridKernel<Grid>::Query> interior_point_in_doubles(
   std::sort(candidates.begin(), candidates.end());
   if (candidates.size() > 4) candidates.resize(4);
   for (const auto& [negated, h] : candidates) {
-    if (negated == 0) break;  // shorter than doubles tell: there is no normal to follow
+    if (negated == 0) break;  // shorter than doubles tell: no normal to follow
     const auto x = detail::middle_of_face<double, Vector2<double>>(arrangement, face, h, position);
     if (detail::certainly_inside(arrangement, face, x.x(), x.y(), kernel.node_error)) {
       return typename GridKernel<Grid>::Query{x.x(), x.y()};

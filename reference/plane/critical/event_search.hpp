@@ -83,7 +83,7 @@ void keep_those(std::vector<Event>& events, const List& list, const EventConditi
   std::size_t kept = 0;
   for (std::size_t i = 0; i < events.size(); ++i) {
     look_for_interrupt();
-    if (test(i)) events[kept++] = events[i];  // an event is looked at before it is overwritten
+    if (test(i)) events[kept++] = events[i];  // tests an event before overwriting it
   }
   events.resize(kept);
   events.shrink_to_fit();

@@ -36,7 +36,7 @@ double column(const Int& value) {
   return grid_double(value);
 }
 
-/// Where a scale lies beside a closed window.
+/// Compares scales with a closed window.
 template <class K>
 class Window {
  public:

@@ -16,8 +16,8 @@ namespace minkref::inline plane {
 /// The change at a critical scale, as s grows.
 enum class Change : std::uint8_t {
   birth,    ///< the edges start to meet
-  death,    ///< they stop
-  touch,    ///< they meet in one point, at this scale only
+  death,    ///< the edges stop to meet
+  touch,    ///< the edges meet at one point, at this scale only
   overlap,  ///< parallel edges share a segment, at this scale only
 };
 
@@ -31,10 +31,10 @@ struct PairEvent {
   std::uint32_t rank = 0;  ///< events of equal scale have equal rank; ranks count from 0
   Change change = Change::birth;
   bool parallel = false;       ///< the edges are parallel
-  std::uint8_t half_line = 0;  ///< which condition holds with equality
+  std::uint8_t half_line = 0;  ///< the condition that holds with equality
 };
 
-/// Which events are wanted.
+/// The wanted kinds of events.
 enum class EventKind : std::uint8_t { pair, parallel, both };
 
 /// Edges a < b that meet within a window.
@@ -56,8 +56,8 @@ struct PairEvents {
   std::uint64_t pairs = 0;   ///< looked at: all
   /// Pairs that meet within the window: on an interval, at a single scale; parallel pairs.
   std::uint64_t intersecting_pairs = 0, touching_pairs = 0, parallel_pairs = 0;
-  std::uint64_t always_meeting_pairs = 0;  ///< of the intersecting ones: at every scale
-  std::uint64_t filtered_pairs = 0;        ///< the float filter proved that they never meet
+  std::uint64_t always_meeting_pairs = 0;  ///< of the intersecting pairs: at every scale
+  std::uint64_t filtered_pairs = 0;        ///< the float filter proved that pairs never meet
   Statistics statistics;                   ///< signs of the exact stage
 };
 
@@ -74,7 +74,7 @@ PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
 struct FormComparison {
   std::uint64_t intersecting = 0, touching = 0;  ///< in truth: on an interval, at one scale only
   std::uint64_t printed_right = 0;               ///< of the intersecting pairs: the same interval
-  std::uint64_t printed_right_by_roots = 0;      ///< of those: each of the four solves has a root
+  std::uint64_t printed_right_by_roots = 0;      ///< of printed_right: all solves have roots
   std::uint64_t printed_empty = 0;               ///< of the intersecting pairs: none
   std::uint64_t printed_invented = 0;            ///< an interval for edges that never meet
 };

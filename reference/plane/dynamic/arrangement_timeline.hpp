@@ -10,8 +10,8 @@
 
 namespace minkref::inline plane {
 
-/// The array of critical events of Behar & Lien 2012, Sec. 4.2.4, with what each does to the nodes
-/// along the edges; triple events, which the paper has not, included. Interval i of scales lies
+/// The array of critical events of Behar & Lien 2012, Sec. 4.2.4, with each event's effect on the
+/// nodes along the edges; includes triple events, which the paper lacks. Interval i of scales lies
 /// between groups i - 1 and i.
 struct ArrangementTimeline {
   std::shared_ptr<const ArrangementEvents> events;

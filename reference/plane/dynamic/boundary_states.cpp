@@ -121,7 +121,7 @@ BoundaryAtGroup BoundaryStates::at_group(std::uint32_t group) const {
 BoundaryGraph boundary_graph(const std::vector<Track>& tracks, BoundaryState state,
                              CycleFinder& cycles, const Rational& scale) {
   cycles.remove_duplicates(state.links);
-  cycles.find(state.links, true);  // throws where they do not close
+  cycles.find(state.links, true);  // throws unless the links close
   BoundaryGraph graph;
   std::unordered_map<std::uint32_t, std::uint32_t> number;
   number.reserve(2 * state.links.size());

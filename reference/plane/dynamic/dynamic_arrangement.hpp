@@ -33,8 +33,8 @@ class DynamicArrangement {
   /// The group at or just above the scale.
   std::uint32_t group() const { return lists_.place() / 2; }
 
-  /// Nodes along an edge in their order at this scale, its own ends left out; at the scale of a
-  /// group neighbours may coincide.
+  /// Nodes along an edge, ordered as at this scale, without the edge's own ends; at a group's scale
+  /// neighbours may coincide.
   std::span<const std::uint32_t> nodes(std::uint32_t edge) const { return lists_.along(edge); }
   std::size_t node_count() const { return lists_.size(); }
   /// Exact.

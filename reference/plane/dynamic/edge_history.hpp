@@ -19,7 +19,7 @@ struct NodeChange {
     insertion,  ///< of `node`, at `rank` among the edge's nodes
     deletion,   ///< of `node`, from `rank`
     swap,       ///< of `node`, at `rank`, with the next one; both are there below and above
-    settling    ///< a swap of nodes in one place, one of which has arrived in this group
+    settling    ///< a swap of coincident nodes, one of them a new arrival of this group
   };
   std::uint32_t step = 0;
   std::uint32_t edge = 0, node = 0, rank = 0;

@@ -32,8 +32,8 @@ struct Columns {
   }
 };
 
-/// Nodes from `first` on that may change places with node i: not those that certainly keep their
-/// order while both exist.
+/// Finds the nodes from `first` on that may change places with node i, without nodes that certainly
+/// keep their order while both exist.
 MINKREF_CLONES std::size_t swap_candidates(const Columns& c, std::size_t i, std::size_t first,
                                            std::uint32_t* out) {
   // A position's error is 2^-50 of its terms.

@@ -12,7 +12,7 @@ namespace minkref::inline plane {
 /// the third at all scales nearby, and change their order at the event. The paper's Section 4.2 has
 /// no such events (docs/definitions.md, "Kinds of critical scale").
 struct TripleEvent {
-  double approximate = 0;  ///< the scale, off by at most 2^-50 of it
+  double approximate = 0;  ///< the scale, with a relative error of at most 2^-50
   std::uint32_t a = 0, b = 0, c = 0;
   /// Two swapping nodes of one edge: the event's exact definition.
   std::uint32_t edge = 0, first = 0, second = 0;

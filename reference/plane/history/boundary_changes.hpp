@@ -1,4 +1,4 @@
-// Where the boundary is not the same moving figure just below, at and just above a scale.
+// Finds changes of the boundary: different moving figures just below, at or just above a scale.
 #pragma once
 
 #include <array>

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t no_sub_edge = 0xffffffffU;
 struct BoundaryLink {
   std::uint32_t from = 0, to = 0;
   std::uint32_t edge = 0;
-  std::uint32_t before = 0, after = 0;  ///< what it belongs to elsewhere; not looked at
+  std::uint32_t before = 0, after = 0;  ///< the link's owners elsewhere; ignored here
 };
 
 /// The links as closed walks, paired at each point across a wedge of the set's interior or

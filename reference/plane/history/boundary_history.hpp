@@ -16,7 +16,7 @@ namespace minkref::inline plane {
 /// A directed straight piece of the boundary, the sum on its left, for consecutive intervals.
 struct MovingLink {
   std::uint32_t from = 0, to = 0;     ///< tracks
-  std::uint32_t edge = 0;             ///< of the convolution; one of those that it is on
+  std::uint32_t edge = 0;             ///< of the convolution; an edge along the link
   std::uint32_t first = 0, last = 0;  ///< intervals of scales, both included
 };
 
@@ -42,7 +42,7 @@ struct BoundaryAtGroup {
 /// (docs/definitions.md, "Boundary events").
 struct BoundaryEvent {
   enum class Change : std::uint8_t {
-    birth,  ///< there are more vertices above than below
+    birth,  ///< more vertices above than below
     death,  ///< fewer
     swap,   ///< as many, others
     touch   ///< the same, in the same order: only the boundary at the scale is another

@@ -22,8 +22,8 @@ class EdgesOnLines {
   /// ascending. O(n log n) for the first of n edges in a direction, then O(log n).
   std::span<const std::uint32_t> with(std::uint32_t edge);
 
-  /// The edges that run along a link just below a scale (or just above) and come to a point of it:
-  /// what the two share has a length there, and the point as a limit. Added to `to`.
+  /// Adds to `to` the edges that run along a link just below a scale (or just above) and come to a
+  /// point of the link: their common part has a length there, and tends to the point.
   void along(const MovingLink& link, const std::vector<Track>& tracks, const Rational& scale,
              bool above, const Point& point, std::vector<std::uint32_t>& to);
 

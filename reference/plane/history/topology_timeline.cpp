@@ -151,7 +151,7 @@ class TimelineBuilder {
     show_features_(std::move(state));
   }
 
-  /// Where each sub-edge stands among the links.
+  /// Finds each sub-edge's place among the links.
   static void place(const std::vector<std::uint32_t>& sub_edges, const BoundaryRegions& regions,
                     std::vector<std::uint32_t>& places) {
     for (std::size_t i = 0; i < sub_edges.size(); ++i) places[sub_edges[i]] = regions.place[i];
@@ -321,7 +321,7 @@ class TimelineBuilder {
         clusters[find(*relation.at_of_after[a].begin())].after.push_back(a);
       }
     }
-    std::vector<Extent> extent;  // where there is something to put in order
+    std::vector<Extent> extent;  // if several need an order
     const auto in_place = [&](std::uint32_t x, std::uint32_t y) { return extent[x] < extent[y]; };
     std::size_t fresh_names = born.size();
     for (const auto& [root, members] : clusters) {
@@ -458,7 +458,7 @@ class TimelineBuilder {
     }
     if (least) return *least;
     if (!change_) throw std::logic_error("regions touch in no place");
-    return change_->place;  // they touch along segments
+    return change_->place;  // regions touch along segments
   }
 
   void boundary_event(std::uint32_t group, const BoundaryRegions& above) {

@@ -28,7 +28,7 @@ struct TopologyEvent {
   FeatureKind kind = FeatureKind::hole;
   Change change = Change::birth;
   std::vector<std::uint32_t> before, after;  ///< features; of holes, 0 is the outside
-  std::size_t at = 0;  ///< how many there are at the scale itself: parts of `before` and of `after`
+  std::size_t at = 0;  ///< count at the scale itself: parts of `before` and of `after`
   Point place;         ///< where features touch, or where one vanishes or appears
 };
 

@@ -15,7 +15,7 @@ namespace {
 using Corner = std::array<double, 2>;
 using Corners = std::vector<Corner>;
 
-constexpr double sure = 0x1p-46;  // of all sizes, more than what rounding does
+constexpr double sure = 0x1p-46;  // relative to all sizes; more than rounding
 constexpr double shrinkage = 0x1p-24;
 
 double left_of(const Corner& a, const Corner& b, const Corner& c) {

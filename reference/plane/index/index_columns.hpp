@@ -50,7 +50,7 @@ struct IndexPiece {
 };
 struct IndexAtEvent {
   std::uint32_t merged = 0, pieces = 0;  ///< where its own begin
-  std::uint32_t is_plain = 0;            ///< its rings are those below, sides of no length left out
+  std::uint32_t is_plain = 0;            ///< its rings equal the rings below, without empty sides
 };
 struct IndexFeature {
   std::uint32_t born = no_event, died = no_event;

@@ -16,14 +16,14 @@ namespace minkref::inline plane {
 
 /// The columns keep the file format's order (docs/formats.md, "Index").
 enum class Column : std::uint32_t {
-  window,      ///< integers: begin and end, each num and den; 0 / 0 where there is none
+  window,      ///< integers: begin and end, each num and den; 0 / 0 for none
   counts,      ///< uint64: IndexCounts
-  rings_of_P,  ///< uint32: vertices of each ring, bit 31 set where it is a hole
+  rings_of_P,  ///< uint32: vertices of each ring, bit 31 set for a hole
   rings_of_Q,
   coordinates_of_P,  ///< integers: x num, x den, y num, y den of each vertex
   coordinates_of_Q,
   edges,              ///< IndexEdge, of the convolution
-  directions,         ///< uint32, of each edge: the same for parallel ones that point the same way
+  directions,         ///< uint32, of each edge: equal for parallel edges with the same direction
   events,             ///< integers: num, den
   events_in_doubles,  ///< double
   tracks,             ///< integers: x0, y0, x1, y1, c of ((x0, y0) + s (x1, y1)) / c, c > 0
@@ -36,7 +36,7 @@ enum class Column : std::uint32_t {
   ring_features,      ///< IndexRing
   areas,              ///< IndexArea, of each interval
   feature_counts,     ///< IndexFeatureCount, sorted
-  merged,             ///< uint32 pairs: track, the one that stands for it
+  merged,             ///< uint32 pairs: track, its representative
   pieces,             ///< IndexPiece
   at_events,          ///< IndexAtEvent, of each event and one more: where its parts begin
   holes,              ///< IndexFeature

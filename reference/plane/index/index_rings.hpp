@@ -34,7 +34,7 @@ struct RoundedRings : RingShape {
 
 /// Vertices as (X / W, Y / W), W > 0, not in lowest terms: three integers each.
 struct HomogeneousRings : RingShape {
-  std::uint32_t words = 1;  ///< of each integer: as IntegerColumn has them
+  std::uint32_t words = 1;  ///< of each integer, as for IntegerColumn
   std::vector<std::uint64_t> numbers;
   IntegerColumn column() const { return {words, numbers}; }
 };

@@ -41,7 +41,7 @@ class LinkHistory : public BoundaryHistory {
   const RingOrder& order_;
   const BuildControl& control_;
   std::vector<std::uint32_t> groups_;
-  mutable std::size_t bucket_ = SIZE_MAX;  ///< whose rings stand in the next line
+  mutable std::size_t bucket_ = SIZE_MAX;  ///< the bucket of the next member's rings
   mutable std::vector<std::uint32_t> ring_of_link_;
 };
 

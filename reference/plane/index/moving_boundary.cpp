@@ -102,7 +102,7 @@ class PairOfTracks {
       result_.links.push_back(links[0]);
       return;
     }
-    std::vector<std::uint32_t> cuts;  // intervals at which something changes
+    std::vector<std::uint32_t> cuts;  // intervals with changes
     for (const MovingLink& link : links) {
       cuts.push_back(link.first);
       cuts.push_back(link.last + 1);

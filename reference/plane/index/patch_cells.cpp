@@ -9,8 +9,8 @@
 namespace minkref::inline plane {
 namespace {
 
-constexpr double band_ratio = 4;    // of the scales of a band, which is then halved
-constexpr double many_times = 256;  // a scale at which one operand is that much smaller is extreme
+constexpr double band_ratio = 4;    // a band's scales; bands are then halved
+constexpr double many_times = 256;  // a scale with an operand smaller by this factor is extreme
 constexpr int most_halvings_by_tracks = 4, most_halvings_by_solids = 6;
 constexpr int looks_ahead = 3;
 
@@ -81,7 +81,7 @@ class CellSearch {
       const auto [track, reach] = middle_of(*edge_, cell);
       const double clearance = tracks_.clearance(track, cell.low, cell.high, hints_);
       if (clearance > 0 || solids_.chosen_holds(swept_quad(*edge_, cell), solid_)) return;
-      // What halving may win is at most what the cell reaches to, twice.
+      // Halving gains at most twice the cell's reach from its middle: its length plus its motion.
       const double moved = (cell.high - cell.low) * std::hypot(track.x1, track.y1);
       if ((halvings < most_halvings_by_tracks && clearance + reach + moved > 0) ||
           (halvings < most_halvings_by_solids && some_point_is_inside(cell))) {

@@ -26,8 +26,8 @@ struct PatchCell {
   double low = 0, high = 0, from = 0, to = 1;
 };
 
-/// The track of a cell's middle, with half its length along the edge, and the greatest distance
-/// from the middle to the cell's points at one scale.
+/// The track of a cell's middle, with half its length along the edge, and the cell's whole length
+/// at its greatest scale.
 std::pair<RoundedTrack, double> middle_of(const RoundedEdge& edge, const PatchCell& cell);
 
 /// The quad of a cell; requires scales other than 0 and infinity.
@@ -38,7 +38,7 @@ double cut_between(double low, double high);
 
 /// A patch outside its cells certainly lies inside the interiors' sum.
 struct PatchCells {
-  std::vector<std::uint32_t> first;  ///< those of edge e: cells[first[e] .. first[e + 1])
+  std::vector<std::uint32_t> first;  ///< edge e has cells[first[e] .. first[e + 1])
   std::vector<PatchCell> cells;
 
   std::span<const PatchCell> of(std::uint32_t edge) const {

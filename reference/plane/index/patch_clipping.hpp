@@ -93,7 +93,7 @@ class PatchClipping {
     if (!(low > 0) || !std::isfinite(high)) return true;
     const double doubt = 0x1p-40 * (1 + std::fabs(node.slope) * (edge_.is_s ? 1 : high) +
                                     std::fabs(node.value) / (edge_.is_s ? low : 1));
-    const double u = along(node, low), v = along(node, high);  // it is monotone between them
+    const double u = along(node, low), v = along(node, high);  // monotone between the two
     return std::min(u, v) <= cell.to + doubt && std::max(u, v) >= cell.from - doubt;
   }
 

@@ -149,7 +149,7 @@ class NeighbourSearch {
     for (const PatchCell& cell : subject_.cells.of(edge)) {
       const double begin = std::max(low, cell.low), end = std::min(high, cell.high);
       if (begin > end) continue;
-      const double u = along(begin), v = along(end);  // it is monotone between them
+      const double u = along(begin), v = along(end);  // monotone between the two
       if (std::min(u, v) <= cell.to + doubt && std::max(u, v) >= cell.from - doubt) return true;
     }
     return false;

@@ -11,10 +11,10 @@
 namespace minkref::inline plane {
 
 struct PatchNeighbours {
-  std::vector<std::uint32_t> first, others;  ///< those of edge e: others[first[e] .. first[e + 1])
+  std::vector<std::uint32_t> first, others;  ///< edge e has others[first[e] .. first[e + 1])
   PatchCells cells;                          ///< an edge without any is certainly inside
   std::uint64_t meeting = 0;                 ///< pairs that doubles let meet in the window
-  std::uint64_t inside = 0;                  ///< of these, left out: they meet inside the sum only
+  std::uint64_t inside = 0;                  ///< of these, left out: meet inside the sum only
 };
 
 /// Omitted pairs certainly never meet within the window, or certainly meet inside the interiors'

@@ -124,7 +124,7 @@ class PatchNodeFinder {
     result.nodes.push_back(std::move(node));
   }
 
-  K kernel_;  // of its own: kernels count what they decide
+  K kernel_;  // a copy: kernels count their decisions
   const std::vector<Edge>& edges_;
 };
 

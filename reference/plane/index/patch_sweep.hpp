@@ -21,7 +21,7 @@ class PatchSweep {
  public:
   struct Stop {
     enum class Kind : std::uint8_t { window_start, window_end, birth, death, crossing, overlap };
-    double near = 0;  ///< off by at most 2^-48 of it
+    double near = 0;  ///< with a relative error of at most 2^-48
     Kind kind = Kind::window_start;
     std::uint32_t x = 0, y = 0;  ///< nodes; of an overlap its index
   };
@@ -72,13 +72,13 @@ class PatchSweep {
   using W = typename K::Wide;
   using Node = PatchNode<K>;
   using Kind = typename Stop::Kind;
-  static constexpr double doubt = 0x1p-45;  // more than all rounding of what it is a share of
+  static constexpr double doubt = 0x1p-45;  // relative; more than all rounding
   static constexpr std::uint32_t start = 0, end = 1;
 
   struct Gap {
     std::uint32_t face = 0;
     Stop from;
-    std::uint64_t step = 0;  ///< at which it was opened
+    std::uint64_t step = 0;  ///< that opened the gap
     bool flat = false;       ///< both nodes are one track
   };
   struct Later {

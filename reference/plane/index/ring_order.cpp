@@ -318,7 +318,7 @@ class Builder {
   std::uint32_t first_ = 0;
   std::size_t size_ = 0;              // of its entries
   std::vector<std::uint32_t> heads_;  // the first entry of each ring
-  Circles there_, entries_;           // the rings as they are now; with links that ended
+  Circles there_, entries_;           // the current rings; with ended links
   std::vector<char> is_traced_;
   std::vector<std::uint32_t> unplaced_;
 };

@@ -196,7 +196,7 @@ std::size_t ScaleIndex::each_ring(std::uint32_t interval, RingShape& shape, Take
     const std::size_t before = count;
     for (const std::uint32_t end = columns_.ring_ends[r]; k < end; ++k) {
       const IndexEntry& entry = entries[k];
-      take(entry, count);  // what is not there is overwritten
+      take(entry, count);  // absent entries are overwritten
       count += interval - entry.first <= entry.last - entry.first ? 1 : 0;
     }
     if (count == before) continue;
@@ -289,7 +289,7 @@ void ScaleIndex::collect_touching(std::uint32_t event, TrackRings& rings) const 
   }
   std::vector<Track> tracks;
   for (const std::uint32_t number : used) tracks.push_back(track(number));
-  std::vector<RationalEdge> moving;  // of which only the directions are looked at
+  std::vector<RationalEdge> moving;  // only directions matter
   for (const std::uint32_t edge : lines) {
     moving.push_back({ConvolutionEdge::Kind::S, {}, {}, direction(columns_.edges[edge])});
   }

@@ -37,7 +37,7 @@ class ScaleIndex {
   /// Scales of boundary events, ascending; a few lie beside the window.
   std::size_t events() const { return columns_.events_in_doubles.size(); }
   Rational event(std::uint32_t k) const;
-  /// Those of the window: from the first number on, up to before the second.
+  /// The window's events: from the first number on, up to before the second.
   std::pair<std::uint32_t, std::uint32_t> events_within() const;
   std::size_t tracks() const { return columns_.tracks_in_doubles.size(); }
   Track track(std::uint32_t k) const;

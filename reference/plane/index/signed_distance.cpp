@@ -11,7 +11,7 @@ namespace minkref::inline plane {
 namespace {
 
 constexpr std::size_t samples_along = 384;  // of the longer side
-constexpr std::size_t block_side = 16;      // samples along a side of those measured together
+constexpr std::size_t block_side = 16;      // samples along a side of a block
 constexpr double infinite_distance = std::numeric_limits<double>::infinity();
 
 }  // namespace

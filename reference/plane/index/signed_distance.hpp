@@ -41,7 +41,7 @@ class SignedDistance {
 
   std::size_t columns_ = 0, rows_ = 0;
   double left_ = 0, bottom_ = 0, spacing_ = 1, over_spacing_ = 1;
-  double error_ = 0;  // of a sample, and of what is asked
+  double error_ = 0;  // of a sample, and of a query
   std::vector<double> samples_;
 };
 

@@ -11,7 +11,7 @@ void homogeneous_numbers(const IntegerColumn& tracks, std::uint64_t bits,
                          const std::vector<std::uint32_t>& which, const Rational& scale,
                          HomogeneousRings& result);
 
-/// From those. Exact. Some 0.3 us a vertex.
+/// Reduces homogeneous numbers. Exact. Some 0.3 us a vertex.
 void reduced_numbers(const HomogeneousRings& from, RationalRings& result);
 
 }  // namespace minkref::inline plane

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <limits>
 
-// Under the thread sanitizer none: what chooses a clone runs before the sanitizer does, and
-// crashes.
+// No clones under the thread sanitizer: the code that chooses a clone runs before the sanitizer,
+// and crashes.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) && \
     !defined(__SANITIZE_THREAD__)
 #define MINKREF_CLONES __attribute__((target_clones("default", "avx2")))

@@ -1,20 +1,21 @@
 // The plane's demands on a kernel: exact or honest signs, and nothing else.
 //
 // A kernel K has, besides its types,
-//   Coordinate, Vector        coordinates of convolution vertices and differences of them
+//   Coordinate, Vector        coordinates of convolution vertices and their differences
 //   Parameter                 a position along an edge, t = A/C in [0, 1]
 //   Node                      a point of an arrangement (a vertex, or start + t * direction)
 //   Query                     a point in general position, where collision detection is asked
 // these functions:
 //   compare(Coordinate, Coordinate), sign(Coordinate), turn(Vector u, Vector v)   the sign of u x v
-//   intersection(w, d, e)     the t with start_d + t d on the line start_e + r e, w = start_e -
-//   start_d projection(w, d)          the t with start_d + t d = start_d + w (w is parallel to d)
+//   intersection(w, d, e)     the t with start_d + t d on the line start_e + r e,
+//                             w = start_e - start_d
+//   projection(w, d)          the t with start_d + t d = start_d + w (w is parallel to d)
 //   compare(Parameter, Parameter)
 //   node(Vector), node(start, d, t), compare_x, compare_y, orientation(Node, Node, Node)
 //   box(Vector, Vector), box(Node), box(Query)   doubles that certainly enclose the points
 //   side(Vector a, Vector d, Query x)   the sign of d x (x - a)
 // All signs are exact for GridKernel and PlainKernel<Rational>; PlainKernel<Interval> throws
-// UndecidedSign; PlainKernel<double> and PlainKernel<Mpfr> answer what their arithmetic answers.
+// UndecidedSign; PlainKernel<double> and PlainKernel<Mpfr> answer as their arithmetic does.
 #pragma once
 
 #include <concepts>

@@ -9,7 +9,7 @@ namespace minkref::inline plane {
 
 struct FacePoint {
   Point point;  ///< in real coordinates, exact
-  bool in_sum;  ///< what the paper's route holds of the face
+  bool in_sum;  ///< by the paper's route
 };
 
 /// For checking the paper's route face by face against another judge: every bounded face of the

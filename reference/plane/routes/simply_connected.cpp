@@ -19,7 +19,7 @@ class Cutter {
   explicit Cutter(const std::vector<FilteredPoint>& points) : points_(points) {}
 
   Indices join(Indices ring, std::vector<Indices> holes) const {
-    // Holes from right to left: what a ray to the right meets is joined already.
+    // Holes from right to left: a ray to the right meets only joined rings.
     std::vector<std::pair<std::uint32_t, const Indices*>> order;
     for (const Indices& hole : holes) {
       order.emplace_back(
