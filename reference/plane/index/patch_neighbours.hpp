@@ -1,4 +1,5 @@
-// For each convolution edge the other edges whose patch may cut its own near the boundary.
+// For each convolution edge the other edges whose patch may cut its own at possible
+// boundary places.
 #pragma once
 
 #include <cstdint>
