@@ -60,8 +60,8 @@ template <class Int>
 using GridVector = Eigen::Matrix<Int, 2, 1>;
 
 /// Relative error, in units of the input magnitudes, beyond which a double is trusted. Each
-/// conversion has an error of at most 2^-51, each product and difference 2^-53 more: altogether 11
-/// * 2^-53; the bound takes 16 * 2^-53.
+/// conversion has an error of at most 2^-51, each product and difference 2^-53 more, altogether
+/// 11 * 2^-53; the bound takes 16 * 2^-53.
 inline constexpr double filter_bound = 16.0 / 9007199254740992.0;
 
 template <class Grid>
