@@ -1,6 +1,6 @@
-// The pieces of the extension module minkref._core. Exact numbers cross the border as strings, "n" or
-// "n/d", coordinates for drawing as doubles. Every computation releases the interpreter lock, and
-// ends when a signal's handler raises an exception.
+// The pieces of the extension module minkref._core. Exact numbers cross the border as strings, "n"
+// or "n/d", coordinates for drawing as doubles. Every computation releases the interpreter lock,
+// and ends when a signal's handler raises an exception.
 #pragma once
 
 #include <nanobind/nanobind.h>
