@@ -1,1 +1,1 @@
-"""Certificates of sums: proofs that a checker follows without trusting us."""
+"""Certificates for sums: proofs that a checker follows without trusting us."""

@@ -1,4 +1,4 @@
-"""The case of a certificate, and the digest that binds them."""
+"""The case of a certificate, and the digest that binds both."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from minkref.exact import digest, set_json
 
 
 def case_text(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
-    """A case of all scales (case-v1): both operands, their vertices in the order that certificates
-    number."""
+    """Returns a case for all scales (case-v1): both operands, with vertices in the order that
+    certificates number."""
     head = f'"schema":"case-v1","id":"{case_digest(P, Q)[:12]}","dimension":2,"interval":{{}}'
     return f'{{{head},\n"P":{P.to_json()},\n"Q":{Q.to_json()}}}\n'
 
@@ -25,12 +25,12 @@ def case_digest(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
 
 
 def places(operand: _core.PolygonSet) -> list[tuple[Fraction, Fraction]]:
-    """Its vertices as a certificate numbers them."""
+    """Returns the operand's vertices as a certificate numbers them."""
     return [(Fraction(x), Fraction(y)) for ring in _rings(operand) for x, y in ring]
 
 
 def ring_numbers(operand: _core.PolygonSet) -> list[range]:
-    """The numbers of the vertices of each ring."""
+    """Returns each ring's vertex numbers."""
     numbers: list[range] = []
     first = 0
     for ring in _rings(operand):
@@ -45,7 +45,7 @@ def _rings(operand: _core.PolygonSet) -> Iterator[list[list[str]]]:
 
 
 def plain_polygons(operand: _core.PolygonSet) -> list[Any]:
-    """Outer rings and holes of its polygons, numbers in lowest terms."""
+    """Returns outer rings and holes by polygon, numbers in lowest terms."""
     polygons = json.loads(operand.to_json())["polygons"]
     text = set_json((polygon["outer"], polygon.get("holes", [])) for polygon in polygons)
     value: list[Any] = json.loads(text)["polygons"]

@@ -6,9 +6,9 @@ from fractions import Fraction
 
 
 def simplest_between(low: Fraction, high: Fraction) -> Fraction:
-    """The rational of the least denominator in [low, high], 0 <= low < high. Exact; continued
-    fractions, a step for each term that the two bounds have in common."""
-    (a, b), (c, d) = low.as_integer_ratio(), high.as_integer_ratio()  # what is left of the bounds
+    """Returns the rational with the least denominator between low and high, 0 <= low < high. Exact;
+    continued fractions, a step for each term that the bounds share."""
+    (a, b), (c, d) = low.as_integer_ratio(), high.as_integer_ratio()  # remainders of the bounds
     before, last = (0, 1), (1, 0)  # the last two convergents
     while True:
         whole = a // b

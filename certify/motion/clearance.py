@@ -12,11 +12,11 @@ from minkref.motion.scale_ranges import ScaleRange
 
 SPLIT_R, SPLIT_O, HALVE = -1, -2, -3
 RECENT = 6
-MOST_ENTRIES = 2_000_000  # of one code
+MOST_ENTRIES = 2_000_000  # per code
 
 
 class Collision(Exception):
-    """A place of the segment collides at one of the scales."""
+    """Some place on the segment collides at some scale."""
 
 
 class TooLong(Exception):
@@ -24,7 +24,7 @@ class TooLong(Exception):
 
 
 class Clearance:
-    """Codes of several segments over one list of normals. Exact."""
+    """Codes for several segments over one list of normals. Exact."""
 
     def __init__(self, pair: Pair, scales: ScaleRange, contact: str) -> None:
         self.pair, self.scales, self.contact = pair, scales, contact
@@ -35,7 +35,8 @@ class Clearance:
         self._middle = low + 1 if high is None else (low + high) / 2
 
     def code(self, way: Way) -> list[int]:
-        """Raises Collision where there is none. Grows with the pairs of pieces that are near."""
+        """Returns the code; raises Collision if there is none. The cost grows with the pairs of
+        pieces near each other."""
         part, walls = self.pair.R, self.pair.O
         found: list[int] = []
         empty = not (part.hulls and walls.hulls)
@@ -109,7 +110,7 @@ class Clearance:
 
 
 def halves(corners: Sequence[Corner]) -> tuple[list[Corner], list[Corner]]:
-    """A cell cut in the middle of its places: the later ones, the earlier ones."""
+    """Cuts a cell in the middle of its places: the later half, the earlier half."""
     at = [Fraction(t, w) for t, _, w in corners if w]
     u, v = ((min(at) + max(at)) / 2).as_integer_ratio()
     return cut(corners, (-v, 0, u)), cut(corners, (v, 0, -u))
@@ -121,7 +122,7 @@ def _width(corners: Sequence[Corner]) -> Fraction:
 
 
 def _size(corners: Sequence[Corner]) -> tuple[Fraction, Fraction]:
-    """Area and sides of the box in t and s / (1 + s); a guess at what is left."""
+    """Area and sides of a cell's box in t and s / (1 + s); estimates how much remains."""
     if not corners:
         return Fraction(-1), Fraction(-1)
     scales = [Fraction(s, s + w) for _, s, w in corners]

@@ -1,5 +1,5 @@
-"""Hits: places of a path, and points that the part has in common with the obstacles there, that
-move linearly with the scale (docs/certificates-paths.md)."""
+"""Hits: places on a path, with points common to part and obstacles that move linearly with the
+scale (docs/certificates-paths.md)."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from minkref.certify.motion.moving_parts import Corner, Pair, Vector, Way, cut, 
 from minkref.certify.motion.scale_cells import Cut, cuts
 from minkref.motion.scale_ranges import ScaleRange
 
-MOST_HITS = 10_000  # of one claim
-ENOUGH = 64  # of hits that go on at a scale, from which the one that goes farthest is taken
+MOST_HITS = 10_000  # per claim
+ENOUGH = 64  # hits that go on at a scale; the longest among so many will do
 
 
 class NoHit(Exception):
@@ -57,7 +57,7 @@ class Collisions:
         return found
 
     def _from(self, reach: Cut, scales: ScaleRange) -> Iterator[Hit]:
-        """Yields hits of all pairs of pieces that at least touch at a scale."""
+        """Yields hits for all pairs of pieces that at least touch at a scale."""
         here = ScaleRange(reach[0], reach[0], True, True)
         above = ScaleRange(reach[0], scales.high, True, scales.high is not None)
         for number, way in enumerate(self.ways):
@@ -84,7 +84,7 @@ class Collisions:
         return [*way.across, *self.pair.directions(A, B)]
 
     def _polygon(self, way: Way, A: int, B: int, corners: list[Corner]) -> list[Corner]:
-        """Where, of a cell, two pieces have a point in common."""
+        """Returns the part of a cell where two pieces have a common point."""
         for normal in self.pair.directions(A, B):
             corners = cut(corners, way.gap(normal, A, B)) if corners else []
         return corners
@@ -128,7 +128,7 @@ class Collisions:
         return all(levels(way.gap(n, A, B), corner)[0] < 0 for n in self.pair.directions(A, B))
 
     def _point(self, way: Way, A: int, B: int, t: Fraction, s: Fraction) -> Place:
-        """In the middle of what x + sA and B have in common, which is not empty."""
+        """Returns a point in the middle of the intersection of x + sA and B, which is not empty."""
         pair = self.pair
         (x, y), unit = way.at(t), pair.unit
         ring = [(x + s * u / unit, y + s * v / unit) for u, v in pair.R.hulls[A]]

@@ -1,4 +1,4 @@
-"""Convex polygons in exact rationals: what two have in common, and points of it."""
+"""Convex polygons in exact rationals: intersections, and points inside."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 Place = tuple[Fraction, Fraction]
-Polygon = list[Place]  # counter-clockwise; of a segment two, of a point one
+Polygon = list[Place]  # counter-clockwise; two corners for a segment, one for a point
 
 
 def below(polygon: Sequence[Place], normal: Sequence[Fraction | int], most: Fraction) -> Polygon:
@@ -24,14 +24,14 @@ def below(polygon: Sequence[Place], normal: Sequence[Fraction | int], most: Frac
 
 
 def middle(polygon: Sequence[Place]) -> Place:
-    """The mean of the corners: inside, if there is an inside."""
+    """Returns the mean of the corners: an interior point, if the interior is not empty."""
     n = len(polygon)
     return (Fraction(sum(p[0] for p in polygon)) / n, Fraction(sum(p[1] for p in polygon)) / n)
 
 
 def crossings(a: Place, b: Place, x: Place) -> int:
-    """How often a segment passes the ray from x to the right, upwards; downwards counts as -1. Over
-    a closed polyline that misses x these add up to how often it leads around x."""
+    """Counts how often a segment passes the ray from x to the right: upwards as 1, downwards as -1.
+    Over a closed polyline that misses x, the sum is the winding number around x."""
     if (a[1] <= x[1]) == (b[1] <= x[1]):
         return 0
     side = (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0])

@@ -1,4 +1,4 @@
-"""Ways out of a place, the scales at which they are free, and directions in which their ends go on
+"""Ways out from a place, the scales at which each is free, and directions in which their ends go on
 for ever (docs/certificates-paths.md)."""
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from minkref.certify.motion.scale_cells import ALL, Cut, common, cuts
 from minkref.motion.path_values import valid_scales
 from minkref.motion.scale_ranges import ScaleRange
 
-MOST_STEPS = 24  # of a way that are all tried
+MOST_STEPS = 24  # up to so many, all steps along a way are tried
 AXES = ((-1, 0), (1, 0), (0, -1), (0, 1))
 
 
 @dataclass(frozen=True)
 class Escape:
-    """At these scales a way is free, and its end may go on along the normal."""
+    """A way that is free at these scales, and whose end may go on along the normal."""
 
     way: list[Place]
     normal: Vector
@@ -30,8 +30,8 @@ class Escape:
 
 
 class Escapes:
-    """Finds ways out for a part R among obstacles O. Exact. `spend` is called between pieces of
-    work; an exception from it ends the work."""
+    """Finds ways out for a part R among obstacles O. Exact. Calls `spend` between pieces of work;
+    an exception from `spend` ends the work."""
 
     def __init__(
         self,
@@ -49,8 +49,9 @@ class Escapes:
             self._normals = list(dict.fromkeys([*AXES, *pair.directions(part.root, walls.root)]))
 
     def from_cut(self, s: Fraction, reach: Cut, end: Cut) -> Escape | None:
-        """A way out found at a scale, and the range of scales from a cut on, towards another, at
-        which it is one. None where there is none, or the sum has too many corners."""
+        """Returns a way out found at a scale, and the range of scales, from a cut on towards
+        another, at which the way leads out. None if no way exists, or the sum has too many
+        corners."""
         found = self._best([self.at], reach, end)
         if found is not None and cuts(found.scales)[1] >= end:
             return found
@@ -65,8 +66,8 @@ class Escapes:
         return found
 
     def _best(self, way: list[Place], reach: Cut, end: Cut) -> Escape | None:
-        """The escape that holds longest from a cut on; of several the one that leaves the way
-        earliest."""
+        """Returns the escape that holds longest from a cut on; among equals, the escape that leaves
+        the way earliest."""
         best: Escape | None = None
         for k in range(len(way)):
             free = self._free(way[: k + 1], reach)
@@ -84,8 +85,9 @@ class Escapes:
     def _leaving(
         self, way: list[Place], normal: Vector, free: ScaleRange, reach: Cut, end: Cut
     ) -> Escape | None:
-        """Along a normal: from the end of a way, or after it has gone on, straight or along the
-        normal, to where it is beyond all that collides, at all scales at which it is free."""
+        """Leaves along a normal: from the way's end at once, or after going on, straight or along
+        the normal, to a place beyond everything that collides at all scales at which the way is
+        free."""
         found: list[Escape] = []
         exits = self._exits(way[-1], normal)
         if exits is not None:
@@ -109,7 +111,7 @@ class Escapes:
         return [Escape(way, normal, scales)]
 
     def _free(self, way: Sequence[Place], reach: Cut) -> ScaleRange | None:
-        """The range of scales from a cut on at which no place of a way collides."""
+        """Returns the range of scales from a cut on at which no place on a way collides."""
         self._spend()
         found = valid_scales(*self.sets, way, self.contact)
         return next((one for one in found.ranges if _begins(one, reach)), None)
@@ -122,7 +124,8 @@ class Escapes:
         return normal[0] * place[0] + normal[1] * place[1] - most, least
 
     def _exits(self, place: Place, normal: Vector) -> ScaleRange | None:
-        """The scales at which a place is beyond all that collides across a normal."""
+        """Returns the scales at which a place lies beyond everything that collides, across a
+        normal."""
         if not (self.pair.R.hulls and self.pair.O.hulls):
             return ALL
         c, d = self._level(place, normal)
@@ -151,7 +154,7 @@ class Escapes:
         return place[0] + part * along[0], place[1] + part * along[1]
 
     def _shortened(self, way: list[Place], s: Fraction) -> list[Place]:
-        """Without the corners that may be left out at all scales at which the way is free."""
+        """Drops corners without which the way stays free at all scales at which it is free now."""
         found = valid_scales(*self.sets, way, self.contact)
         free = next((one for one in found.ranges if s in one), None)
         if free is None:
@@ -176,7 +179,7 @@ class Escapes:
 
 
 def _steps(start: int, last: int) -> list[int]:
-    """Where to go on from a corner, the farthest first: all others of few, some of many."""
+    """Numbers of the corners to go on to, the farthest first: all if few, else some."""
     if last - start <= MOST_STEPS:
         return list(range(last, start, -1))
     some = [start + (1 << power) for power in range((last - start).bit_length())]

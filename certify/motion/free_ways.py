@@ -1,5 +1,5 @@
-"""Ways out at one scale: the free places in trapezoids, tight passages between them, and a polyline
-through those that hang together (docs/certificates-paths.md)."""
+"""Ways out at one scale: the free places as trapezoids, tight passages between them, and a polyline
+through connected trapezoids (docs/certificates-paths.md)."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from itertools import combinations, pairwise
 from minkref import _core
 from minkref.certify.motion.convex_cells import Place, Polygon, middle
 
-MOST_CORNERS = 600  # of the boundary of the sum
+MOST_CORNERS = 600  # on the sum's boundary
 
 
 class FreeCells:
-    """Convex sets of free places of a part at a scale, and which of them have a place in common:
-    closed ones where contact is allowed, open ones where it is forbidden. The first is all that is
-    far to the left. Exact. O(n^2) for n corners of the sum."""
+    """Convex sets of a part's free places at a scale, and the pairs of sets with a common place:
+    closed sets if contact is allowed, open sets if contact is forbidden. The first set covers
+    everything far to the left. Exact. O(n^2) for n corners of the sum."""
 
     def __init__(
         self,
@@ -45,7 +45,7 @@ class FreeCells:
             self._add_passages([_places(points) for points, _ in found.passage_rows()])
 
     def way(self, at: Place) -> list[Place] | None:
-        """From a free place to one that is left of all that collides; None where there is none."""
+        """Returns a way from a free place to a place left of everything that collides, or None."""
         start = [k for k in range(len(self.cells)) if self._holds(k, at)]
         before: dict[int, int | None] = dict.fromkeys(start)
         queue = deque(start)
@@ -64,14 +64,15 @@ class FreeCells:
         return [at, *way[::-1]]
 
     def _add_trapezoids(self, rings: list[Polygon], xs: list[Fraction]) -> None:
-        """Between verticals through all corners; joined where they share a part of a vertical."""
+        """Adds trapezoids between verticals through all corners; joins two that share a part of a
+        vertical."""
         edges = [
             (min(a, b), max(a, b))
             for ring in rings
             for a, b in zip(ring, [*ring[1:], ring[0]], strict=True)
             if a[0] != b[0]
         ]
-        before: list[tuple[int, Fraction, Fraction]] = []  # cells with what they have of a vertical
+        before: list[tuple[int, Fraction, Fraction]] = []  # cells, with their parts of a vertical
         for left, right in pairwise(xs):
             rows = [(self.low, self.low), (self.high, self.high)]
             rows += [
@@ -107,12 +108,12 @@ class FreeCells:
                     self._join(i, j, p)
 
     def _ends(self, i: int, j: int) -> Iterator[Place]:
-        """Corners of one cell that are in the other one."""
+        """Yields the corners of either cell that lie on the other."""
         yield from (p for p in self.cells[i] if self._holds(j, p))
         yield from (p for p in self.cells[j] if self._holds(i, p))
 
     def _holds(self, k: int, x: Place) -> bool:
-        """Whether a place is in the closure of a cell."""
+        """Whether a place lies on the closure of a cell."""
         cell = self.cells[k]
         if len(cell) < 3:
             a, b = cell[0], cell[-1]

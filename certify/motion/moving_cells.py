@@ -45,8 +45,8 @@ class Cell(NamedTuple):
 
 
 class Station(NamedTuple):
-    """A place of a way at a scale where it is free, and at the other end of the way's scales.
-    `inner`: in the middle of a cell, not on a vertical between two."""
+    """A place on a way at a scale where the way is free, and at the other end of the way's scales.
+    `inner`: in the middle of a cell, not on a vertical between two cells."""
 
     here: Place
     there: Place
@@ -60,7 +60,7 @@ class MovingCells:
     def __init__(
         self, pair: Pair, rings: Iterable[Sequence[MovingPlace]], at: Place, scale: Fraction
     ) -> None:
-        """`scale`: one of the scales."""
+        """`scale`: a scale between the two events."""
         self.at, self.scale = at, scale
         left, right, self._bottom, self._top = _box(pair, at)
         self._edges = [edge for ring in rings for edge in _edges(ring, scale)]
@@ -72,7 +72,7 @@ class MovingCells:
         self._add_cells()
 
     def channel(self) -> list[int] | None:
-        """The cells of a way from the place to the left of all that collides."""
+        """Returns the cells along a way from the place to the left of everything that collides."""
         start = [k for k, cell in enumerate(self.cells) if self._holds(cell)]
         before: dict[int, int | None] = dict.fromkeys(start)
         queue = deque(start)
@@ -90,8 +90,9 @@ class MovingCells:
         return found[::-1]
 
     def stations(self, channel: Sequence[int], here: Fraction, there: End) -> list[Station]:
-        """A way through cells, from a scale to another, or for ever. It is free at all scales
-        between if the cells are what they are here, there too but for what shuts."""
+        """Returns a way through cells, from one scale to another, or for ever. While the cells stay
+        as `here`, the way is free at all scales between, and also at `there`, except where a
+        passage shuts."""
         found = [Station(self.at, self.at if there is not None else (Fraction(0),) * 2, False)]
         entry = Linear(self.at[0], Fraction(0))
         for i, j in [*pairwise(channel), (channel[-1], None)]:
@@ -108,7 +109,7 @@ class MovingCells:
         return found
 
     def _holds(self, cell: Cell) -> bool:
-        """Whether the place is on the side of a cell."""
+        """Whether the place lies on a vertical side of a cell."""
         x = Linear(self.at[0], Fraction(0))
         if x not in (cell.left, cell.right):
             return False
@@ -136,7 +137,8 @@ class MovingCells:
             before = here
 
     def _join(self, before: Sequence[int], here: Sequence[int], x: Linear) -> None:
-        """Cells on both sides of a vertical, each upwards, where they share a part of it."""
+        """Joins cells on both sides of a vertical, each listed upwards, that share a part of the
+        vertical."""
         i = j = 0
         while i < len(before) and j < len(here):
             one, other = self.cells[before[i]], self.cells[here[j]]
@@ -153,15 +155,15 @@ class MovingCells:
 def steady(
     numbers: Iterable[Linear], low: Fraction, high: End, at_end: bool
 ) -> tuple[Fraction, End]:
-    """The scales from one on, or up to the other (`at_end`), at which no two different numbers are
-    equal, as far as they go within both. Exact."""
+    """Returns the largest range of scales from `low` on, or up to `high` (`at_end`), at which no
+    two different numbers are equal, within [low, high]. Exact."""
 
     def key(x: Linear) -> tuple[Fraction, Fraction]:
         if not at_end:
             return x.at(low), x.slope
         return (x.slope, x.constant) if high is None else (x.at(high), -x.slope)
 
-    # The first two to meet are neighbours.
+    # The first two numbers to meet are neighbours.
     for x, y in pairwise(sorted(set(numbers), key=key)):
         if x.slope == y.slope:
             continue
@@ -176,9 +178,9 @@ def xs_of(rings: Iterable[Sequence[MovingPlace]]) -> list[Linear]:
 
 
 def moving(stations: Sequence[Station], here: Fraction, there: End) -> list[MovingPlace]:
-    """The places of a way, which move from where they are at one scale to where they are at the
-    other, with one more between two stations whose direction changes: in the convex hull of both at
-    both scales, and free as the station in the middle of a cell is."""
+    """Returns a way's places, moving from their positions at one scale to their positions at the
+    other. Between two stations whose direction changes, one more place is added: it lies in the
+    convex hull of both stations at both scales, and is free as the inner station is."""
     path = [stations[0]]
     for end in stations[1:]:
         start = path[-1]
@@ -201,7 +203,7 @@ def _through(station: Station, here: Fraction, there: End) -> MovingPlace:
 
 
 def _edges(ring: Sequence[MovingPlace], scale: Fraction) -> list[tuple[Linear, Linear, Line]]:
-    """Those that are not vertical: both ends' x, and the line."""
+    """Returns both ends' x, and the line, for each edge that is not vertical."""
     found = []
     for a, b in zip(ring, [*ring[1:], *ring[:1]], strict=True):
         one, other = Linear(*a[:2]), Linear(*b[:2])
@@ -229,7 +231,7 @@ def _box(pair: Pair, at: Place) -> tuple[Linear, Linear, Line, Line]:
 
 
 def _common(one: Cell, other: Cell, x: Linear, s: End) -> tuple[Fraction, Fraction]:
-    """From where to where cells on both sides of a vertical meet."""
+    """Returns the bounds of the common part of two cells on both sides of a vertical."""
     low = max(cell.bottom.over(x).at(s) for cell in (one, other))
     return low, min(cell.top.over(x).at(s) for cell in (one, other))
 

@@ -1,4 +1,5 @@
-"""Convex pieces of a part and of obstacles, and at which places and scales two of them collide."""
+"""Convex pieces of a part and of obstacles, and the places and scales at which two pieces
+collide."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ MovingPlace = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
 class Tree:
-    """The step `pieces` of a set with its vertices in whole numbers, `unit` times as large."""
+    """The step `pieces` of a set, with vertices in whole numbers, scaled by `unit`."""
 
     def __init__(self, step: dict[str, Any], vertices: Sequence[Place], unit: int) -> None:
         self.points = [(int(x * unit), int(y * unit)) for x, y in vertices]
@@ -53,7 +54,7 @@ class Tree:
 
 
 class Pair:
-    """The trees of a part R and of obstacles O, in one unit."""
+    """The trees for a part R and for obstacles O, in one unit."""
 
     def __init__(self, robot: _core.PolygonSet, obstacles: _core.PolygonSet) -> None:
         prover = _core.Prover(robot, obstacles)
@@ -68,13 +69,14 @@ class Pair:
         )
 
     def directions(self, A: int, B: int) -> list[Vector]:
-        """Normals that are enough to hold two convex nodes apart, or to say where they collide."""
+        """Returns enough normals to hold two convex nodes apart, or to say where the nodes
+        collide."""
         turned = [(-x, -y) for x, y in self.R.sides[A]]
         return list(dict.fromkeys(self.O.sides[B] + turned))
 
 
 class Way:
-    """A segment of places of the part, from t = 0 to t = 1, in whole numbers."""
+    """A segment of part places, from t = 0 to t = 1, in whole numbers."""
 
     def __init__(self, pair: Pair, start: Place, end: Place) -> None:
         self.pair, self.ends = pair, (start, end)
@@ -86,7 +88,7 @@ class Way:
     def _set(self, start: Vector, slope: Vector, along: Vector, square: int) -> None:
         """The places start + s slope + t along / square, in units."""
         self._start, self._slope, self._along, self._square = start, slope, along, square
-        self.length = Fraction(max(map(abs, along)), self._parts * square)  # of a t
+        self.length = Fraction(max(map(abs, along)), self._parts * square)  # per unit of t
         self.across: list[Vector] = []
         if along != (0, 0):
             n = _shortest((-along[1], along[0]))
@@ -98,7 +100,7 @@ class Way:
         return list(dict.fromkeys([(0, s, w), (w, s, w), (W, S, W), (0, S, W)]))
 
     def gap(self, normal: Vector, A: int, B: int) -> Gap:
-        """Positive where the normal holds the nodes apart, zero where they may touch."""
+        """Positive where the normal holds the nodes apart, zero where the nodes may touch."""
         least = self._parts * -self.pair.R.most(A, (-normal[0], -normal[1]))
         most = self._parts * self.pair.O.most(B, normal)
         grows, far = _dot(normal, self._slope) + least, _dot(normal, self._start) - most
@@ -110,8 +112,8 @@ class Way:
 
 
 class MovingWay(Way):
-    """A segment whose ends move with the scale, its direction staying as it is at all scales of a
-    range. Raises ValueError where it turns."""
+    """A segment whose ends move with the scale, with the same direction at all scales of a range.
+    Raises ValueError if the segment turns."""
 
     def __init__(
         self, pair: Pair, start: MovingPlace, end: MovingPlace, scales: ScaleRange
@@ -141,7 +143,7 @@ def stays(place: Place) -> MovingPlace:
 
 
 def ends_of(scales: ScaleRange) -> tuple[Vector, Vector]:
-    """The first and the last scale, as (s, w); (1, 0) where there is no end."""
+    """The first and the last scale, as (s, w); (1, 0) for infinity."""
     last = (1, 0) if scales.high is None else scales.high.as_integer_ratio()
     return scales.low.as_integer_ratio(), last
 
@@ -152,7 +154,7 @@ def levels(gap: Gap, corners: Sequence[Corner]) -> list[int]:
 
 
 def cut(corners: Sequence[Corner], gap: Gap) -> list[Corner]:
-    """The part of a convex polygon where the gap is not positive."""
+    """Returns the part of a convex polygon where the gap is not positive."""
     at = levels(gap, corners)
     if max(at) <= 0:
         return list(corners)
@@ -171,7 +173,8 @@ def cut(corners: Sequence[Corner], gap: Gap) -> list[Corner]:
 
 
 def sides(ring: Sequence[Vector]) -> list[Vector]:
-    """Outward normals of the half-planes that a convex polygon, a segment or a point is made of."""
+    """Outward normals of the half-planes whose intersection is a convex polygon, segment or
+    point."""
     if len(ring) > 2:
         turned = zip(ring, [*ring[1:], ring[0]], strict=True)
         normals = [_shortest((b[1] - a[1], a[0] - b[0])) for a, b in turned]

@@ -27,17 +27,17 @@ from minkref.certify.motion.scale_cells import Cut, between, left_of
 from minkref.certify.simplest import simplest_between
 from minkref.motion.scale_ranges import ScaleRange
 
-MOST_EDGES = 40_000  # of the convolution, at most: vertices of one set times those of the other
-MOST_VERTICES = 600  # of the boundary
-MOST_STEPS = 12  # of a way that are all tried
+MOST_EDGES = 40_000  # at most: a convolution's edges, vertices of one set times the other's
+MOST_VERTICES = 600  # on the boundary
+MOST_STEPS = 12  # up to so many, all steps along a way are tried
 LEFT: Vector = (-1, 0)
 
 WayAt = tuple[ScaleRange, list[MovingPlace], Vector]
 
 
 class MovingWays:
-    """Finds ways out for a part R among obstacles O from one place, at scales of a range. Exact.
-    `spend` is called between pieces of work; an exception from it ends the work."""
+    """Finds ways out for a part R among obstacles O from one place, at scales in a range. Exact.
+    Calls `spend` between pieces of work; an exception from `spend` ends the work."""
 
     def __init__(
         self,
@@ -52,8 +52,9 @@ class MovingWays:
         self._scales, self._spend = scales, spend
 
     def up_to(self, reach: Cut, end: Cut) -> WayAt | None:
-        """A way that is free up to a cut, from another one on if possible, else from a scale
-        between, which belongs to its scales. None where there is none, or too much to look at."""
+        """Returns a way that is free up to a cut, from another cut on if possible, else from a
+        scale between, which belongs to the way's scales. None if no way exists or the work is too
+        much."""
         high = None if end[0] == inf else Fraction(end[0])
         found = self._cells_beside(high, True)
         if found is None:
@@ -109,7 +110,8 @@ class MovingWays:
         return [(x, u, y, v) for (x, y), (u, v) in rows]
 
     def _cells_beside(self, scale: End, below: bool) -> tuple[MovingCells, Fraction] | None:
-        """Just below a scale, or just above it; and from which scale on they are what they are."""
+        """Returns the cells just below a scale, or just above, and the scale from which on they
+        keep their shape."""
         if self._index is None:
             return None
         low, high = self._between_events(scale, below)
@@ -141,7 +143,8 @@ class MovingWays:
     def _way(
         self, cells: MovingCells, here: Fraction, there: End, scales: ScaleRange | None
     ) -> WayAt | None:
-        """A way in the cells, from one scale to another; None if not free at all the scales."""
+        """Returns a way in the cells, from one scale to another; None if not free at all the
+        scales."""
         channel = cells.channel()
         if channel is None or scales is None:
             return None
@@ -155,7 +158,7 @@ class MovingWays:
 
 
 class _FreeWays:
-    """Ways between two scales: which of them are free at all scales of a range."""
+    """Ways between two scales, tested for being free at all scales of a range."""
 
     def __init__(
         self,
@@ -180,7 +183,7 @@ class _FreeWays:
         return short
 
     def leaves(self, place: MovingPlace, normal: Vector) -> bool:
-        """Whether it is beyond all that collides, across a normal, at all the scales."""
+        """Whether a place lies beyond everything that collides, across a normal, at all scales."""
         part, walls = self.pair.R, self.pair.O
         way = MovingWay(self.pair, place, place, self.scales)
         gap = way.gap(normal, part.root, walls.root)
@@ -199,7 +202,7 @@ class _FreeWays:
 
 
 def _steps(start: int, last: int) -> Iterator[int]:
-    """Where to go on from a station, the farthest first: all others of few, some of many."""
+    """Numbers of the stations to go on to, the farthest first: all if few, else some."""
     if last - start <= MOST_STEPS:
         yield from range(last, start, -1)
         return

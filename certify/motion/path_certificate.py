@@ -1,5 +1,5 @@
-"""The producer of certificates of paths, escapes and traps (docs/certificates-paths.md). It is not
-trusted: the checker is."""
+"""The producer of path, escape and trap certificates (docs/certificates-paths.md). The producer is
+not trusted: the checker is."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ THIN = (
 
 class PathCertificate:
     """Steps and claims about a part R, scaled, that moves among obstacles O along a path, or from a
-    place (a path of one vertex). Each method adds what it says, with its proof, and returns the
-    number of the claim. Exact. Raises NoProof where a claim does not hold, or has no certificate:
-    with contact allowed neither R nor O may be a point or a segment."""
+    place (a path with one vertex). Each method adds a claim with its proof, and returns the claim's
+    number. Exact. Raises NoProof if a claim does not hold, or has no certificate: with contact
+    allowed neither R nor O may be a point or a segment."""
 
     def __init__(
         self, robot: _core.PolygonSet, obstacles: _core.PolygonSet, path: Sequence[Sequence[Number]]
     ) -> None:
-        """Validates both sets: raises BadInput for one that is none."""
+        """Validates both sets; raises BadInput for an invalid set."""
         expect_sets(robot=robot, obstacles=obstacles)
         robot.validate("robot")
         obstacles.validate("obstacles")
@@ -57,12 +57,12 @@ class PathCertificate:
         self.claims: list[dict[str, Any]] = []
 
     def free(self, scales: ScaleRange, contact: str = "allowed") -> int:
-        """Claims that at no scale of a range a place of the path collides."""
+        """Claims that the path collides nowhere at any scale of a range."""
         step = self._clear([*map(stays, self.path)], scales, contact, None)
         return self._claim("free", contact, scales, step=step)
 
     def hit(self, scales: ScaleRange, contact: str = "allowed") -> int:
-        """Claims that at each scale of a range some place of the path collides."""
+        """Claims that the path collides somewhere at each scale of a range."""
         self._refuse_thin(contact)
         ways = [Way(self.pair, start, end) for start, end in _segments(self.path)]
         collisions = Collisions(self.pair, ways, contact == "allowed")
@@ -79,8 +79,8 @@ class PathCertificate:
         to_scale: Number | None = None,
         ranges: Sequence[ScaleRange] | None = None,
     ) -> int:
-        """Which scales of a window are valid: all of them are free, and all others have a hit.
-        `ranges`: the answer, if it is not to be that of the reference."""
+        """Claims the valid scales of a window: the path is free at all of them, and has a hit at
+        all others. `ranges`: an answer to use instead of the reference's."""
         window = _window(from_scale, to_scale)
         if ranges is None:
             low = None if from_scale is None else window.low
@@ -117,9 +117,10 @@ class PathCertificate:
         to_scale: Number | None = None,
         ranges: Sequence[ScaleRange] | None = None,
     ) -> int:
-        """At which scales of a window the part is trapped at the place: there rings lead around
-        it, at all others it escapes, or collides where it is. `ranges`: as above. Raises NoProof
-        where no rings or ways out are found for all the scales (certify/motion/trap_cover.py)."""
+        """Claims the scales of a window at which the part is trapped at the place: rings lead
+        around the place there; elsewhere the part escapes, or collides at the place. `ranges`: as
+        above. Raises NoProof if rings or ways out are missing at some scale
+        (certify/motion/trap_cover.py)."""
         self._refuse_thin(contact)
         place = self._place()
         window = _window(from_scale, to_scale)
@@ -149,7 +150,7 @@ class PathCertificate:
         return self.path[0]
 
     def text(self, case: str, title: str = "", producer: str = "") -> str:
-        """The certificate; `case`: the path of its case, relative to its own."""
+        """The certificate; `case`: the path to the case, relative to the certificate."""
         head = {
             "certificate": "path-certificate-v1",
             "title": title,
@@ -168,7 +169,7 @@ class PathCertificate:
         return digest(json.dumps(value, sort_keys=True, separators=(",", ":")))
 
     def case(self) -> str:
-        """The text of the case that is certified."""
+        """The text of the certified case."""
         head = f'"schema":"path-case-v1","id":"{self.case_digest()[:12]}"'
         sets = f'"R":{self.R.to_json()},\n"O":{self.O.to_json()}'
         return f'{{{head},\n{sets},\n"path":{_compact(self._plain())}}}\n'
@@ -183,7 +184,8 @@ class PathCertificate:
         contact: str,
         told: list[list[str]] | None,
     ) -> int:
-        """The number of a step; `told`: the path in it, None for that of the case."""
+        """Adds a step and returns its number; `told`: the path to write, None for the case's
+        path."""
         self._refuse_thin(contact)
         clearance = Clearance(self.pair, scales, contact)
         codes = []
@@ -221,12 +223,12 @@ Kind = TypeVar("Kind")
 
 
 def _segments(path: Sequence[Kind]) -> list[tuple[Kind, Kind]]:
-    """From each place to the next; of one place one from it to itself."""
+    """Segments from each place to the next; a single place gives a segment to itself."""
     return list(pairwise(path)) or [(path[0], path[0])]
 
 
 def _told(place: MovingPlace) -> list[str]:
-    """As certificates have it: two numbers of a place that stays."""
+    """Coordinates as certificates write them: only two numbers for a place that stays."""
     return [str(c) for c in (place if any(place[1::2]) else place[::2])]
 
 

@@ -1,5 +1,5 @@
-"""Rings of places that collide, around a free place: cycles of convex sets, each the places at
-which a piece of the part and one of the obstacles collide, whose scales are found too
+"""Rings of places that collide, around a free place: cycles of convex sets. A set holds the places
+where a piece of the part and a piece of the obstacles collide; the scales are found too
 (docs/certificates-paths.md)."""
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from minkref.motion.scale_ranges import ScaleRange
 #: Pieces of R and of O: the places B - sA.
 Nodes = tuple[int, int]
 MOST_SETS = 4000
-MOST_ROOTS = 40  # from which a short cycle is looked for
+MOST_ROOTS = 40  # roots tried for a short cycle
 
 
 @dataclass(frozen=True)
@@ -32,16 +32,16 @@ class Ring:
 
 
 class Rings:
-    """Around a place that is free. `strict`: interiors meet. Exact. `spend` is called between
-    pieces of work, and ends it by what it raises."""
+    """Finds rings around a free place. `strict`: interiors meet. Exact. Calls `spend` between
+    pieces of work; an exception from `spend` ends the work."""
 
     def __init__(self, pair: Pair, at: Place, strict: bool, spend: Callable[[], None]) -> None:
         self.pair, self.strict = pair, strict
         self.at, self._spend = at, spend
 
     def around(self, s: Fraction) -> Ring | None:
-        """None where no ring leads around the place. O(n^2) for n pairs of pieces whose sums are
-        near to each other."""
+        """Returns a ring around the place, or None. O(n^2) for n pairs of pieces whose sums lie
+        near each other."""
         part, walls = self.pair.R, self.pair.O
         if part.pieces * walls.pieces > MOST_SETS:
             return None
@@ -91,7 +91,7 @@ class Rings:
         return {"ring": corners, "pairs": [list(nodes) for nodes in ring.cycle]}
 
     def _set(self, A: int, B: int, s: Fraction) -> Polygon:
-        """The corners of B - sA."""
+        """Returns the corners of B - sA."""
         n, d = s.as_integer_ratio()
         corners = hull_of(
             [
@@ -131,7 +131,7 @@ class Rings:
         return all(value > 0 if self.strict else value >= 0 for value in values)
 
     def _scales(self, one: Nodes, other: Nodes) -> tuple[Fraction, Fraction | None]:
-        """From where to where two sets meet that meet at some scale."""
+        """Returns the scales between which two sets meet, for sets that meet at some scale."""
         low, high = Fraction(0), None
         for c, d in self._gaps(one, other):
             if d > 0:
@@ -165,8 +165,8 @@ def _box(polygon: Polygon) -> tuple[Fraction, Fraction, Fraction, Fraction]:
 
 
 def _shortest_cycle(near: dict[int, dict[int, int]]) -> list[int] | None:
-    """A short cycle whose winding numbers do not add up to 0, in a graph whose edges have winding
-    numbers (negative in the other direction)."""
+    """Finds a short cycle whose winding numbers do not add up to 0, in a graph with winding numbers
+    on its edges (negative in the other direction)."""
     best: list[int] | None = None
     seen: set[int] = set()
     left = MOST_ROOTS
@@ -198,7 +198,7 @@ def _shortest_cycle(near: dict[int, dict[int, int]]) -> list[int] | None:
 
 
 def _closed(before: dict[int, int], i: int, j: int) -> list[int]:
-    """The cycle of an edge and the ways from its ends back to where they meet."""
+    """Joins an edge with the ways from both ends back to their meeting point: a cycle."""
 
     def back(k: int) -> list[int]:
         way = [k]

@@ -1,4 +1,4 @@
-"""Ranges of scales, and what of a cell is left at them."""
+"""Ranges of scales, and the parts of cells at them."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def cuts(scales: ScaleRange) -> tuple[Cut, Cut]:
 
 
 def between(low: Cut, high: Cut) -> ScaleRange | None:
-    """None where nothing is between."""
+    """Returns the scales between two cuts, or None."""
     if not low < high:
         return None
     end = None if high[0] == inf else Fraction(high[0])
@@ -48,7 +48,7 @@ def document(scales: ScaleRange) -> dict[str, Any]:
 
 
 def is_outside(corners: Sequence[Corner], scales: ScaleRange) -> bool:
-    """Whether all corners are at one end of a range that does not belong to it."""
+    """Whether all corners lie at one end of a range that does not belong to it."""
     is_in = scales.low_in, scales.high_in
     ends = [end for end, told in zip(ends_of(scales), is_in, strict=True) if not told]
     return any(all(s * W == S * w for _, s, w in corners) for S, W in ends)

@@ -6,7 +6,7 @@ import time
 
 
 class OutOfTime(Exception):
-    """A search has come to no end in its time."""
+    """A search did not end in time."""
 
 
 class SearchTime:

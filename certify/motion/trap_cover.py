@@ -1,4 +1,4 @@
-"""Rings and ways out, one after the other, until all scales of a range are told of."""
+"""Rings and ways out, one after another, until they cover all scales of a range."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ Goal = tuple[Cut, WayAt | None]
 
 
 class TrapCover:
-    """Finds rings and ways out for a part R among obstacles O, about one place. Each method takes
-    a range of scales at which the place is free. Exact. Raises NoProof where the search comes to no
-    end in SECONDS of the processor, or MOST_CLAIMS claims."""
+    """Finds rings and ways out for a part R among obstacles O, around one place. Each method takes
+    a range of scales at which the place is free. Exact. Raises NoProof if the search does not end
+    within SECONDS of processor time, or MOST_CLAIMS claims."""
 
     def __init__(
         self, pair: Pair, sets: tuple[_core.PolygonSet, _core.PolygonSet], at: Place, contact: str
@@ -44,7 +44,7 @@ class TrapCover:
         self._escapes = Escapes(pair, sets, at, contact, self._time.spend)
 
     def rings(self, scales: ScaleRange) -> list[RingAt]:
-        """Ranges that follow each other, and the members `ring` and `pairs` of a claim."""
+        """Returns consecutive ranges, each with the members `ring` and `pairs` for a claim."""
         found: list[RingAt] = []
         reach, end = cuts(scales)
         try:
@@ -69,7 +69,7 @@ class TrapCover:
         if not low <= reach:
             return None
         high = _simple(max(reach, (s, True)), high, end)
-        # Corners move from end to end: they are inside of both sets if they are so at s.
+        # Corners move from end to end: a corner inside both sets at s stays inside.
         first = None if reach == (s, False) else between(reach, min((s, True), high))
         last = between(max(reach, (s, first is not None)), high)
         for part in (first, last):
@@ -78,9 +78,9 @@ class TrapCover:
         return high
 
     def ways(self, scales: ScaleRange) -> list[WayAt]:
-        """Ranges that follow each other, a way out, and the direction in which it goes on. Ways
-        that stay come first; where a door shuts or opens, or they come on slowly, others move with
-        the scale."""
+        """Returns consecutive ranges, each with a way out and the direction in which the way goes
+        on. Ways that stay come first; where a door shuts or opens, or such ways advance slowly,
+        others move with the scale."""
         found: list[WayAt] = []
         reach, end = cuts(scales)
         goals: list[Goal] = [(end, None)]
@@ -134,8 +134,8 @@ class TrapCover:
             reach = cuts(one[0])[1]
 
     def _staying(self, reach: Cut, end: Cut, is_free: bool) -> WayAt | None:
-        """A way that does not move, from a cut on, that holds longest of a few. `is_free`: there is
-        a way out at the end, also if it does not belong to the scales."""
+        """Returns the longest lasting among a few ways that do not move, from a cut on. `is_free`:
+        a way out exists at the end, also if the end does not belong to the scales."""
         best: Escape | None = None
         for s in _few(reach, (end[0], end[1] or is_free)):
             one = self._escapes.from_cut(s, reach, end)
@@ -188,8 +188,8 @@ def _simple(low: Cut, high: Cut, end: Cut) -> Cut:
 
 
 def _few(reach: Cut, end: Cut) -> Sequence[Fraction]:
-    """The last scale and the first, where they belong to what is between two cuts, and one of few
-    digits between them."""
+    """The last and the first scale between two cuts, if they belong to the range, and a scale with
+    few digits between them."""
     low, found = Fraction(reach[0]), []
     high = 2 * low + 1 if end[0] == inf else Fraction(end[0])
     if end[0] != inf and end[1]:

@@ -1,1 +1,1 @@
-"""Proofs of sums in the plane, of events and of tight passages."""
+"""Proofs for sums in the plane, events and tight passages."""

@@ -1,4 +1,4 @@
-// Convex cells whose edges lie on lines that move parallel to themselves, linearly in the scale.
+// Convex cells with edges on lines that move parallel to themselves, linearly in the scale.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace minkref::certify {
 
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
-/// Where a line comes from: what a certificate says of it.
+/// The origin of a line, as a certificate states it.
 struct LineSource {
   enum class Kind : std::uint8_t {
     wall,  ///< a: side of the box: left, bottom, right, top
@@ -60,17 +60,17 @@ class CellComplex {
   const std::vector<MovingLine>& lines() const { return lines_; }
   const std::vector<Corner>& corners() const { return corners_; }
 
-  /// Adds the line of a P- or Q-source unless one lies there already. Returns its number.
+  /// Adds the line of a P- or Q-source unless the line exists already. Returns the line's number.
   std::uint32_t line(const LineSource& source);
   std::uint32_t vertical_through(std::uint32_t corner);
-  /// Adds the corner of two lines, not parallel, unless one lies there already. Returns its number.
+  /// Adds the corner of two lines, not parallel, unless the corner exists. Returns its number.
   std::uint32_t meet(std::uint32_t first, std::uint32_t second);
   std::optional<std::uint32_t> corner_at(const Point& point) const;
   bool parallel(std::uint32_t first, std::uint32_t second) const;
 
   /// The sign of normal * corner - (constant + slope s). Exact.
   int side_of(std::uint32_t line, std::uint32_t corner) const;
-  /// The largest value of a normal on sA + B, exact; and in doubles, with its error.
+  /// The largest value of a normal on sA + B, exact; and in doubles, with an error bound.
   Rational most(std::uint32_t A, std::uint32_t B, std::uint32_t normal) const;
   struct Estimate {
     double value, error;
@@ -80,14 +80,14 @@ class CellComplex {
   int side_of_pair(std::uint32_t A, std::uint32_t B, std::uint32_t normal,
                    std::uint32_t corner) const;
 
-  /// The part of a cell where normal * x <= the line's value (`below`), and the other one. Empty
-  /// ones are left out.
+  /// Cuts a cell: the part where normal * x <= the line's value (`below`), and the rest. Empty
+  /// parts are left out.
   struct Parts {
     std::optional<Cell> below, above;
   };
   Parts cut(const Cell& cell, std::uint32_t line);
 
-  /// A corner as it moves. Exact.
+  /// A corner as a moving point. Exact.
   MovingPoint moving(std::uint32_t corner) const;
 
  private:

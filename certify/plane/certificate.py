@@ -1,4 +1,5 @@
-"""The producer of certificates (docs/certificates.md). It is not trusted: the checker is."""
+"""The producer of certificates (docs/certificates.md). The producer is not trusted: the checker
+is."""
 
 from __future__ import annotations
 
@@ -33,12 +34,11 @@ class NoProof(Exception):
 
 class Certificate:
     """Steps and claims about sP + Q. Scales are exact numbers: texts, ints, Fractions. Each method
-    adds what it says, with its proof, and returns the number of the claim. Exact. Raises NoProof
-    where a claim does not hold, and RuntimeError where the reference is wrong: there is no proof
-    then."""
+    adds a claim with its proof, and returns the claim's number. Exact. Raises NoProof if a claim
+    does not hold, and RuntimeError if the reference is wrong: then no proof exists."""
 
     def __init__(self, P: _core.PolygonSet, Q: _core.PolygonSet) -> None:
-        """Validates both operands: raises BadInput for one that is none."""
+        """Validates both operands; raises BadInput for an invalid operand."""
         expect_sets(P=P, Q=Q)
         for name, operand in (("P", P), ("Q", Q)):
             operand.validate(name)
@@ -47,11 +47,12 @@ class Certificate:
         self._steps: list[str] = []
         self._vertices = Vertices(places(P), places(Q))
         self.claims: list[dict[str, Any]] = []
-        self._figures: dict[int, Figure] = {}  # of claims about sums and intervals
+        self._figures: dict[int, Figure] = {}  # for sum and interval claims
 
     def sum(self, scale: Number, passages: bool = False) -> int:
-        """The sum at a scale; with its tight passages, each a claim of its own, after it. Contacts
-        prove none where an operand is a point or a segment: then there are no such claims."""
+        """Claims the sum at a scale; with `passages` also its tight passages, each by a claim of
+        its own, after the sum's. Contacts prove no passages if an operand is a point or a segment:
+        then no such claims follow."""
         text = str(_exact("scale", scale))
         passages = passages and all(o.is_region for o in (self.P, self.Q))
         step, here, found = self._prove(text, passages)
@@ -91,9 +92,9 @@ class Certificate:
     def event(
         self, scale: Number, from_scale: Number, kind: str | None = None, passages: bool = False
     ) -> int:
-        """A boundary or topology event at a scale: what is below, none in between, what is at it,
-        perhaps with its tight passages, and what is just above. Without `kind` a topology event if
-        it is one."""
+        """Claims a boundary or topology event at a scale: the sum below, no event between, the sum
+        at the scale, perhaps with its tight passages, and the sum just above. Without `kind`, a
+        topology event if components or holes change."""
         s = _exact("scale", scale)
         before = self.interval(from_scale, s)
         at = self.sum(s, passages)
@@ -113,7 +114,7 @@ class Certificate:
         return self._claim("event", scale=str(s), kind=kind, before=before, at=at, after=after)
 
     def point(self, scale: Number, point: tuple[Number, Number]) -> int:
-        """Claims that a point is in the sum."""
+        """Claims that a point belongs to the sum."""
         s = _exact("scale", scale)
         point = (number("x", point[0]), number("y", point[1]))
         answer = _core.decide(self.P, self.Q, str(s), *point)
@@ -136,8 +137,8 @@ class Certificate:
         return self._claim("sign", of=of, **{"from": str(a), "to": str(b)}, sign=sign)
 
     def zero(self, of: Predicate, scale: Number) -> list[int]:
-        """Claims that a predicate is zero at a scale, and its signs just below and above; or, if it
-        is zero at all scales, that it is zero from half to double of this scale."""
+        """Claims that a predicate vanishes at a scale, and its signs just below and above; or, if
+        the predicate vanishes at all scales, that it does from half to double this scale."""
         s = Fraction(scale)
         if self._vertices.value(of, s) != 0:
             raise NoProof(f"{of[0]} is not zero at {s}")
@@ -147,16 +148,16 @@ class Certificate:
                                                   self._beside(of, s, 2 * s))]  # fmt: skip
 
     def degeneracy(self, scale: Number) -> list[int]:
-        """Claims why a scale is critical: for all edges of the convolution that start or stop
-        meeting there, alone or three in a point, the predicate that is zero at the scale, and its
-        signs beside it."""
+        """Claims the reasons why a scale is critical: for all edges of the convolution that start
+        or stop meeting there, alone or three in a point, the predicate that vanishes at the scale,
+        and its signs beside it."""
         found = coincidences(self.P, self.Q, self._vertices, _exact("scale", scale))
         if not found:
             raise NoProof(f"no edges of the convolution start or stop meeting at {scale}")
         return [claim for of in found for claim in self.zero(of, scale)]
 
     def text(self, case: Path | str, title: str = "", producer: str = "") -> str:
-        """The certificate; `case`: the path of its case, relative to its own."""
+        """The certificate; `case`: the path to the case, relative to the certificate."""
         head = {
             "certificate": "certificate-v1",
             "title": title,
@@ -170,11 +171,11 @@ class Certificate:
         return "{" + ",\n".join(parts) + "}\n"
 
     def case(self) -> str:
-        """The text of the case that is certified."""
+        """The text of the certified case."""
         return case_text(self.P, self.Q)
 
     def _prove(self, scale: str, passages: bool) -> tuple[str, Figure, list[Any]]:
-        """The step at a scale, what is there, and its tight passages."""
+        """Returns the step at a scale, the sum's figure, and its tight passages."""
         step, region, components, holes, found, touching = self._prover.prove(
             scale, self._prover.box(scale), self._pieces(), passages
         )
@@ -186,7 +187,7 @@ class Certificate:
         return PIECES
 
     def _piece(self, step: int, place: Place) -> int:
-        """The piece of an operand that a point of it is in."""
+        """Finds the operand's piece that holds a point."""
         value = json.loads(self._steps[step])
         vertices = (self._vertices.P, self._vertices.Q)[step]
         for k, piece in enumerate(value["pieces"]):
@@ -197,8 +198,8 @@ class Certificate:
         raise NoProof("a point or a segment has no pieces for a claim about a point")
 
     def _beside(self, of: Predicate, s: Fraction, end: Fraction | int) -> tuple[Fraction, Fraction]:
-        """Scales from s towards an end, in order, between which the sign of a predicate is seen.
-        Halves end where the predicate has no other root, unless it is zero everywhere."""
+        """Scales from s towards an end, in order, between which a predicate's sign is seen. Halving
+        ends before the predicate's next root, unless the predicate vanishes everywhere."""
         other = Fraction(end)
         for _ in range(MOST_ATTEMPTS):
             other = simplest_between(*sorted(((s + other) / 2, (s + 3 * other) / 4)))

@@ -1,4 +1,4 @@
-"""The predicates that are zero where edges of the convolution start, or stop, to meet."""
+"""Predicates that vanish where edges of the convolution start or stop meeting."""
 
 from __future__ import annotations
 
@@ -40,8 +40,9 @@ def _three_lines(edges: Sequence[Ends]) -> Predicate:
 def _ends_on_lines(
     edges: Sequence[Ends], vertices: Vertices, scale: Fraction, place: tuple[Fraction, Fraction]
 ) -> Iterator[Predicate]:
-    """An end at the place where the edges meet, on the line of the other edge. If it is there at
-    all scales, two ends meet: seen from a third point off that line."""
+    """Yields predicates for an end at the meeting point of two edges, on the other edge's line. If
+    the end stays on the line at all scales, two ends meet, seen from a third point off that
+    line."""
     first, second = edges
     for edge, other in ((first, second), (second, first)):
         for end in edge:
@@ -69,7 +70,8 @@ def _meeting(end: Point, there: Point, vertices: Vertices, scale: Fraction) -> I
 
 
 def ends_of(edge: Edge, rings: tuple[Sequence[range], Sequence[range]]) -> Ends:
-    """The points s p + q at its ends; `rings`: the numbers of each ring's vertices, of P and Q."""
+    """Returns the points s p + q at an edge's ends; `rings`: each ring's vertex numbers, in P and
+    Q."""
     kind, _, edge_ring, start, vertex_ring, vertex = edge
     of_edge, of_vertex = rings if kind == "S" else rings[::-1]
     ring, j = of_edge[edge_ring], of_vertex[vertex_ring][vertex]

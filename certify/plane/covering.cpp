@@ -8,15 +8,15 @@
 namespace minkref::certify {
 namespace {
 
-constexpr std::size_t most_candidates = 256;  // looked at before one of them is taken
-constexpr int most_points = 256;              // of a cell, until one is inside a sum of pieces
+constexpr std::size_t most_candidates = 256;  // candidates examined before the best is taken
+constexpr int most_points = 256;              // tried per cell, until a sum of pieces holds one
 
 struct Flat {
   double x, y;
 };
 
-/// The doubled area of what is left of a polygon where normal * x <= h for some (normal, h). Only
-/// to choose by.
+/// The doubled area that remains from a polygon where normal * x <= h for some (normal, h). Used
+/// only for choices.
 class Clip {
  public:
   explicit Clip(std::vector<Flat> polygon) : polygon_(std::move(polygon)) {}
@@ -84,8 +84,8 @@ std::optional<Covering::Candidate> Covering::best_for(const Cell& cell) const {
     const Place& place = complex_.corners()[c].place;
     flat.push_back({place.x, place.y});
   }
-  // Points inside the cell, with the powers of a number as the weights of its corners: on one line
-  // are those of two numbers at most, as going around the corners pass it twice at most.
+  // Points inside the cell, weighting the corners with powers of a number. A line holds the points
+  // of two numbers at most, since a walk around the corners crosses the line twice at most.
   for (int number = 1; number <= most_points; ++number) {
     Rational x = 0, y = 0, weights = 0, weight = 1;
     for (const std::uint32_t c : cell.corners) {
@@ -134,7 +134,7 @@ std::uint32_t Covering::edge_of_pair(std::uint32_t A, std::uint32_t B, std::uint
   const auto edge =
       [&](const PieceTree& tree,
           std::uint32_t node) -> std::optional<std::pair<std::uint32_t, std::uint32_t>> {
-    // The normals of a hull are in the order of its edges, but equal ones in a row are one.
+    // A hull lists normals in the order of its edges, but merges consecutive equal normals.
     const auto& hull = tree.nodes()[node].hull;
     for (std::size_t i = 0; hull.size() > 1 && i < hull.size(); ++i) {
       const std::uint32_t a = hull[i], b = hull[(i + 1) % hull.size()];
@@ -169,7 +169,7 @@ std::vector<CoveredCell> Covering::cover(Cell cell) {
     for (const std::uint32_t normal : best->exceeded) {
       const std::uint32_t line = edge_of_pair(best->A, best->B, normal);
       CellComplex::Parts parts = complex_.cut(part, line);
-      // The normal of a line is turned so that its x, or else y, is positive.
+      // A line's normal is turned so that x, or else y, is positive.
       if (complex_.lines()[line].normal != normal) std::swap(parts.below, parts.above);
       if (parts.above) open.push_back(std::move(*parts.above));
       if (!parts.below) throw std::logic_error("a cut leaves nothing inside");

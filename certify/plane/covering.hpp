@@ -1,4 +1,4 @@
-// Cells of a sum, cut until each lies in the sum of two convex pieces.
+// A sum's cells, cut until each lies within the sum of two convex pieces.
 #pragma once
 
 #include "certify/plane/cell_complex.hpp"
@@ -8,15 +8,15 @@ namespace minkref::certify {
 
 struct CoveredCell {
   Cell cell;
-  std::uint32_t A = 0, B = 0;  ///< pieces of P and of Q
+  std::uint32_t A = 0, B = 0;  ///< a piece of P, a piece of Q
 };
 
 class Covering {
  public:
   explicit Covering(CellComplex& complex);
 
-  /// The cell in parts, each within the sum of two pieces. Cuts are along edges of such sums: there
-  /// are finitely many, so it ends. Throws std::logic_error if the cell is not in the sum.
+  /// The cell in parts, each within the sum of two pieces. Cuts follow edges of such sums, which
+  /// are finitely many, so cutting ends. Throws std::logic_error if the cell leaves the sum.
   std::vector<CoveredCell> cover(Cell cell);
 
  private:

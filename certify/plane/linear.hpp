@@ -1,4 +1,4 @@
-// Exact numbers with a double beside them that decides most signs.
+// Exact numbers, each with a double that decides most signs.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace minkref::certify {
 
-/// `approximate` is off by at most 2^-52 of itself.
+/// `approximate` has a relative error of at most 2^-52.
 struct Value {
   Rational exact;
   double approximate = 0;
@@ -51,7 +51,7 @@ inline int side(const Normal& n, const Place& p, const Value& h) {
 /// All normals that came up, each once.
 class NormalTable {
  public:
-  /// Adds the normal in the direction (x, y), not zero, if it is new. Returns its number.
+  /// Adds the normal in the direction (x, y), not zero, if new. Returns the normal's number.
   std::uint32_t add(const Rational& x, const Rational& y);
   const Normal& operator[](std::uint32_t id) const { return normals_[id]; }
 

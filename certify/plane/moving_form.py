@@ -1,4 +1,4 @@
-"""The canonical form of a sum between two events: its vertices are linear in the scale."""
+"""The canonical form of a sum between two events, with vertices linear in the scale."""
 
 from __future__ import annotations
 

@@ -128,7 +128,7 @@ std::uint32_t PieceTree::group(Ids items) {
   const auto middle = [&](std::uint32_t i) {
     const Box& b = nodes_[i].box;
     const double sum = wide ? b.xmin + b.xmax : b.ymin + b.ymax;
-    return std::isnan(sum) ? 0 : sum;  // of two infinities
+    return std::isnan(sum) ? 0 : sum;  // the sum of opposite infinities
   };
   const auto half = items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2);
   std::sort(items.begin(), items.end(), [&](std::uint32_t i, std::uint32_t j) {

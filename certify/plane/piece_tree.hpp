@@ -1,4 +1,4 @@
-// An operand as convex pieces that tile it, and a tree of groups of them.
+// An operand as a tiling by convex pieces, and a tree that groups the pieces.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace minkref::certify {
 
-/// Vertices are numbered in the order of the rings. Node n is a piece, or group n - pieces; the
-/// last node, if any, holds all pieces.
+/// Vertices are numbered ring by ring. Node n is a piece, or group n - pieces; the last node, if
+/// any, holds all pieces.
 class PieceTree {
  public:
   struct Node {
@@ -32,7 +32,7 @@ class PieceTree {
 
   /// The largest value of a normal on the hull of a node.
   const Value& most(std::uint32_t node, std::uint32_t normal) const;
-  /// Outward normals of the edges of a hull; both of a segment.
+  /// Outward normals of a hull's edges; both normals for a segment.
   const std::vector<std::uint32_t>& outward(std::uint32_t node) const { return outward_[node]; }
 
  private:

@@ -8,13 +8,13 @@ from fractions import Fraction
 from typing import Any
 
 Place = tuple[Fraction, Fraction]
-Point = Sequence[int | None]  # a vertex of P and one of Q, None for none of it
-Predicate = tuple[str, Any]  # ("orientation", three points); ("concurrent", three pairs of them)
+Point = Sequence[int | None]  # a vertex of P and a vertex of Q, None for no vertex
+Predicate = tuple[str, Any]  # ("orientation", three points); ("concurrent", three pairs)
 Row = tuple[Fraction, Fraction, Fraction]
 
 
 class Vertices:
-    """The vertices of both operands, as a certificate numbers them."""
+    """Both operands' vertices, as a certificate numbers them."""
 
     def __init__(self, P: Sequence[Place], Q: Sequence[Place]) -> None:
         self.P, self.Q = P, Q
@@ -32,8 +32,9 @@ class Vertices:
         return self.coefficients(predicate, scale, scale)[0]
 
     def coefficients(self, predicate: Predicate, a: Fraction, b: Fraction) -> list[Fraction]:
-        """Those of Bernstein from a to b, times the binomials. A predicate is linear in each of its
-        points, and so each is the sum of its values with so many points taken at b. Exact."""
+        """Returns the Bernstein coefficients from a to b, times the binomials. A predicate is
+        linear in each point, so each coefficient sums the predicate's values with so many points
+        taken at b. Exact."""
         name, entries = predicate
         points = list(entries) if name == "orientation" else [p for line in entries for p in line]
         ends = [[(*self.at(p, s), Fraction(1)) for s in (a, b)] for p in points]
@@ -44,8 +45,8 @@ class Vertices:
         return sums
 
     def sign_between(self, predicate: Predicate, a: Fraction, b: Fraction) -> int | None:
-        """The sign that the coefficients prove from a to b; 0 if it is zero everywhere, None if
-        they prove none."""
+        """Returns the sign that the coefficients prove from a to b; 0 if the predicate vanishes
+        everywhere, None if the coefficients prove no sign."""
         signs = {(c > 0) - (c < 0) for c in self.coefficients(predicate, a, b)}
         if signs == {0}:
             return 0

@@ -102,7 +102,7 @@ class Separation {
     for (const std::uint32_t corner : corners_) {
       const double left = n.dx * at(corner).x, right = n.dy * at(corner).y;
       const double bound = (std::abs(left) + std::abs(right)) * 0x1p-49 + 1e-290;
-      if (!std::isfinite(bound)) return place->second = {0, bound};  // nothing is decided by it
+      if (!std::isfinite(bound)) return place->second = {0, bound};  // decides nothing
       least = std::min(least, left + right);
       error = std::max(error, bound);
     }

@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number of any size: JSON integers are no wider than 64 bits here.
+/// Writes an integer as text beyond 64 bits, which JSON integers do not exceed here.
 Json integer(const Integer& value) {
   if (value >= std::numeric_limits<std::int64_t>::min() &&
       value <= std::numeric_limits<std::int64_t>::max()) {

@@ -26,7 +26,7 @@ std::vector<std::uint32_t> first_of_rings(const PolygonSet& set) {
 
 }  // namespace
 
-/// The lines of edges of the convolution, by numbers of vertices.
+/// The lines along edges of the convolution, by vertex numbers.
 class ConvolutionLines {
  public:
   ConvolutionLines(const PolygonSet& P, const PolygonSet& Q)
@@ -52,7 +52,7 @@ class ConvolutionLines {
 
 namespace {
 
-/// Makes one proof; what it knows stays for the question how far it holds.
+/// Makes one proof, and keeps its state to answer how far the proof holds.
 class Making {
  public:
   Making(const PieceTree& P, const PieceTree& Q, NormalTable& normals,
@@ -92,8 +92,8 @@ class Making {
     }
   }
 
-  /// The scales at which the proof holds, within [from, to]; both ends are `scale` where it holds
-  /// nowhere else.
+  /// The scales at which the proof holds, within [from, to]; both ends equal `scale` if the proof
+  /// holds nowhere else.
   std::pair<Rational, Rational> validity(const Rational& from, const Rational& to) const {
     Validity validity(complex_, from, to);
     for (std::size_t i = 0; i < covered_.size(); ++i) {
@@ -108,7 +108,7 @@ class Making {
   }
 
  private:
-  /// Where each line of the convolution is at this scale.
+  /// Finds each line of the convolution at this scale.
   void find_lines() {
     for (const LineSource& source : convolution_.reduced()) know(source);
     if (!sum_.tight_passages) return;
@@ -234,7 +234,7 @@ class Making {
     };
     for (const CoveredCell& cell : covered_) add(cell.cell);
     for (const Cell& cell : outside_) add(cell);
-    // The ends of passages may lie within the sides of cells.
+    // Passages may end within cell sides.
     for (const Cell& passage : passages_) {
       for (const std::uint32_t corner : passage.corners) {
         along_[complex_.vertical_through(corner)].push_back(corner);
@@ -358,12 +358,12 @@ class Making {
 
   CellComplex complex_;
   const ConvolutionLines& convolution_;
-  std::vector<LineSource> contacts_;  ///< of the passages
+  std::vector<LineSource> contacts_;  ///< passages' contacts
   const Sum& sum_;
   std::map<Key, LineSource> known_;
   std::vector<DecomposingEdge> edges_;
   std::vector<std::uint32_t> corners_;
-  std::vector<std::vector<Cell>> boundary_;  ///< rings of the sum, by polygon
+  std::vector<std::vector<Cell>> boundary_;  ///< the sum's rings, by polygon
   std::vector<std::uint32_t> touching_;      ///< corners that the rings pass more than once
   std::vector<Cell> passages_;               ///< open: one line less than corners
   std::vector<CoveredCell> covered_;
@@ -372,8 +372,8 @@ class Making {
   std::unordered_map<std::uint64_t, std::uint32_t> position_;
   std::unordered_map<std::uint32_t, std::uint32_t> line_element_, corner_element_;
   std::unordered_map<std::uint32_t, std::int64_t> normal_number_;
-  std::vector<std::vector<std::uint32_t>> rings_;  ///< corners of covered cells, then the others
-  std::vector<std::vector<std::int64_t>> codes_;   ///< of the others, normals as in the table
+  std::vector<std::vector<std::uint32_t>> rings_;  ///< covered cells' corners, then outer cells'
+  std::vector<std::vector<std::int64_t>> codes_;   ///< outer cells' codes, normals as in the table
   SumProof proof_;
 };
 

@@ -16,8 +16,8 @@ struct Element {
 
 struct CellProof {
   bool covered = false;
-  std::uint32_t A = 0, B = 0;      ///< of a covered cell
-  std::vector<std::int64_t> code;  ///< of another one (separation.hpp); normals by number
+  std::uint32_t A = 0, B = 0;      ///< for a covered cell
+  std::vector<std::int64_t> code;  ///< for other cells (separation.hpp); normals by number
 };
 
 /// A point or segment that the sum of the interiors misses.
@@ -27,7 +27,7 @@ struct ContactProof {
 };
 
 struct SumProof {
-  std::vector<Rational> scales;  ///< one; or two, between which it holds
+  std::vector<Rational> scales;  ///< one scale; or two, and the proof holds between
   std::array<Rational, 4> box;
   std::vector<Element> elements;
   std::vector<std::vector<std::uint32_t>> cells;  ///< elements
@@ -38,7 +38,7 @@ struct SumProof {
   std::vector<std::vector<std::vector<std::uint32_t>>> polygons;
   std::vector<std::vector<std::uint32_t>> passages;  ///< elements along each
   std::vector<Ring> passage_points;                  ///< where those are
-  /// The vertices of the canonical form as they move, by polygon and ring; over two scales only.
+  /// The canonical form's moving vertices, by polygon and ring; over two scales only.
   std::vector<std::vector<std::vector<MovingPoint>>> vertices;
   /// Points that the rings pass more than once, as often as they come again; as they move over two
   /// scales, else with no slope.
@@ -50,7 +50,7 @@ class ConvolutionLines;
 /// Both operands, ready for proofs at any scale.
 class Prover {
  public:
-  /// Operands that have passed `validate`. Throws BadInput as minkowski_sum does.
+  /// Takes operands that have passed `validate`. Throws BadInput as minkowski_sum does.
   Prover(const PolygonSet& P, const PolygonSet& Q);
   ~Prover();
 
@@ -59,11 +59,12 @@ class Prover {
   const PieceTree& pieces_of_P() const { return P_; }
   const PieceTree& pieces_of_Q() const { return Q_; }
 
-  /// A box of integers that holds the sums at all scales up to one, with room around them.
+  /// A box with integer walls that holds the sums at all scales up to the largest, with room
+  /// around.
   std::array<Rational, 4> box(const Rational& largest) const;
 
-  /// A proof of a sum that the reference found at a scale, with its tight passages if it has them.
-  /// Throws std::logic_error if that is not the sum. Exact.
+  /// Proves a sum that the reference found at a scale, with its tight passages if the sum has them.
+  /// Throws std::logic_error if the set given is not the sum. Exact.
   SumProof prove(const Sum& sum, const Rational& scale, const std::array<Rational, 4>& box);
 
   /// The same for all scales between two around `scale`, as far apart as this proof goes within

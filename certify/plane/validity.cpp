@@ -18,7 +18,7 @@ const MovingPoint& Validity::moving(std::uint32_t corner) {
 
 void Validity::keep(const Rational& constant, const Rational& slope) {
   const int rises = sign(slope);
-  if (rises == 0) return;  // it holds at the scale of the complex
+  if (rises == 0) return;  // holds at the complex's scale
   const Rational root = -constant / slope;
   if (rises > 0 && root > from_) from_ = root;
   if (rises < 0 && root < to_) to_ = root;

@@ -1,4 +1,4 @@
-// How far a proof at one scale goes: all that it needs is linear in the scale.
+// How far a proof at one scale extends: all its conditions are linear in the scale.
 #pragma once
 
 #include "certify/plane/cell_complex.hpp"
@@ -17,7 +17,7 @@ class Validity {
   /// The normals of a code (separation.hpp) go on separating.
   void keep_code(const std::vector<std::uint32_t>& corners, const std::vector<std::int64_t>& code);
 
-  /// The scales at which all that is kept holds: a closed interval around that of the complex.
+  /// The scales at which all conditions hold: a closed interval around the complex's scale.
   std::pair<Rational, Rational> interval() const;
 
  private:

@@ -10,7 +10,7 @@ class Sweep {
   Sweep(CellComplex& complex, const std::vector<DecomposingEdge>& edges) : complex_(complex) {
     edges_ = edges;
     const auto count = static_cast<std::uint32_t>(edges.size());
-    edges_.push_back({nothing, nothing, 1, false});  // the bottom of the box, and its top
+    edges_.push_back({nothing, nothing, 1, false});  // the box's bottom and top
     edges_.push_back({nothing, nothing, 3, false});
     active_ = {count, count + 1};
     left_ = {0};
@@ -46,7 +46,7 @@ class Sweep {
   }
 
  private:
-  /// The side of a corner with respect to an edge that is active: 1 if the corner is above it.
+  /// A corner's side with respect to an active edge: 1 if the corner lies above.
   int above(std::uint32_t corner, std::uint32_t edge) const {
     const std::uint32_t line = edges_[edge].line;
     const Normal& n = complex_.normals()[complex_.lines()[line].normal];

@@ -1,1 +1,1 @@
-"""Proofs of sums of polyhedra."""
+"""Proofs for sums of polyhedra."""

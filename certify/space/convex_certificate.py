@@ -1,5 +1,5 @@
-"""The producer of certificates of sums of convex polyhedra (docs/certificates-convex.md). It is not
-trusted: the checker is."""
+"""The producer of certificates for sums of convex polyhedra (docs/certificates-convex.md). The
+producer is not trusted: the checker is."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def convex_certificate(
     title: str = "",
     producer: str = "",
 ) -> Texts:
-    """A certificate of SP + Q at each of the scalings, and its case, which it will look for at the
-    path `case`. Raises _core.BadInput where an operand is not convex or a scaling not positive."""
+    """A certificate for SP + Q at each scaling, and the case, which the certificate expects at the
+    path `case`. Raises _core.BadInput if an operand is not convex or a scaling not positive."""
     certificate = ConvexCertificate(P, Q)
     for scaling in scalings:
         certificate.sum(scaling)
@@ -40,7 +40,7 @@ def convex_certificate(
 
 
 class ConvexCertificate:
-    """Sums of two convex polyhedra, each with its proof and its claim. Exact."""
+    """Sums of two convex polyhedra, each with a proof and a claim. Exact."""
 
     def __init__(self, P: _core.Polyhedron, Q: _core.Polyhedron) -> None:
         """Raises _core.BadInput where an operand is not valid, not convex or has no volume."""
@@ -48,18 +48,18 @@ class ConvexCertificate:
         self.P, self.Q = _Operand(P, "P"), _Operand(Q, "Q")
         self.claims: list[dict[str, Any]] = []
         self._sums: list[dict[str, Any]] = []
-        self._numbers: dict[Scaling, int] = {}  # of the claims
+        self._numbers: dict[Scaling, int] = {}  # claims' numbers
 
     def sum(self, scaling: Scaling) -> int:
-        """Claims what the sum is at a scaling. Returns the number of the claim, which is an earlier
-        one if that was at this scaling."""
+        """Claims the sum at a scaling. Returns the claim's number: an earlier number if the scaling
+        repeats."""
         at = _lowest_terms(scaling)
         if at in self._numbers:
             return self._numbers[at]
         return self.add(at, _core.convex_sum(self.P.convex, self.Q.convex, at))
 
     def add(self, scaling: Scaling, found: _core.ConvexSum) -> int:
-        """The same of a result that is there already, of these operands at this scaling."""
+        """Claims a result that exists already, for these operands at this scaling."""
         at = _lowest_terms(scaling)
         if at in self._numbers:
             return self._numbers[at]
@@ -83,7 +83,7 @@ class ConvexCertificate:
         return self._numbers[at]
 
     def text(self, case: str, title: str = "", producer: str = "") -> str:
-        """The certificate; `case`: the path of its case, relative to its own."""
+        """The certificate; `case`: the path to the case, relative to the certificate."""
         head = {
             "certificate": "convex-certificate-v1",
             "title": title,
@@ -96,17 +96,17 @@ class ConvexCertificate:
         return "{" + ",\n".join(parts) + "}\n"
 
     def case_digest(self) -> str:
-        """The digest of both operands, as the certificate names its case."""
+        """The digest of both operands, by which the certificate names the case."""
         return digest(f'{{"P":{self.P.plain},"Q":{self.Q.plain}}}')
 
     def case(self) -> str:
-        """The text of the case that is certified."""
+        """The text of the certified case."""
         return f'{{"dimension":3,\n"P":{self.P.plain},\n"Q":{self.Q.plain}}}\n'
 
 
 class _Operand:
-    """A polyhedron as it is given, and the strictly convex one that the reference makes of it: the
-    same set without the vertices that are inside a facet or an edge, which are flat."""
+    """A given polyhedron, and the strictly convex polyhedron that the reference makes from it: the
+    same set without flat vertices, which lie inside a facet or an edge."""
 
     def __init__(self, surface: _core.Polyhedron, name: str) -> None:
         self.convex = _core.ConvexPolyhedron(surface, name)
@@ -121,8 +121,8 @@ class _Operand:
             self._find_flat(_whole(points), rings, list(facets))
 
     def face(self, corners: Iterable[int]) -> list[int]:
-        """All vertices of the face with these corners, as they are given: a flat vertex is on it if
-        the smallest face that the vertex is on is."""
+        """All given vertices on the face with these corners: a face holds a flat vertex if the face
+        holds the smallest face around the vertex."""
         found = {self.given[corner] for corner in corners}
         flat = [v for i in found for v, carrier in self._flat.get(i, ()) if carrier <= found]
         return sorted(found.union(flat))
@@ -130,8 +130,9 @@ class _Operand:
     def _find_flat(
         self, points: list[tuple[int, ...]], rings: list[list[int]], facets: list[list[int]]
     ) -> None:
-        """Sets `_flat`: the flat vertices, each with the corners of the smallest face that it is
-        on, by the least of these corners. The face is the intersection of the facets around."""
+        """Sets `_flat`: the flat vertices, each with the corners of the smallest face around it, by
+        the least of these corners. That face is the intersection of the facets around the
+        vertex."""
         facet_of = {_normal([points[i] for i in facet]): set(facet) for facet in facets}
         carriers: dict[int, set[int]] = {}
         for ring in rings:

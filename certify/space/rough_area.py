@@ -10,12 +10,12 @@ RoughHalf = tuple[float, float, float, float]  # a x + b y + c z <= d
 
 
 def rough_polygon(corners: list[tuple[int, int, int, int]], unit: int) -> list[Place]:
-    """The polygon of homogeneous corners in units, in doubles."""
+    """Converts homogeneous corners in units to a polygon in doubles."""
     return [(near(x, w * unit), near(y, w * unit), near(z, w * unit)) for x, y, z, w in corners]
 
 
 def rough_half(half: tuple[tuple[int, int, int], int], unit: int) -> RoughHalf:
-    """With a normal that is not long."""
+    """Returns the half-space in doubles, with a short normal."""
     (a, b, c), height = half
     size = max(abs(a), abs(b), abs(c))
     return near(a, size), near(b, size), near(c, size), near(height, size * unit)

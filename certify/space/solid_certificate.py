@@ -1,5 +1,5 @@
-"""The producer of certificates of sums of polyhedra of any shape (docs/certificates-solids.md). It
-is not trusted: the checker is."""
+"""The producer of certificates for sums of polyhedra of any shape (docs/certificates-solids.md).
+The producer is not trusted: the checker is."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from minkref.exact import digest
 from minkref.version import version
 
 Scaling = Row  # a factor for each axis, n or n/d
-MOST_PAIRS = 1024  # of pieces
-MOST_ENTRIES = 200_000  # of the trees of one sum
+MOST_PAIRS = 1024  # pairs of pieces
+MOST_ENTRIES = 200_000  # entries in one sum's trees
 
 
 class SolidCertificate:
-    """Sums of two polyhedra of any shape, each with its proof and its claim. Exact. The sum that is
-    claimed is that of the reference."""
+    """Sums of two polyhedra of any shape, each with a proof and a claim. Exact. Claims the
+    reference's sum."""
 
     def __init__(self, P: _core.Polyhedron, Q: _core.Polyhedron) -> None:
         """Raises _core.BadInput where an operand is not valid, or has no volume; Refusal where the
@@ -34,16 +34,16 @@ class SolidCertificate:
         self._tilings = Tiling(P, "P"), Tiling(Q, "Q")
         self.claims: list[dict[str, Any]] = []
         self._sums: list[dict[str, Any]] = []
-        self._numbers: dict[Scaling, int] = {}  # of the claims
+        self._numbers: dict[Scaling, int] = {}  # claims' numbers
         pairs = len(self._tilings[0].rings) * len(self._tilings[1].rings)
         if pairs > MOST_PAIRS:
             what = f"the operands have {pairs:,} pairs of convex pieces, more than {MOST_PAIRS:,}"
             raise _too_large(what)
 
     def sum(self, scaling: Scaling) -> int:
-        """Claims what the sum is at a scaling. Returns the number of the claim, which is an earlier
-        one if that was at this scaling. Grows with the planes of the sum times the pairs of convex
-        pieces that meet each. Raises Refusal where the proof has too many entries."""
+        """Claims the sum at a scaling. Returns the claim's number: an earlier number if the scaling
+        repeats. The cost grows with the sum's planes times the pairs of convex pieces that meet
+        each. Raises Refusal if the proof has too many entries."""
         x, y, z = (str(Fraction(factor)) for factor in scaling)
         at = (x, y, z)
         if at in self._numbers:
@@ -81,7 +81,7 @@ class SolidCertificate:
             raise _too_large(f"the proof has more than {MOST_ENTRIES:,} entries") from error
 
     def text(self, case: str, title: str = "", producer: str = "") -> str:
-        """The certificate; `case`: the path of its case, relative to its own."""
+        """The certificate; `case`: the path to the case, relative to the certificate."""
         head = {
             "certificate": "solid-certificate-v1",
             "title": title,
@@ -96,11 +96,11 @@ class SolidCertificate:
         return "{" + ",\n".join(parts) + "}\n"
 
     def case_digest(self) -> str:
-        """The digest of both operands, as the certificate names its case."""
+        """The digest of both operands, by which the certificate names the case."""
         return digest(f'{{"P":{_plain(self.P)},"Q":{_plain(self.Q)}}}')
 
     def case(self) -> str:
-        """The text of the case that is certified."""
+        """The text of the certified case."""
         return f'{{"dimension":3,\n"P":{_plain(self.P)},\n"Q":{_plain(self.Q)}}}\n'
 
 

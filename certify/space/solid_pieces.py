@@ -16,18 +16,18 @@ Row = tuple[str, str, str]
 
 
 class Tiling:
-    """Convex pieces with disjoint interiors that a polyhedron is the union of, as the reference
-    finds them. Exact."""
+    """Convex pieces with disjoint interiors whose union is a polyhedron, as the reference finds
+    them. Exact."""
 
     def __init__(self, surface: _core.Polyhedron, name: str) -> None:
-        """Raises _core.BadInput where the polyhedron is not valid."""
+        """Raises _core.BadInput if the polyhedron is invalid."""
         _core.PolyhedralSet(surface, name)
         place: dict[Row, int] = {}
         for i, point in enumerate(surface.points()):
             place.setdefault(point, i)
         self.points = list(surface.points())
         self.given = len(self.points)
-        self.rings: list[list[list[int]]] = []  # of the facets of each piece
+        self.rings: list[list[list[int]]] = []  # facets' rings, by piece
         for piece in _core.convex_pieces(surface):
             convex = _core.ConvexPolyhedron(piece, name).surface()
             for point in convex.points():
@@ -38,7 +38,7 @@ class Tiling:
             self.rings.append([[numbers[v] for v in ring] for ring in convex.rings()])
 
     def value(self) -> dict[str, object]:
-        """As it stands in a certificate."""
+        """The tiling as a certificate writes it."""
         hulls = [sorted(set(chain(*rings))) for rings in self.rings]
         return {"points": self.points[self.given :], "hulls": hulls}
 
@@ -66,7 +66,7 @@ class Hull:
 
 
 class ScaledTiling:
-    """All pieces at a scaling, times `unit`, which makes them whole."""
+    """All pieces at a scaling, times `unit`, which makes coordinates whole."""
 
     def __init__(self, tiling: Tiling, scaling: Row, unit: int) -> None:
         factors = [Fraction(factor) * unit for factor in scaling]
@@ -93,7 +93,7 @@ class ScaledTiling:
         ]
 
     def tops(self, n: Whole) -> Iterator[tuple[Feature, int]]:
-        """Features level along n that no piece which holds them rises above; their heights."""
+        """Features level along n above which no piece that holds them rises; their heights."""
         supports = [hull.support(n) for hull in self.hulls]
         for feature, held in self.features.items():
             level = inner(n, feature[0])

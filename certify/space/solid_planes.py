@@ -1,5 +1,5 @@
-"""The planes in which the boundary of a sum of two tiled polyhedra may have an area, and in each
-the polygon that holds it (docs/certificates-solids.md, "Planes")."""
+"""Planes where a sum of two tiled polyhedra may have boundary area, and in each plane the polygon
+that holds this area (docs/certificates-solids.md, "Planes")."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ Plane = tuple[Whole, int]  # the outward normal, and normal * x
 
 
 def planes(P: ScaledTiling, Q: ScaledTiling) -> dict[Plane, list[Whole]]:
-    """In ascending order; the corners of each polygon run counter-clockwise seen from outside.
-    Exact. The edges of the pieces of P times those of Q."""
+    """Returns planes in ascending order, each with a polygon's corners counter-clockwise seen from
+    outside. Exact. Cost: edges of P's pieces times edges of Q's pieces."""
     found: dict[Plane, set[Whole]] = defaultdict(set)
     for n in P.normals | Q.normals:
         ours, theirs = list(P.tops(n)), list(Q.tops(n))
@@ -44,7 +44,8 @@ def planes(P: ScaledTiling, Q: ScaledTiling) -> dict[Plane, list[Whole]]:
 
 
 def around(points: list[Whole], normal: Whole) -> list[Whole]:
-    """The corners of the hull of points in a plane, counter-clockwise seen against its normal."""
+    """Returns the hull's corners of points in a plane, counter-clockwise seen against the
+    normal."""
 
     def turn(a: Whole, b: Whole, c: Whole) -> int:
         return inner(outer(minus(b, a), minus(c, b)), normal)

@@ -20,16 +20,16 @@ Corner = tuple[int, int, int, int]  # (x / w, y / w, z / w), w > 0
 Polygon = list[Corner]
 HalfSpace = tuple[Whole, int]  # n * x <= height
 Pair = tuple[int, int]
-Section = tuple[Pair, Polygon]  # of the sum of two pieces with a polygon
+Section = tuple[Pair, Polygon]  # the intersection of a polygon with the sum of two pieces
 Entry = list[Any]
 
 
 class TooLarge(Exception):
-    """There are more entries than are allowed."""
+    """More entries than allowed."""
 
 
 class Trees:
-    """Makes the trees of one sum. `entries` counts the entries written so far."""
+    """Makes the trees for one sum. `entries` counts the entries written so far."""
 
     def __init__(self, P: ScaledTiling, Q: ScaledTiling, unit: int, most_entries: int) -> None:
         self.P, self.Q, self.unit = P.hulls, Q.hulls, unit
@@ -38,7 +38,7 @@ class Trees:
         self._rough_halves: dict[HalfSpace, RoughHalf] = {}
 
     def tree(self, plane: Plane, corners: list[Whole]) -> list[Entry]:
-        """The polygon with these corners cut along sides of sections. Raises TooLarge. Exact."""
+        """Cuts the polygon with these corners along sections' sides. Raises TooLarge. Exact."""
         normal, level = plane
         down = (-normal[0], -normal[1], -normal[2])
         tops = [[hull.support(normal) for hull in of] for of in (self.P, self.Q)]
@@ -96,7 +96,7 @@ class Trees:
         return self._rough_halves[half]
 
     def _in_units(self, half: HalfSpace) -> list[int]:
-        """As it is for points that are not in units."""
+        """Returns the half-space for points that are not in units."""
         (a, b, c), height = half
         common = gcd(self.unit, height)
         k = self.unit // common
@@ -109,7 +109,7 @@ class Trees:
 
 
 def half_spaces(A: Hull, B: Hull) -> list[HalfSpace]:
-    """Those whose intersection the sum of two convex pieces is."""
+    """Half-spaces whose intersection equals the sum of two convex pieces."""
     normals = dict.fromkeys([*A.facets, *B.facets])
     for e in A.ways:
         for f in B.ways:
@@ -163,6 +163,6 @@ def cut_all(sections: list[Section], half: HalfSpace) -> list[Section]:
 
 
 def covering(polygon: Polygon, sections: list[Section]) -> Pair | None:
-    """A pair whose section is the whole polygon. Pairs may be (0, 0), which is no None."""
+    """A pair whose section covers the whole polygon, or None. The pair (0, 0) is a result, too."""
     corners = set(polygon)
     return next((pair for pair, section in sections if corners <= set(section)), None)
