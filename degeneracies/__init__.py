@@ -1,1 +1,1 @@
-"""Degenerate test cases, each with a proof of what is degenerate and of what is expected."""
+"""Degenerate test cases, each with proofs of its degeneracy and its expected result."""

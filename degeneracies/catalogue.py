@@ -1,6 +1,5 @@
-"""The families by name, in the order of their subjects: those of the plane, those of convex bodies
-in space, those of polyhedra of any shape, those of a polygon set and a disc, and those of paths and
-traps."""
+"""The families by name, grouped by subject: the plane, convex bodies in space, polyhedra of any
+shape, a polygon set with a disc, paths and traps."""
 
 from __future__ import annotations
 
@@ -61,7 +60,7 @@ PATH_FAMILIES: dict[str, PathFamily] = {
     family.name: family for module in (along, traps) for family in module.FAMILIES
 }
 
-# Those of case-v1.
+# Families with cases in the format case-v1.
 ALL_FAMILIES: dict[str, Family | SpaceFamily | SolidFamily] = {
     **FAMILIES,
     **SPACE_FAMILIES,

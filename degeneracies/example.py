@@ -11,8 +11,8 @@ from pathlib import Path
 
 
 def minkowski_sum(P, Q, s):
-    """Put yours here: area, components and holes of sP + Q, None for what it does not tell. This
-    one takes the hull of sums of vertices: right for convex operands."""
+    """Put yours here: returns area, components and holes of sP + Q, None for unknown values. This
+    function takes the hull of vertex sums: right for convex operands."""
     corners = [
         [tuple(map(Fraction, v)) for polygon in operand["polygons"] for v in polygon["outer"]]
         for operand in (P, Q)

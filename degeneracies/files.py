@@ -1,4 +1,4 @@
-"""The files of a member: the case, and its certificate beside it."""
+"""A member's files: the case, and beside it the certificate."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ class FileRow(TypedDict):
 
 @dataclass(frozen=True)
 class Made:
-    """The files of a member, by name, before they are written. `beside`: the certificate of a
-    case, what a message should say of an invalid input; None where a case has no certificate."""
+    """A member's files, by name, before writing. `beside`: the certificate of a case, or the words
+    that a message should hold for an invalid input; None for a case without certificate."""
 
     family: str
     index: int
@@ -47,7 +47,7 @@ class Made:
     certified: bool = True
 
     def row(self, folder: Path) -> FileRow:
-        """The row for the files as they are in FOLDER/FAMILY."""
+        """The row for the files in FOLDER/FAMILY."""
         case, content = self.case
         beside, more = self.beside or ("", b"")
         where = folder / self.family
@@ -61,7 +61,8 @@ class Made:
         }
 
     def write(self, folder: Path) -> FileRow:
-        """Both or none: a case that is there has its certificate, which takes its place first."""
+        """Writes both or neither: the certificate takes its place first, so a case never lacks
+        one."""
         where = folder / self.family
         make_folder(where)
         case, content = self.case
@@ -79,12 +80,12 @@ AnyDegenerate = Degenerate | DegenerateInSpace | DegenerateSolids
 
 
 def made_member(family: AnyFamily, seed: int, index: int, size: int | None = None) -> Made:
-    """ID.json, and ID.cert.json where it has a certificate."""
+    """Makes ID.json, and ID.cert.json if the member has a certificate."""
     return _made(member_of(family, seed, index, size), index)
 
 
 def member_of(family: AnyFamily, seed: int, index: int, size: int | None = None) -> AnyDegenerate:
-    """In the plane or in space."""
+    """Makes a member in the plane or in space."""
     if isinstance(family, SolidFamily):
         return DegenerateSolids.of(family, seed, index, size)
     if isinstance(family, SpaceFamily):

@@ -1,5 +1,5 @@
-"""Cases on which `minkref verify` has found libraries wrong, and published ones, with their story
-(found.json). Operands are given as they were found; they are turned as a case demands."""
+"""Cases on which `minkref verify` found libraries wrong, and published cases, with their story
+(found.json). Entries hold operands as found; rings are turned as a case demands."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NAME = "found"
 
 @dataclass(frozen=True)
 class Story(Subject):
-    """One of these cases; `value` is its entry in found.json."""
+    """A found case; `value`: the entry from found.json."""
 
     value: dict[str, Any]
 

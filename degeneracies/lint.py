@@ -1,6 +1,6 @@
-"""Checks a corpus: schema, canonical form, ids, flags, certificates, no case twice; and each case
-is what its source makes. `python -m minkref.degeneracies.lint [FOLDER]`: a line for each
-fault, exit code 1 if there is one."""
+"""Checks a corpus: schema, canonical form, ids, flags, certificates, no case twice; and compares
+each case with its source's result. `python -m minkref.degeneracies.lint [FOLDER]`: a line for each
+fault, exit code 1 on any fault."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ def case_paths(folder: Path) -> list[Path]:
 
 
 def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
-    """A line for each fault. `again`: each case is made again by its source, and compared, which
-    takes as long as to generate it. Certificates are compared with their cases, not followed: that
-    is `minkref check FOLDER`."""
+    """Yields a line for each fault. `again`: makes each case again from its source, to compare,
+    which takes as long as generating. Certificates are compared with their cases, but not followed:
+    for that, run `minkref check FOLDER`."""
     schema = json.loads((ROOM / "schema" / "case-v1.json").read_text(encoding="utf-8"))
     validator = jsonschema.Draft202012Validator(schema)
     seen: dict[str, Path] = {}
@@ -73,7 +73,7 @@ def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
 
 
 def corpus_faults(folder: Path = CORPUS) -> Iterator[str]:
-    """Faults of the corpus as a whole: flags that are unused or unexplained."""
+    """Faults of the whole corpus: flags without a case or an explanation."""
     used = {
         flag
         for path in case_paths(folder)
@@ -87,7 +87,7 @@ def corpus_faults(folder: Path = CORPUS) -> Iterator[str]:
 
 @dataclass(frozen=True)
 class _Kind:
-    """A kind of case: in the plane, of convex bodies in space, of polyhedra of any shape."""
+    """A kind of case: plane, convex bodies in space, or polyhedra of any shape."""
 
     flags: frozenset[str]
     faults: Callable[[Path, dict[str, Any], dict[str, Path]], Iterator[str]]
@@ -104,7 +104,7 @@ def _kind(value: Any) -> _Kind:
 
 
 def _case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Iterator[str]:
-    """The faults of a case in the plane."""
+    """Yields faults of a case in the plane."""
     try:
         operands = [_core.PolygonSet.from_json(json.dumps(value[name])) for name in "PQ"]
         for name, operand in zip("PQ", operands, strict=True):
@@ -119,7 +119,7 @@ def _case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> It
 
 
 def _differences(path: Path, value: dict[str, Any]) -> Iterator[str]:
-    """Between a case and what its source makes, the certificate with it."""
+    """Yields differences between a case with its certificate and its source's result."""
     made = _made_again(value)
     if made is None:
         yield f"{path}: the source {value.get('source')!r} makes nothing"

@@ -20,16 +20,16 @@ from minkref.degeneracies.found import FOUND
 from minkref.degeneracies.motion.case_faults import CORPUS as CORPUS_OF_PATHS
 
 SEED = 1
-COUNT = 11  # of each family in the plane
-COUNT_IN_SPACE = 3  # of each of convex bodies
-COUNT_OF_SOLIDS = 2  # of each of polyhedra of any shape
-COUNT_WITH_DISC = 3  # of each of a polygon set and a disc
-COUNT_OF_PATHS = 3  # of each of paths and traps
+COUNT = 11  # members of each family in the plane
+COUNT_IN_SPACE = 3  # of each with convex bodies
+COUNT_OF_SOLIDS = 2  # of each with polyhedra of any shape
+COUNT_WITH_DISC = 3  # of each with a polygon set and a disc
+COUNT_OF_PATHS = 3  # of each with paths and traps
 CORPUS = Path(__file__).parent / "corpus"
 
 
 def make(folder: Path) -> None:
-    """Members of all families, and the cases that verification has found."""
+    """Makes members of all families, and the cases found by verification."""
     tasks = [(family, index, folder) for family in FAMILIES for index in range(COUNT)]
     tasks += [
         (family, index, folder) for family in SPACE_FAMILIES for index in range(COUNT_IN_SPACE)
@@ -48,7 +48,7 @@ def _make(family: str, index: int, folder: Path) -> None:
 
 
 def make_with_disc(folder: Path) -> None:
-    """Members of the families of a polygon set and a disc, which have a folder of their own."""
+    """Makes members of the families with a polygon set and a disc, in a folder of their own."""
     tasks = [
         (family, index, folder) for family in DISC_FAMILIES for index in range(COUNT_WITH_DISC)
     ]
@@ -61,7 +61,7 @@ def _make_with_disc(family: str, index: int, folder: Path) -> None:
 
 
 def make_paths(folder: Path) -> None:
-    """Members of the families of paths and traps, which have a folder of their own."""
+    """Makes members of the families of paths and traps, in a folder of their own."""
     for family in PATH_FAMILIES.values():
         for index in range(COUNT_OF_PATHS):
             made_path(family, SEED, index).write(folder)

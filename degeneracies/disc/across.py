@@ -1,4 +1,4 @@
-"""Parts that face each other at the diameter of the disc."""
+"""Parts that face each other at the disc's diameter."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ HALF = Fraction(1, 2)
 
 
 def _corridor(dice: Random, width: Fraction) -> tuple[Shape, Spot]:
-    """Two boxes, one above the other, that overlap along their facing sides."""
+    """Two boxes, one above the other, with overlapping facing sides."""
     low, high = number(dice, 2, 8), number(dice, 2, 8)
     start = number(dice, -2, 1)
     left, right = max(Fraction(0), start), min(low, start + high)
@@ -74,7 +74,7 @@ def _pinch(dice: Random, size: int) -> DiscDraft:
 
 
 def _has_ridge(facts: DiscFacts) -> bool:
-    """A segment is reached at once, and the place lies in it."""
+    """Whether a segment is reached all at once, and holds the place."""
     return (
         facts.is_at_places
         and facts.near[0].opposite(facts.places[0])

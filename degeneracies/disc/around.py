@@ -68,13 +68,13 @@ def _mixed(dice: Random, size: int) -> DiscDraft:
 
 
 def _half_wall(dice: Random, way: Spot, radius: Fraction, slim: Fraction) -> Ring:
-    """A triangle with an edge that ends right in front of the origin."""
+    """A triangle with an edge ending right in front of the origin."""
     side = dice.choice((-1, 1)) * slim * radius / 2
     return frame_at(way, [(radius, 0), (radius, side), (radius + number(dice, 1, 3), side / 2)])
 
 
 def _joint_at_corner(dice: Random, size: int) -> DiscDraft:
-    """Ends of edges in front of a place with other features."""
+    """Edge ends before one place, beside other features."""
     radius, count = dice.choice(RADII), min(max(size // 3, 3), 8)
     slim = _slim(count)
     ways = ways_around(dice, count)
@@ -85,8 +85,8 @@ def _joint_at_corner(dice: Random, size: int) -> DiscDraft:
 
 
 def _joint_at_saddle(dice: Random, size: int) -> DiscDraft:
-    """An end of an edge right across from a tip, or from the end of another edge that goes the
-    other way; further parts are farther away."""
+    """An edge's end right across from a tip, or from the end of another edge that runs the other
+    way; further parts lie farther away."""
     radius = dice.choice(RADII)
     way = unit(dice.random() * 6)
     across = (-way[0], -way[1])
@@ -100,7 +100,7 @@ def _joint_at_saddle(dice: Random, size: int) -> DiscDraft:
 
 
 def _meets(facts: DiscFacts, kinds: tuple[str, ...]) -> bool:
-    """The reference has an event of one of these kinds at the radius."""
+    """Whether the reference has an event among these kinds at the radius."""
     return facts.is_at_places and any(row["kind"] in kinds for row in facts.events)
 
 

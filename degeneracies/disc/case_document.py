@@ -1,5 +1,5 @@
 """A member of a family of sums with a disc as a case file, `disc-case-v1`. Two routes agree on each
-of its sums, and what is nearest to its places is found from the definition."""
+sum, and the definition gives the points nearest to the places."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from minkref.disc.disc import Disc
 from minkref.exact import digest
 
 SCHEMA = "disc-case-v1"
-NEAR = Fraction(1, 64)  # of the squared radius: events up to here are told
-SHOWN = 12  # of these
+NEAR = Fraction(1, 64)  # share of the squared radius up to which events are told
+SHOWN = 12  # most events told
 
 VARIES = (
     "Rings may start anywhere, holes and components come in any order, and arcs may be cut into "
@@ -43,7 +43,7 @@ class DegenerateWithDisc(CaseTexts):
     def of(
         cls, family: DiscFamily, seed: int, index: int, size: int | None = None
     ) -> DegenerateWithDisc:
-        """The member of this number; of about so many vertices, where a size is given."""
+        """Makes member number `index`, with about `size` vertices if given."""
         source = source_of(family.name, seed, index, size)
         return cls(family, source, drawn_with_disc(family, seed, index, size))
 

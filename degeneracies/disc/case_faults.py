@@ -1,6 +1,6 @@
-"""Checks the cases with a disc: schema, canonical form, ids, no case twice, and each is what its
-source makes. `python -m minkref.degeneracies.disc.case_faults [FOLDER]`: a line for each
-fault, exit code 1 if there is one."""
+"""Checks the cases with a disc: schema, canonical form, ids, no case twice; and compares each with
+its source's result. `python -m minkref.degeneracies.disc.case_faults [FOLDER]`: a line for each
+fault, exit code 1 on any fault."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def case_validator() -> jsonschema.Draft202012Validator:
 
 
 def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
-    """A line for each fault. `again`: each case is made again by its source, and compared."""
+    """Yields a line for each fault. `again`: makes each case again from its source, to compare."""
     validator = case_validator()
     seen: dict[str, Path] = {}
     for path in sorted(folder.rglob("*.json")):
@@ -64,7 +64,7 @@ def _of_content(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Ite
 
 
 def _differences(path: Path, value: dict[str, Any]) -> Iterator[str]:
-    """Between a case and what its source makes."""
+    """Yields differences between a case and its source's result."""
     words = str(value["source"]).removeprefix(GENERATE).split()
     try:
         family = DISC_FAMILIES[words[0]]

@@ -1,4 +1,4 @@
-"""Doors of one width: holes that are born at one radius, and edges on one line."""
+"""Doors of equal width: holes born at one radius, and edges on one line."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from minkref.fuzz.geometry.plane import Point, Ring, Shape, box, cross, dot, edg
 
 
 def _row_of_rooms(dice: Random, size: int, width: Fraction) -> tuple[Shape, list[Spot]]:
-    """A hole of rooms in a row, with doors of one width; a room is wider and higher than a door.
-    The places are at the beginnings of the doors."""
+    """A hole with rooms in a row and doors of equal width; a room is wider and higher than a door.
+    The places stand where doors begin."""
     low: list[Point] = []
     high: list[Point] = []
     places: list[Spot] = []
@@ -36,8 +36,8 @@ def _row_of_rooms(dice: Random, size: int, width: Fraction) -> tuple[Shape, list
 
 
 def _blocks(dice: Random, size: int, width: Fraction) -> tuple[Shape, list[Spot]]:
-    """Blocks in rows and columns, with streets of one width: each crossing becomes a hole. The
-    places are where two blocks begin to face each other."""
+    """Blocks in rows and columns, with streets of equal width: each crossing becomes a hole. The
+    places lie where two blocks begin to face each other."""
     columns, rows = dice.choice(((3, 2), (2, 3), (3, 3))) if size > 10 else (3, 2)
     wide = [number(dice, 1, 4) for _ in range(columns)]
     high = [number(dice, 1, 4) for _ in range(rows)]
@@ -64,8 +64,8 @@ def _births(dice: Random, size: int) -> DiscDraft:
 
 
 def _slots(dice: Random, size: int) -> DiscDraft:
-    """A block with slots of one width and depth: their floors are on one line, and so are the tops
-    between them. The place is in the leftmost, as far from its floor as from its walls."""
+    """A block with slots of equal width and depth: one line holds their floors, another the tops
+    between. The place lies in the leftmost slot, as far from the floor as from the walls."""
     width = number(dice, 1, 3)
     deep, under = width + number(dice, 0, 3), number(dice, 1, 3)
     count = min(max(size // 4, 2), 8)
@@ -84,7 +84,7 @@ def _slots(dice: Random, size: int) -> DiscDraft:
 
 
 def born_at(facts: DiscFacts) -> list[tuple[float, float]]:
-    """Where holes are born at the radius, a place for each."""
+    """Returns a place for each hole born at the radius."""
     index = _core.disc_index(facts.P)
     number, is_event = index.place(str(facts.squared_radius))
     return [
@@ -100,7 +100,7 @@ def _has_births(facts: DiscFacts) -> bool:
 
 
 def _is_on_further_edge(facts: DiscFacts) -> bool:
-    """A nearest point is on an edge that is not the first one on its line."""
+    """Whether a nearest point lies on an edge that is not the first on its line."""
     every = [(_spot(a), _spot(b)) for a, b in edges(facts.shape)]
     for point in facts.near[0].points:
         for k, (a, b) in enumerate(every):

@@ -1,4 +1,4 @@
-"""Drafts that a generator of sums with a disc draws, and the facts about them."""
+"""Drafts from a generator of sums with a disc, and facts about them."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ FINE = 60  # bits: the nearest siblings
 
 @dataclass(frozen=True)
 class Near:
-    """The points of a set nearest to a place. `joints`: nearest points at an end of an edge that is
-    seen at a right angle there."""
+    """A set's nearest points to a place. `joints`: nearest points at an edge's end, seen at a right
+    angle to the edge."""
 
     squared_distance: Fraction
     points: tuple[Spot, ...]
@@ -31,7 +31,7 @@ class Near:
 
     @classmethod
     def to(cls, shape: Shape, place: Spot) -> Near:
-        """From the definition, in fractions: O(n)."""
+        """Applies the definition, in fractions: O(n)."""
         least: Fraction | None = None
         points: dict[Spot, bool] = {}
         for a, b in edges(shape):
@@ -51,7 +51,7 @@ class Near:
         return cls(least, tuple(sorted(points)), joints)
 
     def opposite(self, place: Spot) -> bool:
-        """Two of the points are right across from each other."""
+        """Whether two points lie right across from each other."""
         ways = [minus(point, place) for point in self.points]
         return any(cross(u, v) == 0 and dot(u, v) < 0 for u in ways for v in ways)
 
@@ -69,7 +69,7 @@ class DiscDraft:
 
 @dataclass(frozen=True)
 class DiscFacts:
-    """A draft as the reference sees it, and what is nearest to its places."""
+    """A draft as the reference sees it, and the points nearest to the places."""
 
     P: _core.PolygonSet
     shape: Shape
@@ -80,7 +80,7 @@ class DiscFacts:
 
     @classmethod
     def of(cls, draft: DiscDraft) -> DiscFacts:
-        """Raises _core.BadInput where the set is none."""
+        """Raises _core.BadInput if the set is invalid."""
         P = _core.PolygonSet.from_json(shape_text(draft.P))
         P.validate("P")
         return cls(P, draft.P, draft.squared_radius, draft.places, draft.were_near)
@@ -97,7 +97,7 @@ class DiscFacts:
 
     @cached_property
     def events(self) -> list[dict[str, Any]]:
-        """Those at the radius."""
+        """The events at the radius."""
         return self.events_within(Fraction(0))
 
     def events_within(self, part: Fraction) -> list[dict[str, Any]]:
@@ -123,8 +123,8 @@ class DiscFacts:
 
     @cached_property
     def gap(self) -> int:
-        """The least k > 0 such that no event but those at the radius is within 2^-k of its
-        square."""
+        """The least k > 0 such that all events within 2^-k of the squared radius lie at the
+        radius."""
         at = len(self._window(Fraction(0)))
 
         def is_free(k: int) -> bool:
@@ -139,8 +139,8 @@ class DiscFacts:
 
     @cached_property
     def squares(self) -> list[Fraction]:
-        """The squared radius, and its siblings below and above: the nearest powers of two apart
-        from other events, and still nearer ones."""
+        """The squared radius, and siblings below and above: the nearest powers of two apart from
+        other events, and still nearer siblings."""
         parts = [Fraction(1, 2**k) for k in sorted({self.gap, max(self.gap, FINE)})]
         s = self.squared_radius
         return [s, *(s * (1 - part) for part in parts), *(s * (1 + part) for part in parts)]
@@ -167,8 +167,8 @@ class DiscFacts:
 
 @dataclass(frozen=True)
 class DiscFamily(Subject):
-    """`draw` draws a candidate of about `size` vertices; it belongs to the family if `belongs`
-    says so of its facts."""
+    """`draw` draws a candidate with about `size` vertices; `belongs` decides from the facts whether
+    the candidate belongs to the family."""
 
     draw: Callable[[Random, int], DiscDraft]
     belongs: Callable[[DiscFacts], bool]

@@ -1,4 +1,4 @@
-"""Members of families of sums with a disc: drawn until one belongs."""
+"""Members of families of sums with a disc, by drawing until a candidate belongs."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from minkref.degeneracies.plane.generate import FEWEST, MOST, PATIENCE, nothing_
 def drawn_with_disc(
     family: DiscFamily, seed: int, index: int, size: int | None = None
 ) -> DiscFacts:
-    """The member of this number, of about `size` vertices where the family can be large. It depends
-    on nothing else, on any machine. Refuses a size that no draw has come to."""
+    """Draws member number `index`, with about `size` vertices if the family can be large. The
+    arguments alone decide the result, on any machine. Refuses a size that no draw reaches."""
     dice = Random(f"minkref degeneracy {family.name} {seed} {index}")
     for _ in range(PATIENCE):
         wanted = dice.randint(FEWEST, MOST) if size is None else size

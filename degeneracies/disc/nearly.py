@@ -1,5 +1,5 @@
-"""Twins of the other families: one part of the set is moved by 10^-k, and what happened at one
-radius happens at several that are near each other."""
+"""Twins of the other families: one part of the set moves by 10^-k, and an event at one radius
+splits into events at several neighbouring radii."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _twin(family: DiscFamily) -> Callable[[Random, int], DiscDraft]:
 
 
 def _moved_in_part(dice: Random, P: Shape, dx: Fraction, dy: Fraction) -> Shape:
-    """One of several polygons, or one vertex of the last ring of a single one."""
+    """Moves one of several polygons, or one vertex on the last ring of a single polygon."""
     if len(P) > 1:
         k = dice.randrange(len(P))
         return [*P[:k], *moved([P[k]], dx, dy), *P[k + 1 :]]

@@ -1,4 +1,4 @@
-"""Rational directions, and changes of coordinates that keep what is as far away."""
+"""Rational directions, and changes of coordinates that keep equal distances equal."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ from minkref.fuzz.geometry.plane import Point, Ring, mapped
 
 TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25), (20, 21, 29), (1, 0, 1), (1, 0, 1))
 FACTORS = tuple(Fraction(n, d) for n, d in ((1, 1), (1, 2), (2, 3), (7, 5), (3, 1), (1, 9)))
-SHARP = 12  # denominators of tangents of half angles are as large
+SHARP = 12  # upper bound on denominators of tangents of half angles
 
 
 def unit(angle: float, sharp: int = SHARP) -> Spot:
-    """About the unit vector of an angle, and rational: by the tangent of a half angle."""
+    """Returns a rational unit vector near an angle's direction, from the tangent of the half
+    angle."""
     turns, rest = divmod(angle + pi / 4, pi / 2)
     t = Fraction(round(tan((rest - pi / 4) / 2) * sharp), sharp)
     x, y = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
@@ -34,7 +35,7 @@ def ways_around(dice: Random, count: int, part: float = 1.0) -> list[Spot]:
 
 
 def frame_at(way: Spot, ring: Sequence[Point]) -> Ring:
-    """Points by how far they are along a direction and how far to its left; counter-clockwise."""
+    """Converts points from coordinates along a direction and to its left; counter-clockwise."""
     x, y = way
     return turned_left([(a * x - b * y, a * y + b * x) for a, b in ring])
 

@@ -1,1 +1,1 @@
-"""Invalid input, one family for each refusal: what is damaged, where, and what has to be named."""
+"""Invalid input, one family for each refusal: the damage, its place, and the words to name."""

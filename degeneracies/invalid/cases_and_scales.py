@@ -1,4 +1,4 @@
-"""Cases that are none, scales in them, and the scale of a command."""
+"""Invalid cases, scales inside them, and the scale of a command."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FAMILIES = Families()
 VERSIONS = ("case-v2", "case-v0", "case", "", "CASE-V1", "case-v1 ", "case-v1.1", "case-v10")
 DIMENSIONS = ('"2"', "3", "1", "0", "-2", "2.0", "2e0", "null", "[2]", "true")
 NOT_POSITIVE = ('"0"', "0", '"-1"', "-7", '"-1/3"', '"0/5"', '"-0"', '"0.000"', '"0e9"', '"-1e-99"')
-SHOWN = 40  # letters of an option that a message shows
+SHOWN = 40  # most letters of an option that a message shows
 
 NOT_FINITE = ("NaN", "nan", "inf", "-inf", "Infinity", "-Infinity", "+inf", "INF", " nan ")
 NOT_A_NUMBER = (
@@ -66,7 +66,7 @@ def unsupported_dimension(dice: Random) -> Invalid:
 
 @FAMILIES.add("an operand of a case asked of what is none")
 def not_a_case(dice: Random) -> Invalid:
-    """#P or #Q behind the name of a file that holds one operand."""
+    """#P or #Q behind the name of a file with only one operand."""
     page = sheet(dice, region(dice), ("wkt", "poly", "geojson", "json"))
     made = of_bytes(page, "not-a-case", text_of(dice, page).encode())
     return replace(made, part=f"#{page.operand}", place=(f"{made.file_name}#{page.operand}",))
@@ -109,7 +109,7 @@ def empty_interval(dice: Random) -> Invalid:
 
 
 def with_scale(dice: Random, code: str, text: str) -> Invalid:
-    """A valid operand and a scale that is refused."""
+    """A valid operand and a refused scale."""
     page = sheet(dice, region(dice), ("wkt", "poly", "json"))
     shown = text[:SHOWN].strip() or f'"{text}"'
     made = of_bytes(page, code, text_of(dice, page).encode(), shown)

@@ -1,9 +1,9 @@
 """The families of invalid input by name, one for each refusal that reading an operand, a case or a
 scale may give.
 
-Not among them, for nothing can be drawn or a file would be too large: `cannot-read` and
-`unknown-format` (a file that is not there, an ending), `cannot-write` and `not-representable`
-(writing), `file-too-large` (64 MiB) and `too-many-values` (32 MB at least); of meshes besides
+Some refusals have no family, as nothing can be drawn or a file would be too large: `cannot-read`
+and `unknown-format` (a missing file, an ending), `cannot-write` and `not-representable` (writing),
+`file-too-large` (64 MiB) and `too-many-values` (32 MB at least); for meshes also
 `too-many-vertices`, `too-many-digits`, `too-many-faces` and `too-many-face-corners`.
 """
 
@@ -48,5 +48,5 @@ INVALID_MESH_FAMILIES: dict[str, InvalidFamily] = {
 
 
 def invalid_member(family: InvalidFamily, seed: int, index: int) -> Invalid:
-    """The member of this number. It depends on nothing else, on any machine."""
+    """Draws member number `index`. The arguments alone decide the result, on any machine."""
     return family.draw(Random(f"minkref invalid {family.name} {seed} {index}"))

@@ -1,4 +1,4 @@
-"""The commands that read operands, and how each is given a member of a family of invalid input."""
+"""The commands that read operands, and how each receives a member of a family of invalid input."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from pathlib import Path
 
 from minkref.degeneracies.invalid.member import Invalid
 
-# P, Q: the operands; S: the scale; it: the output. The member is P or Q, and beside it a triangle.
+# P, Q: the operands; S: the scale; it: the output. The member stands for P or Q, a triangle for the
+# other operand.
 COMMANDS: dict[str, tuple[str, ...]] = {
     "sum": ("sum", "P", "Q", "--scale=S", "-o", "it.json"),
     "convolution": ("convolution", "P", "Q", "--scale=S", "-o", "it.json"),
@@ -22,7 +23,7 @@ OTHER = "POLYGON((0 0, 2 0, 1 3, 0 0))"
 
 
 def written(member: Invalid, folder: Path) -> str:
-    """The argument that names the operand, whose file is in the folder now."""
+    """Writes the member's file to the folder; returns the argument that names the operand."""
     (folder / member.file_name).write_bytes(member.content)
     return str(folder / member.argument)
 
@@ -46,7 +47,7 @@ def words(command: str, member: Invalid, folder: Path) -> list[str]:
 
 
 def left_out(member: Invalid, text: str) -> list[str]:
-    """Texts of a good message that are missing in this one: the place that is damaged, and the name
-    of the file, or of the option of the scale."""
+    """Texts that a good message would hold and this message lacks: the damaged place, and the name
+    of the file, or of the scale's option."""
     named = member.file_name if member.scale is None else "--"
     return [each for each in (*member.place, named) if each not in text]

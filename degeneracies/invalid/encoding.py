@@ -1,4 +1,4 @@
-"""Files that are no text in UTF-8, or no text at all."""
+"""Files with bytes other than UTF-8 text."""
 
 from __future__ import annotations
 

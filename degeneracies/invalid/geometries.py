@@ -1,4 +1,4 @@
-"""Input that is well-formed, but no operand in the plane."""
+"""Well-formed input that describes no operand in the plane."""
 
 from __future__ import annotations
 
@@ -32,7 +32,8 @@ TYPES = ("MultiPoint", "MultiLineString", "polygon", "POLYGON", "Topology", "Lin
 
 @FAMILIES.add("a geometry that is no operand")
 def unsupported_geometry(dice: Random) -> Invalid:
-    """Another geometry in place of one, or a prefix that says where on the globe it lies."""
+    """Another geometry instead of a polygon, or a prefix that says where on the globe the shape
+    lies."""
     page = sheet(dice, region(dice), CLOSED)
     if page.form == "wkt":
         text = text_of(dice, page)
@@ -82,7 +83,7 @@ def _dimension_word(dice: Random, page: Sheet) -> Invalid:
 
 @FAMILIES.add("a line of other than two points")
 def not_a_segment(dice: Random) -> Invalid:
-    """A line of another number of points than two: open, closed, or of one point."""
+    """A line with more or fewer points than two: open, closed, or a single point."""
     shape = region(dice, parts=1)
     shape[0] = shape[0][:1]
     page = sheet(dice, shape, CLOSED)
@@ -111,7 +112,7 @@ def mixed_operand(dice: Random) -> Invalid:
     else:
         number = dice.randint(0, len(page.polygons))
     page.polygons[number:number] = tokens(dice, page.form, shape)
-    if page.polygons[0][0].thin:  # the first of two is named
+    if page.polygons[0][0].thin:  # a message names the first of two
         number, shape = 0, []
     ring = page.number(number, 0)
     page.mark(number, 0, 0)

@@ -1,15 +1,15 @@
-"""JSON texts as wrong as they are wanted: members twice, tokens that are none, marks."""
+"""JSON texts with errors on demand: repeated members, invalid tokens, marks."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Sequence
 
-MARK = "\x01"  # stands before what is damaged, and is taken out of the text
+MARK = "\x01"  # precedes the damage; removed from the text
 
 
 class Raw(str):
-    """A token that is written as it stands."""
+    """A token to write unchanged."""
 
     __slots__ = ()
 
@@ -32,7 +32,7 @@ class Marked:
 
 
 def json_text(value: object, tall: bool, indent: str = "\n") -> str:
-    """On one line, or with each value that holds others on lines of its own."""
+    """Writes one line, or puts each value that holds others on lines of its own."""
     if isinstance(value, Marked):
         return MARK + json_text(value.value, tall, indent)
     if isinstance(value, Raw):

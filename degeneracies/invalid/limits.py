@@ -1,5 +1,5 @@
-"""Input beyond a limit (formats/limits.hpp): refused before the work is done. The files are valid
-but for that, and as small as the limit lets them be."""
+"""Input beyond a limit (formats/limits.hpp): refused before any work. The files are valid
+otherwise, and as small as the limit allows."""
 
 from __future__ import annotations
 
@@ -19,11 +19,12 @@ EXPONENT = 10_000
 DEPTH = 128
 VERTICES = 1_000_000
 NUMBER_BYTES = 256 << 20
-SHOWN = 30  # letters of a number that a message shows
+SHOWN = 30  # most letters of a number that a message shows
 
 
 def spoilt(dice: Random, text: str, bare: bool) -> tuple[Sheet, tuple[str, ...]]:
-    """An operand with the number at one vertex; `bare`: it is a number of JSON too."""
+    """An operand with the number at one vertex; `bare`: JSON allows the number without quotes,
+    too."""
     forms = ("wkt", "poly", "json", "case", "geojson") if bare else ("wkt", "poly", "json", "case")
     page = sheet(dice, region(dice), forms)
     rings = [ring for part in page.polygons for ring in part]
@@ -64,7 +65,7 @@ def exponent_too_large(dice: Random) -> Invalid:
 
 @FAMILIES.add("values nested deeper than 128")
 def too_deep(dice: Random) -> Invalid:
-    """Nested collections, arrays in place of a coordinate, or a member that nobody reads."""
+    """Nested collections, arrays instead of a coordinate, or a member that nobody reads."""
     depth = dice.choice((DEPTH + 1, DEPTH + 2, 200, 1000, 5000, 100_000))
     page = sheet(dice, region(dice), (*CLOSED, *JSON_FORMS))
     if page.form == "wkt":
@@ -117,7 +118,7 @@ def too_many_vertices(dice: Random) -> Invalid:
 
 @FAMILIES.add("numbers that would fill the memory")
 def too_many_digits(dice: Random) -> Invalid:
-    """Short texts of long numbers: together they would fill the memory."""
+    """Short texts for long numbers, which together would fill the memory."""
     form = dice.choice(("wkt", "json"))
     page = sheet(dice, [[[(0, 0), (1, 0), (0, 1)]]], (form,))
     bytes_each = 8 * (33_219 // 64 + 1)

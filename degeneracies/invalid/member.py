@@ -1,4 +1,4 @@
-"""Families of invalid input, and the members that they draw."""
+"""Families of invalid input, and their members."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ PREFIX = "invalid-"
 
 @dataclass(frozen=True)
 class Invalid:
-    """A file that is refused with `code`, or a valid one beside a scale that is. A good message
-    holds each text of `place`, and always the name of the file, or `--scale`.
+    """A file refused with `code`, or a valid file beside a refused scale. A good message holds each
+    text of `place`, and always the file's name, or `--scale`.
 
-    `operand`: which argument is refused. In a case file it is the operand that is damaged, or that
-    is asked for where the case as a whole is. `part`: what a name of the file needs at its end,
-    `#P` or `#Q`. `scale`: the refused argument of --scale. `slow_reads`: whether the slow engine
-    reads the format, or has the limit."""
+    `operand`: the refused argument. In a case file, the damaged operand, or the requested operand
+    if the whole case is refused. `part`: the end that the file's name needs, `#P` or `#Q`. `scale`:
+    the refused argument of --scale. `slow_reads`: whether the slow engine reads the format, or has
+    the limit."""
 
     family: str
     code: str
@@ -33,7 +33,7 @@ class Invalid:
 
     @property
     def argument(self) -> str:
-        """The file as a command is given it."""
+        """The file's name as a command's argument."""
         return self.file_name + self.part
 
 
@@ -57,15 +57,15 @@ class InvalidFamily:
 
 
 class Families(list[InvalidFamily]):
-    """Those of a module, in the order in which it defines the functions that draw them. A family is
-    called as its function is, after the prefix."""
+    """A module's families, in the order in which the module defines their drawing functions. A
+    family takes its function's name, after the prefix."""
 
     def __init__(self, prefix: str = PREFIX) -> None:
         super().__init__()
         self._prefix = prefix
 
     def add(self, title: str, code: str = "") -> Callable[[Draw], Draw]:
-        """For the head of a function. `code`: that of the refusal, where it is not the name."""
+        """Decorates a drawing function. `code`: the refusal's code, if different from the name."""
 
         def added(draw: Draw) -> Draw:
             name = draw.__name__.replace("_", "-")

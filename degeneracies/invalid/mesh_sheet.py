@@ -86,7 +86,7 @@ class MeshSheet:
 
 
 def body(dice: Random, corners: int = 3) -> Polyhedron:
-    """Convex, with a face of at least so many corners; vertices and faces are in any order."""
+    """A convex body, one face having at least so many corners; vertices and faces in any order."""
     while True:
         kind = dice.randrange(3)
         if kind == 0 and corners <= 3:
@@ -125,7 +125,7 @@ def sheet(dice: Random, mesh: Polyhedron, forms: Sequence[str] = FORMS) -> MeshS
 def refused(
     page: MeshSheet, name: str, code: str, *place: str, content: str | bytes | None = None
 ) -> Invalid:
-    """The member; of the text of the sheet, or of another one."""
+    """Makes the member from the sheet's text, or from other content."""
     made = page.text() if content is None else content
     data = made if isinstance(made, bytes) else made.encode()
     return Invalid(
@@ -139,7 +139,7 @@ def vertex_text(page: MeshSheet, vertex: int) -> str:
 
 
 def middle(mesh: Polyhedron, face: Sequence[int]) -> Point:
-    """The mean of the corners."""
+    """Returns the mean of the corners."""
     x, y, z = (
         sum(column) / len(face) for column in zip(*(mesh.vertices[k] for k in face), strict=True)
     )

@@ -1,4 +1,4 @@
-"""Meshes that are read, and are no closed surface, or none of a convex body."""
+"""Readable meshes that form no closed surface, or no convex body's surface."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def edges_of(face: Sequence[int]) -> list[Edge]:
 
 
 def least(edges: Sequence[Edge]) -> Edge:
-    """The one that is looked at first."""
+    """Returns the edge that a check visits first."""
     return min(edges, key=lambda edge: (min(edge), max(edge)))
 
 
@@ -40,7 +40,7 @@ def with_faces(mesh: Polyhedron, faces: Sequence[Face], *more: Point) -> Polyhed
 
 
 def owner(faces: Sequence[Face], edge: Edge) -> int:
-    """The face that runs along it."""
+    """Returns the face that runs along the edge."""
     return next(k for k, face in enumerate(faces) if edge in edges_of(face))
 
 
@@ -81,7 +81,7 @@ def _centre(mesh: Polyhedron) -> Point:
 
 
 def _glued(mesh: Polyhedron, at: Point, images: dict[int, int]) -> Polyhedron:
-    """With its reflection in a point; vertices whose image is one of the mesh are shared."""
+    """Adds the mesh's reflection in a point; `images` gives the vertices that both share."""
     numbers = dict(images)
     more: list[Point] = []
     for k, vertex in enumerate(mesh.vertices):
@@ -105,7 +105,7 @@ def non_manifold_vertex(dice: Random) -> Invalid:
 
 @FAMILIES.add("a face that runs the wrong way")
 def wrong_orientation(dice: Random) -> Invalid:
-    """One face is turned round."""
+    """Turns one face round."""
     mesh = body(dice)
     turned = dice.randrange(len(mesh.faces))
     faces = [face[::-1] if k == turned else face for k, face in enumerate(mesh.faces)]
@@ -139,7 +139,7 @@ def repeated_vertex(dice: Random) -> Invalid:
 
 @FAMILIES.add("a face without area")
 def zero_area(dice: Random) -> Invalid:
-    """A sliver in an edge, between a vertex inside it and its ends."""
+    """A sliver along an edge, between the edge's ends and a vertex inside the edge."""
     mesh = body(dice)
     face = dice.randrange(len(mesh.faces))
     a, b = edges_of(mesh.faces[face])[0]
@@ -158,7 +158,7 @@ def zero_area(dice: Random) -> Invalid:
 
 @FAMILIES.add("a face that lies in no plane")
 def non_planar_face(dice: Random) -> Invalid:
-    """A corner of a face of four or more is moved off its plane, by little or much."""
+    """Moves a corner off the plane of a face with four or more, by little or much."""
     while True:
         mesh = body(dice, 4)
         face = max(mesh.faces, key=len)
@@ -177,7 +177,7 @@ def non_planar_face(dice: Random) -> Invalid:
 
 @FAMILIES.add("a face whose edges cross")
 def face_not_simple(dice: Random) -> Invalid:
-    """Two corners of a face have changed places, so that its edges cross."""
+    """Exchanges two corners of a face, so that its edges cross."""
     while True:
         mesh = body(dice, 4)
         face = dice.choice([k for k, ring in enumerate(mesh.faces) if len(ring) > 3])
@@ -206,7 +206,7 @@ def index_out_of_range(dice: Random) -> Invalid:
 
 @FAMILIES.add("a vertex of no face")
 def unused_vertex(dice: Random) -> Invalid:
-    """Inside of the body, on it or far away: it is in no face."""
+    """A vertex without faces: inside the body, on the body or far away."""
     mesh = body(dice)
     point = dice.choice((_centre(mesh), mesh.vertices[0], (Fraction(99),) * 3))
     page = sheet(dice, with_faces(mesh, mesh.faces, point))
@@ -230,7 +230,7 @@ def zero_length_edge(dice: Random) -> Invalid:
 
 @FAMILIES.add("a face of fewer than three vertices")
 def too_few_vertices(dice: Random) -> Invalid:
-    """A face of two vertices, of one or of none."""
+    """A face with two vertices, one or none."""
     page = sheet(dice, body(dice))
     face = dice.randrange(len(page.faces))
     del page.faces[face][dice.choice((1, 2, 2, 0)) if page.form in ("off", "json") else 2 :]
@@ -248,7 +248,7 @@ def too_few_faces(dice: Random) -> Invalid:
 
 @FAMILIES.add("a body with a dent", "not-convex")
 def dent(dice: Random) -> Invalid:
-    """A pyramid is cut out of a body, with a facet as its base: by so little."""
+    """Cuts a pyramid out of a body, with a facet as its base: by a small depth."""
     mesh = body(dice)
     face = dice.randrange(len(mesh.faces))
     t = Fraction(1, 2 ** dice.choice((1, 3, 30, 80)))
@@ -280,7 +280,7 @@ def _small_inside(mesh: Polyhedron) -> Polyhedron:
 
 @FAMILIES.add("a body with a cavity", "not-convex")
 def cavity(dice: Random) -> Invalid:
-    """A small one inside of a larger one, its faces turned: a good polyhedron, and not convex."""
+    """A small body inside a larger one, with turned faces: a valid polyhedron, but not convex."""
     mesh = body(dice)
     both = mesh.with_faces_of(_small_inside(mesh).turned_inside_out())
     return refused(sheet(dice, shuffled(dice, both)), "cavity", "not-convex", "face ")
@@ -288,7 +288,7 @@ def cavity(dice: Random) -> Invalid:
 
 @FAMILIES.add("a body inside another", "shell-nesting")
 def body_in_another(dice: Random) -> Invalid:
-    """A small one inside of a larger one, its faces as they were."""
+    """A small body inside a larger one, with faces unturned."""
     mesh = body(dice)
     page = sheet(dice, shuffled(dice, mesh.with_faces_of(_small_inside(mesh))))
     return refused(page, "body-in-another", "shell-nesting", "face ", "and face ")
@@ -312,7 +312,8 @@ def crossing_bodies(dice: Random) -> Invalid:
 
 @FAMILIES.add("two bodies on one facet", "overlapping-faces")
 def common_facet(dice: Random) -> Invalid:
-    """A body and its reflection in a point of a facet, which both have, one from each side."""
+    """A body and its reflection in a point of a facet: both share that facet, from opposite
+    sides."""
     mesh = body(dice)
     at = tuple(2 * c for c in middle(mesh, dice.choice(mesh.faces)))
     both = mesh.with_faces_of(mesh.reflected((at[0], at[1], at[2])))
@@ -338,7 +339,7 @@ def wound_twice(dice: Random) -> Invalid:
 
 @FAMILIES.add("a polygon from both sides, with nothing inside", "overlapping-faces")
 def flat(dice: Random) -> Invalid:
-    """A polygon from both sides: closed, and there is nothing inside."""
+    """A polygon from both sides: closed, with nothing inside."""
     ring = convex(dice, dice.randint(3, 8), 12)
     face = tuple(range(len(ring)))
     vertices = tuple((Fraction(x), Fraction(y), Fraction(x - 2 * y)) for x, y in ring)

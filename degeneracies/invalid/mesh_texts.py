@@ -1,4 +1,4 @@
-"""Files of meshes that are not read: their words, numbers, members and headers."""
+"""Unreadable mesh files: their words, numbers, members and headers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from minkref.degeneracies.invalid.mesh_sheet import FORMS, MESH, MeshSheet, body
 
 FAMILIES = Families(MESH)
 
-TEXTS = ("off", "obj", "ply")  # what has words
+TEXTS = ("off", "obj", "ply")  # formats with words
 NO_NUMBERS = ("nan", "NaN", "inf", "-Infinity", "0x10", "1,5", "--3", "1e", "1.2.3", "١", "x")
 DIGITS, EXPONENT, DEPTH = 10_000, 10_000, 128
 
@@ -198,7 +198,7 @@ def too_deep(dice: Random) -> Invalid:
 
 
 def _header(dice: Random, name: str, line: int, text: str, *place: str) -> Invalid:
-    """A PLY with another line of its header."""
+    """A PLY with one changed header line."""
     page = drawn(dice, "ply")
     lines = page.lines()
     lines[line - 1] = text
@@ -243,7 +243,7 @@ def unsupported_geometry(dice: Random) -> Invalid:
 
 @FAMILIES.add("a line of an OBJ file that begins with no word of it")
 def unknown_word(dice: Random) -> Invalid:
-    """A misspelt face of an OBJ file is a hole."""
+    """A misspelt face in an OBJ file leaves a hole."""
     page = drawn(dice, "obj")
     lines = page.lines()
     at = dice.randrange(1, len(lines))

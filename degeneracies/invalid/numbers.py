@@ -1,4 +1,4 @@
-"""Coordinates that are no numbers, or that no number ends."""
+"""Coordinates that are no numbers, or whose number does not end."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ NO_NUMBERS = (
     "1_000", "1.2.3.4", ".", "-", "+.e1", "1e5.5", "3/-4", "/4", "3/", "1/2/3", "½", "٣", "1\u00a0",
     "1.#INF", "-1.#IND", "1,5", "1'000", "0b11", "one", "NULL", "1/2.5", "１", "1f", "5.0d0", "∞",
 )  # fmt: skip
-QUOTED = (*NO_NUMBERS, "", " 1", "1 ", "1 2")  # further in strings, where white space counts
+QUOTED = (*NO_NUMBERS, "", " 1", "1 ", "1 2")  # also in strings, where white space counts
 BARE = ("NaN", "-Infinity", "Infinity", "01", "1.", "-", "1e", "0x1", "nan", "1e5.5")
 OTHER = ("null", "true", "[]", "{}")
 ZERO = ("0", "00", "000000000000000000000")
 
 
 def spoilt(dice: Random, page: Sheet, text: str) -> tuple[str, ...]:
-    """Puts the text in place of a coordinate; what names it."""
+    """Puts the text in place of a coordinate; returns the words that name the place."""
     rings = [ring for rings in page.polygons for ring in rings]
     number = dice.randrange(len(rings))
     vertex = dice.randrange(len(rings[number]))
@@ -47,7 +47,7 @@ def not_a_number(dice: Random) -> Invalid:
             value = dice.choice((*OTHER, '"1"') if page.form == "geojson" else OTHER)
             return refused(dice, page, "not-a-number", *spoilt(dice, page, value))
         text = dice.choice(BARE)
-        spoilt(dice, page, text)  # refused with the JSON text, before there are rings
+        spoilt(dice, page, text)  # the JSON parser refuses it, before any rings exist
         return refused(dice, page, "not-a-number", text)
     if page.form in JSON_FORMS:
         text = dice.choice(QUOTED)

@@ -1,4 +1,4 @@
-"""Valid operands to be damaged, on small whole numbers, and the coordinates they are written in."""
+"""Valid operands to damage, on small whole numbers, and the coordinates for writing them."""
 
 from __future__ import annotations
 
@@ -81,8 +81,8 @@ def thin(dice: Random) -> Shape:
 
 
 def coordinates(dice: Random, decimal: bool) -> Callable[[Point], Point]:
-    """A linear map of positive determinant and a translation. `decimal`: finite decimals stay
-    such."""
+    """A linear map with positive determinant and a translation. `decimal`: finite decimals stay
+    finite."""
     a, b, c, d = dice.choice(MAPS)
     factor = dice.choice(DECIMAL_FACTORS if decimal else DECIMAL_FACTORS + OTHER_FACTORS)
     dx, dy = (dice.randint(-40, 40) for _ in range(2))

@@ -1,5 +1,5 @@
-"""Rings that are right by themselves and wrong beside another. All of it happens in a small place
-of a valid operand, near one edge."""
+"""Rings that are valid alone and invalid beside another. The damage stays in a small place of a
+valid operand, near one edge."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ FAMILIES = Families()
 
 Places = tuple[tuple[int, int], ...]
 
-# Rings in the coordinates of a spot: the edge runs along y = 0, the set lies above it.
+# Rings in a spot's coordinates: the edge runs along y = 0, and the set lies above.
 LYING_ON: Places = ((-1, 0), (1, 0), (0, 1))
 LYING_BELOW: Places = ((0, -1), (1, 0), (-1, 0))
 ACROSS: tuple[Places, ...] = (
     ((0, -1), (1, 1), (-1, 1)),
-    ((0, 0), (2, -1), (2, 1), (-1, 1)),  # through the edge at a vertex of its own
-    ((0, 0), (1, -1), (2, 0), (1, 1)),  # at two
+    ((0, 0), (2, -1), (2, 1), (-1, 1)),  # through the edge at one of the ring's vertices
+    ((0, 0), (1, -1), (2, 0), (1, 1)),  # at two vertices
     ((-2, -1), (2, -1), (2, 2), (1, 2), (1, 0), (-1, 0), (-1, 2), (-2, 2)),
 )
 ABOVE: tuple[Places, ...] = (((-1, 1), (1, 1), (0, 2)), ((0, 0), (1, 1), (-1, 1)))
@@ -32,7 +32,7 @@ WITHIN_IT: tuple[Places, ...] = (((-1, 2), (1, 2), (0, 3)), ((-2, 1), (1, 2), (0
 
 
 def added(dice: Random, shape: Shape, ring: Ring, at: Spot, hole: bool) -> tuple[int, int]:
-    """The ring as one more hole of the polygon of the spot, or as one more polygon."""
+    """Adds the ring as a hole to the spot's polygon, or as a polygon."""
     if hole:
         shape[at.polygon].append(turned(ring))
         return at.polygon, len(shape[at.polygon]) - 1
@@ -45,7 +45,7 @@ def named(page: Sheet, first: tuple[int, int], second: tuple[int, int]) -> list[
 
 
 def edge_of(page: Sheet, at: Spot) -> tuple[str, ...]:
-    """The ends of the edge of the spot, as the file has them."""
+    """The ends of the spot's edge, as the file writes them."""
     ring = page.shape[at.polygon][at.ring]
     ends = (at.edge, (at.edge + 1) % len(ring))
     return place_of(*(ring[-k - 1 if page.backwards else k] for k in ends))
@@ -87,7 +87,7 @@ def crossing_rings(dice: Random) -> Invalid:
     at = spot(dice, shape)
     hole = dice.random() < 0.6
     second = added(dice, shape, at.points(*dice.choice(ACROSS[: 4 if hole else 3])), at, hole)
-    # Where a .poly has several outer rings, a hole across the edge of one lies in none.
+    # If a .poly has several outer rings, a hole across an outer ring's edge lies in none.
     forms = [form for form in FORMS if not (form == "poly" and len(shape) > 1)]
     page = sheet(dice, shape, forms)
     place = named(page, (at.polygon, at.ring), second)
@@ -118,7 +118,7 @@ def hole_outside(dice: Random) -> Invalid:
 
 @FAMILIES.add("a polygon in the material of another")
 def overlapping_polygons(dice: Random) -> Invalid:
-    """A polygon in the material of another, or all of them in one that has no hole for them."""
+    """A polygon inside the material of another, or all polygons inside a new one without holes."""
     shape = region(dice)
     at = spot(dice, shape)
     if dice.random() < 0.3:

@@ -1,4 +1,4 @@
-"""Rings that are none: each by itself, in an operand that is valid without the damage."""
+"""Invalid rings, each in an operand that would be valid without the damage."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FAMILIES = Families()
 
 Damage = tuple[tuple[tuple[int, int], ...], tuple[int, ...]]
 
-# In the coordinates of a spot: what is inserted, and which of it every message names.
+# In a spot's coordinates: the points to insert, and the numbers of points that each message names.
 CROSSING: Damage = ((-1, 0), (1, 1), (-1, 1), (1, 0)), (0, 1, 2, 3)
 TOUCHING: Damage = ((-1, 0), (2, 0), (2, 1), (0, 0), (-1, 1), (-1, 2), (3, 2), (3, 0)), (0, 1, 3)
 MEETING: Damage = ((0, 0), (2, 0), (2, 1), (0, 0), (-1, 1), (-1, 2), (3, 2), (3, 0)), (0,)
@@ -44,7 +44,7 @@ def self_intersection(dice: Random) -> Invalid:
 
 
 def _bow_tie(dice: Random) -> Invalid:
-    """A box with two of its corners exchanged: of no area, or nearly."""
+    """A box with two exchanged corners: its area is zero, or nearly."""
     a, b, c, d = box(0, 0, dice.randint(1, 20), dice.randint(2, 20))
     ring = [a, c, b, (d[0], d[1] - dice.choice((0, 0, 1)))]
     page = sheet(dice, [[ring]], backwards=False)
@@ -69,7 +69,7 @@ def zero_length_edge(dice: Random) -> Invalid:
 
 @FAMILIES.add("a ring whose vertices all lie on one line")
 def zero_area(dice: Random) -> Invalid:
-    """A ring along a line: a hole, a polygon of its own, or all there is."""
+    """A ring along a line: a hole, a polygon, or the whole operand."""
     steps = dice.choice(LINES)
     kind = dice.choice(("hole", "polygon", "all"))
     if kind == "all":
@@ -91,7 +91,7 @@ def zero_area(dice: Random) -> Invalid:
 
 @FAMILIES.add("a ring of fewer than three vertices")
 def too_few_vertices(dice: Random) -> Invalid:
-    """A hole, or all there is where that is no point and no segment."""
+    """A hole, or the whole operand in formats where it would not be a point or segment."""
     shape = region(dice)
     page = sheet(dice, shape)
     p = dice.randrange(len(shape))
@@ -112,7 +112,7 @@ def too_few_vertices(dice: Random) -> Invalid:
 
 @FAMILIES.add("a ring whose last vertex is not its first")
 def ring_not_closed(dice: Random) -> Invalid:
-    """The first vertex is not repeated, or something else is."""
+    """The first vertex is missing at the end, or replaced by another point."""
     shape = region(dice)
     page = sheet(dice, shape, CLOSED)
     p = dice.randrange(len(shape))

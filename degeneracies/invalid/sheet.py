@@ -12,7 +12,7 @@ from minkref.degeneracies.invalid.json_text import MARK
 from minkref.degeneracies.invalid.operands import coordinates, region
 from minkref.fuzz.geometry.plane import Point, Shape, mapped
 
-Corner = list[str]  # the texts of its coordinates
+Corner = list[str]  # the texts of both coordinates
 ENDINGS = {"wkt": ".wkt", "geojson": ".geojson", "poly": ".poly", "json": ".json", "case": ".json"}
 FORMS = tuple(ENDINGS)
 JSON_FORMS = ("json", "case")
@@ -28,7 +28,7 @@ class Tokens(list[Corner]):
 
 
 def decimal(value: Fraction | int) -> str | None:
-    """The finite decimal that the number is, if it is one."""
+    """Returns a number's finite decimal, or None."""
     value = Fraction(value)
     places = 0
     while value.denominator != 1 and places < 400:
@@ -42,7 +42,7 @@ def decimal(value: Fraction | int) -> str | None:
 
 
 def token(dice: Random, form: str, value: Fraction | int) -> str:
-    """One of the texts of a number in a format."""
+    """Draws a number's text in a format."""
     plain = decimal(value)
     kind = dice.random()
     if form == "geojson" and plain is None:
@@ -61,8 +61,8 @@ def token(dice: Random, form: str, value: Fraction | int) -> str:
 
 @dataclass
 class Sheet:
-    """`shape` holds the numbers, `polygons` their texts. `backwards`: the rings run the wrong way,
-    so that indices of two vertices come in another order in messages."""
+    """`shape` holds the numbers, `polygons` their texts. `backwards`: rings run the wrong way, so
+    messages list two vertex numbers in another order."""
 
     form: str
     shape: Shape
@@ -70,14 +70,14 @@ class Sheet:
     operand: str
     tall: bool
     backwards: bool
-    other: Shape | None = None  # of a case
+    other: Shape | None = None  # a case's other operand
 
     def number(self, polygon: int, ring: int) -> int:
-        """The number of a ring in the file."""
+        """The ring's number in the file."""
         return sum(len(rings) for rings in self.polygons[:polygon]) + ring
 
     def mark(self, polygon: int, ring: int, vertex: int) -> None:
-        """The line of this vertex is named."""
+        """Marks this vertex, for messages that name its line."""
         corner = self.polygons[polygon][ring][vertex]
         corner[0] = MARK + corner[0]
 
@@ -88,7 +88,7 @@ class Sheet:
 def sheet(
     dice: Random, shape: Shape, forms: Sequence[str] = FORMS, backwards: bool | None = None
 ) -> Sheet:
-    """The shape in one of the formats, in other coordinates, each ring begun at its first
+    """Writes the shape in a random format, in other coordinates, with rings starting at their first
     vertex."""
     thin = any(len(rings[0]) < 3 for rings in shape)
     form = dice.choice([form for form in forms if not (thin and form == "poly")])
@@ -109,7 +109,7 @@ def sheet(
 
 
 def tokens(dice: Random, form: str, shape: Shape) -> list[list[Tokens]]:
-    """The texts of the numbers of a shape; no vertex is repeated."""
+    """Texts for a shape's numbers, without repeating any vertex."""
     found = [
         [Tokens([token(dice, form, n) for n in p] for p in ring) for ring in rings]
         for rings in shape
@@ -125,7 +125,7 @@ def place_of(*points: Point) -> tuple[str, ...]:
 
 
 def told(number: Fraction | int | str) -> str:
-    """A number as messages write it: a decimal where there is a short one."""
+    """A number as messages write it: a decimal if short."""
     value = Fraction(number)
     plain = decimal(value)
     return plain if plain is not None and len(plain) <= 60 else str(value)

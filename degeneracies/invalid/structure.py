@@ -1,4 +1,4 @@
-"""JSON texts that are well-formed and have the wrong members, or values of the wrong type."""
+"""Well-formed JSON texts with wrong members, or values with the wrong type."""
 
 from __future__ import annotations
 
@@ -59,13 +59,13 @@ def objects(value: object) -> Iterator[Object]:
 
 
 def holders(value: object, names: Sequence[str]) -> list[tuple[Object, str]]:
-    """The objects with a member of one of the names, and the name."""
+    """The objects with a member by one of these names, each with the name."""
     return [(each, name) for each in objects(value) for name, _ in each if name in names]
 
 
 @FAMILIES.add("a JSON object that lacks a member")
 def missing_member(dice: Random) -> Invalid:
-    """Left out, or there with nothing in it."""
+    """Drops a member, or empties it."""
     page, value = drawn(dice)
     where, name = dice.choice(holders(value, NEEDED[page.form]))
     if name in ("id", "scales") and dice.random() < 0.3:
@@ -81,7 +81,7 @@ def missing_member(dice: Random) -> Invalid:
 
 @FAMILIES.add("a JSON object with a member that is not known")
 def unknown_member(dice: Random) -> Invalid:
-    """A known one misspelt, or one more."""
+    """Misspells a known member, or adds an unknown one."""
     page, value = drawn(dice, ("json", "case"))
     if dice.random() < 0.5:
         where, old = dice.choice(holders(value, tuple(MISSPELT)))

@@ -14,9 +14,9 @@ from minkref.degeneracies.invalid.writing import refused, text_of
 
 FAMILIES = Families()
 
-Change = tuple[str, str]  # a pattern, and what its first or another match becomes
+Change = tuple[str, str]  # a pattern, and the replacement for a match
 
-# The mark stands before what is not understood.
+# The mark precedes the text that no reader understands.
 OF_WKT: tuple[Change, ...] = (
     (r"\((?=-?[0-9])", MARK),  # a parenthesis less
     (r",", f",{MARK},"),
@@ -70,7 +70,7 @@ def drawn(dice: Random) -> tuple[Sheet, str]:
 
 @FAMILIES.add("a text that does not keep to its format")
 def syntax(dice: Random) -> Invalid:
-    """One change of one or two letters."""
+    """Changes one or two letters, once."""
     while True:
         page, text = drawn(dice)
         changes = {"wkt": OF_WKT, "json": OF_JSON, "poly": OF_POLY}[kind(page)]
@@ -100,12 +100,12 @@ def _in_wkt(text: str) -> list[int]:
 
 
 def _in_json(text: str) -> list[int]:
-    """Behind any letter after which no number is half written."""
+    """Places behind any letter that leaves no number half written."""
     return [at for at in range(1, len(text)) if text[at - 1] not in "-+.eE\n "]
 
 
 def _in_poly(text: str) -> list[int]:
-    """Behind a line of a vertex or of a number of vertices."""
+    """Ends of lines that hold a vertex or a vertex count."""
     lines = text.split("\n")
     ends, at = [], 0
     due = 0
@@ -127,6 +127,6 @@ def trailing_text(dice: Random) -> Invalid:
     more = dice.choice(AFTER[kind(page)])
     if page.form == "poly":
         if not re.search(r"\n1 2 3[0-9 ]*\n$", text) and not more.endswith("in"):
-            more = AFTER["poly"][0]  # what else follows a ring would be its indices
+            more = AFTER["poly"][0]  # any other text after a ring would be its indices
         return refused(dice, page, "trailing-text", text=f"{text}{MARK}{more}\n")
     return refused(dice, page, "trailing-text", text=text + dice.choice(("", "\n\n")) + MARK + more)

@@ -1,4 +1,4 @@
-"""The text of a sheet in its format, and the member that it makes."""
+"""A sheet's text in its format, and the resulting member."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from minkref.degeneracies.invalid.sheet import Sheet, Tokens, tokens
 
 
 def text_of(dice: Random, page: Sheet) -> str:
-    """The text of the file, with its mark."""
+    """The file's text, with the mark."""
     if page.form == "wkt":
         return wkt(dice, page)
     if page.form == "poly":
@@ -23,7 +23,7 @@ def text_of(dice: Random, page: Sheet) -> str:
 def refused(
     dice: Random, page: Sheet, code: str, *place: str, text: str | None = None, slow: bool = True
 ) -> Invalid:
-    """The member: its place, and the line of the mark if there is one."""
+    """Makes the member: the place, and the mark's line if the text has a mark."""
     text = text_of(dice, page) if text is None else text
     if MARK in text:
         place = (*place, f"line {text[: text.index(MARK)].count(chr(10)) + 1}")

@@ -20,7 +20,8 @@ def _lowest(ring: Ring) -> Point:
 
 
 def _resting(dice: Random) -> tuple[Ring, Spot, Fraction]:
-    """A part around its origin, the place at which its lowest vertex is at (0, 0), at a scale."""
+    """A part around its origin, the place at which the lowest vertex reaches (0, 0), and the
+    scale."""
     ring = some_part(dice)
     (shape,) = moved([[ring]], -1, -Fraction(1, 2))
     s = dice.choice(SCALES)
@@ -65,8 +66,8 @@ def _vertex_touches(dice: Random) -> PathDraft:
 
 
 def _isolated_scale(dice: Random) -> PathDraft:
-    """A part above or below its origin, and a corridor as high as it is at one scale: larger or
-    smaller, it meets the one wall or the other."""
+    """A part above or below its origin, and a corridor exactly as high as the part at one scale: a
+    larger or smaller part meets one wall or the other."""
     (shape,) = moved([[some_part(dice)]], -1, dice.choice((Fraction(1, 2), 2, -8, -9)))
     low, high = heights(shape[0])
     s = dice.choice(SCALES)
@@ -80,7 +81,7 @@ def _isolated_scale(dice: Random) -> PathDraft:
 
 
 def _beside_its_origin(dice: Random) -> PathDraft:
-    """Walls one behind the other, through which a part far from its origin passes as it grows."""
+    """Walls in a row, through which a part far from its origin passes while growing."""
     (shape,) = moved([[some_part(dice)]], dice.randint(6, 9), -1)
     xs = [x for x, _ in shape[0]]
     ratio = Fraction(max(xs), min(xs))

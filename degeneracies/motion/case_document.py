@@ -26,7 +26,7 @@ class DegeneratePath(CaseTexts):
 
     @classmethod
     def of(cls, family: PathFamily, seed: int, index: int) -> DegeneratePath:
-        """The member of this number."""
+        """Makes member number `index`."""
         source = source_of(family.name, seed, index, None)
         return cls(family, source, family, drawn_path(family, seed, index))
 
@@ -58,7 +58,7 @@ class DegeneratePath(CaseTexts):
 
     @property
     def certificate(self) -> PathCertificate:
-        """The proof of the answers, at all scales up to a last one where the family has one."""
+        """Proves the answers, at all scales, or up to the family's last scale."""
         made = PathCertificate(self.facts.part, self.facts.obstacles, self.facts.path)
         until = self.family.until
         last = None if until is None else until * self.facts.scale

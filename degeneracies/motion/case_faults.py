@@ -1,7 +1,7 @@
-"""Checks the cases of paths and traps: schema, canonical form, ids, no case twice, a certificate of
-each expected answer, and each case is what its source makes. `python -m
-minkref.degeneracies.motion.case_faults [FOLDER]`: a line for each fault, exit code 1 if there is
-one."""
+"""Checks the cases of paths and traps: schema, canonical form, ids, no case twice, a certificate
+for each expected answer; and compares each case with its source's result. `python -m
+minkref.degeneracies.motion.case_faults [FOLDER]`: a line for each fault, exit code 1 on any
+fault."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def case_paths(folder: Path) -> list[Path]:
 
 
 def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
-    """A line for each fault. `again`: each case is made again by its source, and compared."""
+    """Yields a line for each fault. `again`: makes each case again from its source, to compare."""
     validator = case_validator()
     seen: dict[str, Path] = {}
     for path in case_paths(folder):
@@ -94,7 +94,7 @@ def _of_content(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Ite
 
 
 def _differences(path: Path, value: dict[str, Any]) -> Iterator[str]:
-    """Between a case and its certificate, and what its source makes."""
+    """Yields differences between a case with its certificate and its source's result."""
     words = str(value["source"]).removeprefix(GENERATE).split()
     try:
         family = PATH_FAMILIES[words[0]]

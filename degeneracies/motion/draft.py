@@ -1,4 +1,4 @@
-"""Drafts that a generator of paths and traps draws, and the facts about them."""
+"""Drafts from a generator of paths and traps, and facts about them."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ CONTACTS = ("allowed", "forbidden")
 
 @dataclass(frozen=True)
 class PathDraft:
-    """A part, obstacles, a path of the part's origin, and the scale at which they are degenerate. A
-    trap is about a path of one place."""
+    """A part, obstacles, a path for the part's origin, and the degenerate scale. A trap has a path
+    with one place."""
 
     part: Shape
     obstacles: Shape
@@ -41,7 +41,7 @@ class PathFacts:
 
     @classmethod
     def of(cls, draft: PathDraft) -> PathFacts:
-        """Raises _core.BadInput where a set is none."""
+        """Raises _core.BadInput if a set is invalid."""
         sets = []
         for name, shape in (("R", draft.part), ("O", draft.obstacles)):
             made = _core.PolygonSet.from_json(shape_text(shape))
@@ -64,13 +64,13 @@ class PathFacts:
 
     @cached_property
     def bound(self) -> PathBound | None:
-        """The contact at the scale, if a range of scales of parts that may touch ends there."""
+        """The contact at the scale, if a range of valid scales with allowed contact ends there."""
         bounds = self.valid("allowed").bounds
         return next((one for one in bounds if one.scale == self.scale), None)
 
     @property
     def is_tight(self) -> bool:
-        """The scale is valid for a part that may touch, and not for one that may not."""
+        """Whether the scale is valid with contact allowed, but not with contact forbidden."""
         return self.scale in self.valid("allowed") and self.scale not in self.valid("forbidden")
 
     def answer(self, is_trap: bool, contact: str) -> tuple[ScaleRange, ...]:
@@ -79,9 +79,9 @@ class PathFacts:
 
 @dataclass(frozen=True)
 class PathFamily(Subject):
-    """`draw` draws a candidate; it belongs to the family if `belongs` says so of its facts. The
-    answer for a member: the scales at which the part passes, or is trapped (`is_trap`). `until`: up
-    to how many times the degenerate scale the answer is certified; None: at all scales."""
+    """`draw` draws a candidate; `belongs` decides from the facts whether the candidate belongs to
+    the family. A member's answer: the scales at which the part passes, or is trapped (`is_trap`).
+    `until`: the answer is certified up to so many times the degenerate scale; None: everywhere."""
 
     draw: Callable[[Random], PathDraft]
     belongs: Callable[[PathFacts], bool]

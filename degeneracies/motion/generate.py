@@ -1,4 +1,4 @@
-"""Members of families of paths and traps: drawn until one belongs."""
+"""Members of families of paths and traps, by drawing until a candidate belongs."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from minkref.degeneracies.plane.generate import PATIENCE, nothing_drawn
 
 
 def drawn_path(family: PathFamily, seed: int, index: int) -> PathFacts:
-    """The member of this number. It depends on nothing else, on any machine."""
+    """Draws member number `index`. The arguments alone decide the result, on any machine."""
     dice = Random(f"minkref degeneracy {family.name} {seed} {index}")
     for _ in range(PATIENCE):
         try:

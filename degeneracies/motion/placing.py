@@ -1,4 +1,4 @@
-"""Parts that paths and traps are drawn with, and changes that keep what happens at a scale."""
+"""Parts for paths and traps, and changes that keep events at a scale."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def heights(ring: Ring) -> Spot:
 
 
 def placed(dice: Random, draft: PathDraft, far: int = 9) -> PathDraft:
-    """All by one linear map; the obstacles and the path moved; the part grown, at a scale that is
-    smaller by as much."""
+    """Applies one linear map to everything; moves the obstacles and the path; enlarges the part,
+    and reduces the scale by the same factor."""
     a, b, c, d = dice.choice(MAPS)
     factor = dice.choice(FACTORS)
     dx, dy = (dice.randint(-far, far) for _ in range(2))

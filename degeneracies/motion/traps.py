@@ -30,7 +30,7 @@ def _centred(ring: Ring) -> Ring:
 
 
 def _closes(dice: Random) -> PathDraft:
-    """A part in a room: it gets out by the door as long as it is lower than that."""
+    """A part in a room: it leaves by the door while lower than the door."""
     part = _centred(some_part(dice))
     low, high = heights(part)
     width, door = Fraction(dice.randint(1, 2)), Fraction(dice.randint(-5, 3))
@@ -39,12 +39,12 @@ def _closes(dice: Random) -> PathDraft:
 
 
 def _opens(dice: Random) -> PathDraft:
-    """A part that is a room with a door, around a post: it is held until the door is as wide as the
-    post."""
+    """A part shaped as a room with a door, around a post that holds the part until the door is as
+    wide as the post."""
     post = _centred(some_part(dice))
     low, high = heights(post)
     width = Fraction(dice.randint(1, 2))
-    door = -width * Fraction(dice.randint(1, 7), 8)  # right of the origin: it does not run away
+    door = -width * Fraction(dice.randint(1, 7), 8)  # right of the origin: it stays there
     room, place = _room(dice, door, door + width)
     return placed(dice, PathDraft([[room]], [[post]], (place,), (high - low) / width))
 

@@ -1,1 +1,1 @@
-"""The families of the plane: what is degenerate about P, Q and a scale, one module a subject."""
+"""The families of the plane: degenerate operands P, Q and scale, one module a subject."""

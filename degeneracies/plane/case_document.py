@@ -19,7 +19,7 @@ from minkref.exact import digest
 from minkref.fuzz.geometry.plane import written_rings
 from minkref.plane.rings import from_least
 
-FINE = 60  # bits: a sibling is this near, where neighbouring doubles are 52 or 53 bits apart
+FINE = 60  # bits: a sibling lies this near; neighbouring doubles lie 52 or 53 bits apart
 
 VARIES = {
     "closed": "The sum is closed. An implementation that computes the closure of its interior has "
@@ -40,14 +40,14 @@ class Degenerate(CaseTexts):
 
     @classmethod
     def of(cls, family: Family, seed: int, index: int, size: int | None = None) -> Degenerate:
-        """The member of this number; of about so many vertices, where a size is given."""
+        """Makes member number `index`, with about `size` vertices if given."""
         source = source_of(family.name, seed, index, size)
         return cls(family, source, member(family, seed, index, size))
 
     @cached_property
     def scales(self) -> list[Fraction]:
-        """The scale, and its siblings on both sides: the nearest powers of two apart from other
-        critical scales, and still nearer ones."""
+        """The scale, and siblings on both sides: the nearest powers of two apart from other
+        critical scales, and still nearer siblings."""
         s, gap = self.facts.scale, self.facts.gap
         size = s.denominator.bit_length() - s.numerator.bit_length()  # s is about 2^-size
         steps = sorted({gap, max(gap, FINE + size)})
@@ -95,9 +95,9 @@ class Degenerate(CaseTexts):
 
     @cached_property
     def certificate(self) -> Certificate:
-        """The event of the boundary at the scale, or the sum there, with its tight passages; what
-        meets there; the point that the convolution winds around zero times is in the sum; what is
-        expected at the siblings."""
+        """Certifies the boundary's event at the scale, or the sum there, with its tight passages;
+        the coincidences there; that the sum holds the point which the convolution winds around zero
+        times; the expected results at the siblings."""
         facts = self.facts
         made = Certificate(facts.P, facts.Q)
         if facts.boundary:
@@ -141,8 +141,8 @@ class Degenerate(CaseTexts):
 
 
 def content_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
-    """Both operands, the same text for the same rings: whatever vertex they start at, in whatever
-    order they, or the polygons, are."""
+    """Both operands as text, the same whatever the order of polygons and rings, and whatever vertex
+    a ring starts at."""
     return json.dumps([set_content(P), set_content(Q)])
 
 

@@ -1,4 +1,4 @@
-"""Checks each case of a corpus: its id and its place, and its certificate beside it."""
+"""Checks each case in a corpus: id, place, and the certificate beside it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from minkref.degeneracies.plane.case_texts import id_of
 def of_place(
     path: Path, value: dict[str, Any], content: str, scales: list[str], seen: dict[str, Path]
 ) -> Iterator[str]:
-    """`content`: the same for the same operands; `seen`: those that came before."""
+    """`content`: equal for equal operands; `seen`: content of earlier cases."""
     family = value["tags"][0]
     if value["id"] != id_of(family, content, scales) or path.stem != value["id"]:
         yield f"{path}: the id is not that of the content"
@@ -27,8 +27,8 @@ def of_place(
 def of_certificate(
     path: Path, value: dict[str, Any], content: str, names: Mapping[str, str]
 ) -> Iterator[str]:
-    """The certificate is of this case, whose digest is `content`, and claims all that is expected.
-    `names`: how members of what is expected are called in a claim."""
+    """Checks that the certificate names this case, whose digest is `content`, and claims every
+    expected result. `names`: members of an expected result, with their names in a claim."""
     file = path.with_name(value["certificate"])
     if not file.exists():
         yield f"{path}: the certificate {file.name} is missing"
@@ -48,7 +48,7 @@ def of_certificate(
 
 
 def of_scales(path: Path, value: dict[str, Any]) -> Iterator[str]:
-    """Something is expected at each of the scales, and at no other."""
+    """Checks that each scale, and no other, has an expected result."""
     told = [_text(expected["scale"]) for expected in value["expected"]]
     if set(told) != set(map(_text, value["scales"])):
         yield f"{path}: not each scale has its expected result"

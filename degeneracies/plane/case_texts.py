@@ -1,4 +1,4 @@
-"""The texts that a member of a family becomes: its case file and its certificate."""
+"""A member's texts: its case file and its certificate."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from minkref.degeneracies.plane.draft import Subject
 from minkref.exact import digest
 
 LICENCE = "Apache-2.0"
-IN_FULL = 60  # results of up to this many vertices are given in full
+IN_FULL = 60  # results with up to so many vertices are written in full
 
 
 class Provable(Protocol):
@@ -24,7 +24,7 @@ class Provable(Protocol):
 
 @dataclass(frozen=True)
 class CaseTexts(ABC):
-    """The texts of a case, in the plane or in space; they depend on its content alone."""
+    """A case's texts, in the plane or in space; they depend on its content alone."""
 
     subject: Subject
     source: str
@@ -48,7 +48,7 @@ class CaseTexts(ABC):
 
     @cached_property
     def certificate_text(self) -> str | None:
-        """None where there is no certificate."""
+        """The certificate's text, or None."""
         made = self.certificate
         return None if made is None else made.text(f"{self.id}.json", self.id, "minkref")
 
@@ -68,8 +68,7 @@ class CaseTexts(ABC):
 
 
 def source_of(family: str, seed: int, index: int, size: int | None) -> str:
-    """The command that makes the member of this number; of about so many vertices, where a size is
-    given."""
+    """The command that makes member number `index`, with about `size` vertices if given."""
     source = f"minkref generate {family} --seed {seed} --index {index}"
     return source if size is None else f"{source} --size {size}"
 

@@ -1,4 +1,4 @@
-"""Parts of the sum that touch themselves or one another, and operands that fit one another."""
+"""Sums with parts that touch themselves or one another, and operands that fit one another."""
 
 from __future__ import annotations
 
@@ -141,7 +141,7 @@ def _touching(dice: Random, size: int) -> Draft:
 
 
 def _is_touching(facts: Facts) -> bool:
-    """A vertex of one ring of P is a vertex of another, or of the same again."""
+    """Whether two vertices of P coincide, on different rings or on the same ring."""
     return len(set(facts.vertices.P)) < len(facts.vertices.P)
 
 

@@ -31,8 +31,8 @@ class ConvolutionAt:
         return [self.ends(edge) for edge in _core.reduced_convolution(self.P, self.Q)]
 
     def full(self) -> list[Segment]:
-        """The segments of the full convolution as its cycles pass them: backwards where the sign is
-        negative."""
+        """The full convolution's segments in the direction of its cycles: backwards where the sign
+        is negative."""
         edges = _core.full_convolution(self.P, self.Q)
         return [self.ends(e) if e[1] > 0 else self.ends(e)[::-1] for e in edges]
 
@@ -67,9 +67,10 @@ class ConvolutionAt:
         return False
 
     def wound_zero_times(self) -> Place | None:
-        """A point inside the sum around which the full convolution winds zero times. There is none
-        unless a hole of an operand has room in the other one: elsewhere the number, which is that
-        of components less that of holes of the intersection of sP and x - Q, is positive."""
+        """Finds a point inside the sum around which the full convolution winds zero times. None
+        exists unless a hole of one operand has room for the other operand: elsewhere the winding
+        number, which equals components minus holes of the intersection of sP and x - Q, is
+        positive."""
         windows = list(self._windows())
         if not windows:
             return None
@@ -86,7 +87,8 @@ class ConvolutionAt:
         return str(answer["contact"])
 
     def _windows(self) -> Iterator[Window]:
-        """Where x may be such that the box of a hole is inside the box of the other operand."""
+        """Yields ranges for x in which the box of one operand's hole lies inside the other's
+        box."""
         P = _boxes(self.P, self.scale)
         Q = _boxes(self.Q, Fraction(1))
         for (_, holes), (outers, _) in ((P, Q), (Q, P)):
@@ -98,7 +100,7 @@ class ConvolutionAt:
 
 
 def _boxes(operand: _core.PolygonSet, factor: Fraction) -> tuple[list[Window], list[Window]]:
-    """The boxes of outer rings and of holes."""
+    """Returns the boxes of outer rings, and of holes."""
 
     def box(ring: list[list[str]]) -> Window:
         xs, ys = ([factor * Fraction(p[i]) for p in ring] for i in (0, 1))
@@ -109,7 +111,7 @@ def _boxes(operand: _core.PolygonSet, factor: Fraction) -> tuple[list[Window], l
 
 
 def _on_line(a: Place, b: Place) -> tuple[Any, Fraction, Fraction]:
-    """The line, the same for all segments on it, and where on it they are."""
+    """Returns the line, equal for all its segments, and the segment's bounds on the line."""
     dx, dy = b[0] - a[0], b[1] - a[1]
     if dx == 0:
         return (None, a[0]), min(a[1], b[1]), max(a[1], b[1])
@@ -118,7 +120,7 @@ def _on_line(a: Place, b: Place) -> tuple[Any, Fraction, Fraction]:
 
 
 def _abscissas(segments: list[Segment]) -> list[Fraction]:
-    """The abscissas of ends and of crossings, sorted."""
+    """Returns the abscissas of ends and crossings, sorted."""
     found = {p[0] for segment in segments for p in segment}
     spans = [
         (min(a[0], b[0]), max(a[0], b[0]), min(a[1], b[1]), max(a[1], b[1])) for a, b in segments
@@ -144,7 +146,8 @@ def _between(abscissas: list[Fraction], windows: list[Window]) -> Iterator[Fract
 
 
 def _wound_zero_times(segments: list[Segment], x: Fraction) -> Iterator[Fraction]:
-    """Ordinates at x, one between each two neighbouring crossings, where the number is zero."""
+    """Yields ordinates at x with winding number zero, one for each gap between neighbouring
+    crossings."""
     crossed: list[tuple[Fraction, int]] = []
     for a, b in segments:
         if min(a[0], b[0]) < x < max(a[0], b[0]):

@@ -1,4 +1,4 @@
-"""Operands whose convolution is hard: collinear vertices, antennas, winding numbers, size."""
+"""Operands with a hard convolution: collinear vertices, antennas, winding numbers, size."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from minkref.fuzz.plane.families.drawing import convex
 from minkref.fuzz.plane.families.hard_numbers import polygon
 from minkref.fuzz.plane.families.random_pairs import random_pair
 
-MOST_TEETH = 12  # of both operands
+MOST_TEETH = 12  # both operands' teeth together
 
 
 def _cut(dice: Random, ring: Ring) -> tuple[Ring, list[int]]:
-    """With a vertex inside some edges; the numbers of these vertices."""
+    """Adds a vertex inside some edges; returns the numbers of the new vertices, too."""
     made: Ring = []
     added = []
     for k, (x, y) in enumerate(ring):
@@ -46,7 +46,7 @@ def _is_collinear(facts: Facts) -> bool:
 
 
 def _antenna(dice: Random, size: int) -> Draft:
-    """Polygons on small grids, where edges of one direction abound."""
+    """Polygons on small grids, where many edges share a direction."""
     pair = random_pair(dice.randrange(10**9), dice.randrange(240))
     P, Q = (read_shape(text) for text in (pair.P, pair.Q))
     return changed(dice, Draft(P, Q, Fraction(1)))
@@ -75,8 +75,8 @@ def _is_euler(facts: Facts) -> bool:
 
 
 def _counts(dice: Random, both: int, least: int) -> tuple[int, int]:
-    """Two numbers of at least `least`, neither much larger, that are `both` together if they can,
-    but no more than MOST_TEETH: the sum has thousands of vertices then."""
+    """Two numbers, each at least `least` and neither much larger than the other, with sum `both` if
+    possible, but at most MOST_TEETH: then the sum has thousands of vertices."""
     both = max(2 * least, min(both, MOST_TEETH))
     least = max(least, both // 3)
     m = dice.randint(least, both - least)
@@ -94,16 +94,16 @@ def _flipped(shape: Shape) -> Shape:
 
 
 def crossing_combs(m: int, n: int, thick: Fraction, room: int) -> tuple[Shape, Shape]:
-    """P: a comb of m level teeth, and far off m squares side by side. Q: n squares, one above the
-    other, and far off a comb of n upright teeth. The teeth of each with the squares of the other
-    give m n strips that lie level and m n that are upright, in one place. There the backs of the
-    combs are part of the first strips, and every two neighbours of the one kind close a hole with
-    two of the other: (m n - 1)^2 holes."""
+    """P: a comb with m level teeth, and far away m squares side by side. Q: n squares, one above
+    the other, and far away a comb with n upright teeth. Each comb's teeth, summed with the other
+    operand's squares, give m n level strips and m n upright strips, in one place. There the combs'
+    backs belong to the first strips, and every two neighbouring level strips close a hole with two
+    neighbouring upright strips: (m n - 1)^2 holes."""
     length = 2 * m * n + 1 + room
     far = 3 * length
 
     def teeth(count: int, step: int) -> Ring:
-        """Upright ones on a back."""
+        """Upright teeth on a back."""
         ring: Ring = [(0, -1), ((count - 1) * step + thick, -1)]
         for k in reversed(range(count)):
             ring += [(k * step + thick, length), (k * step, length)]
@@ -124,14 +124,13 @@ def _combs(dice: Random, size: int) -> Draft:
 def crossing_spirals(
     m: int, n: int, steps: tuple[int, int], wall: Fraction, side: Fraction, room: int
 ) -> tuple[Shape, Shape]:
-    """P: a spiral of m level legs that are long and m - 1 upright ones that are short, and far off
-    m - 1 squares side by side. Q: n - 1 squares, one above the other, and far off a spiral of n
-    upright legs and n - 1 level ones. The spirals of each with the squares of the other give
-    n - 1 spirals one above the other and m - 1 side by side, and every long leg of the ones
-    crosses every long leg of the others. A region of this kind, of k simple ways that cross one
-    another c times and hang together, has c - k + 1 holes, by Euler's formula:
-    m n (m - 1) (n - 1) - m - n + 3."""
-    p, q = steps  # from leg to leg, of P and of Q
+    """P: a spiral with m long level legs and m - 1 short upright legs, and far away m - 1 squares
+    side by side. Q: n - 1 squares, one above the other, and far away a spiral with n upright legs
+    and n - 1 level legs. Each spiral, summed with the other operand's squares, gives n - 1 spirals
+    one above the other and m - 1 side by side, and every long leg of the first kind crosses every
+    long leg of the second kind. By Euler's formula, a connected region of k simple ways with c
+    crossings has c - k + 1 holes: m n (m - 1) (n - 1) - m - n + 3."""
+    p, q = steps  # steps from leg to leg, in P and in Q
     length = max(p, q) * (m * n + max(m, n)) + room
     far = 3 * length
 

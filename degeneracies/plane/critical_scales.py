@@ -1,4 +1,5 @@
-"""Critical scales that lie close together, near zero or far out, or are numbers of some kind."""
+"""Critical scales that lie close together, near zero or far out, or belong to a special kind of
+number."""
 
 from __future__ import annotations
 
@@ -26,8 +27,8 @@ def _rooms(widths: list[Fraction], heights: list[Fraction]) -> list[Ring]:
 
 
 def _rooms_for(dice: Random, widths: list[Fraction], scale: Fraction) -> Draft:
-    """A box of width 1 in rooms that are higher than they are wide: the one of width w closes to a
-    segment at the scale w."""
+    """A box with width 1 in rooms higher than wide: the room with width w closes to a segment at
+    the scale w."""
     heights = [width * number(dice, 3, 5) for width in widths]
     P = box(0, 0, 1, number(dice, 1, 4, (4, 5)))
     margin = dice.randint(1, 3)
@@ -99,8 +100,8 @@ def _is_large(facts: Facts) -> bool:
 
 
 def _accumulates(facts: Facts, low: Fraction, high: Fraction) -> bool:
-    """The scale is one of at least three in this interval at which a hole of the sum dies, each at
-    least APART times the one before."""
+    """Whether the scale belongs to a chain of at least three scales in this interval at which a
+    hole of the sum dies, each at least APART times the scale before."""
     events = _core.DynamicSum(facts.P, facts.Q, str(low), str(high)).topology_events()
     deaths = {
         Fraction(scale)

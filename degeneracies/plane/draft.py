@@ -1,4 +1,4 @@
-"""Drafts that a generator draws, and the facts about them."""
+"""Drafts from a generator, and facts about them."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ class NothingDrawn(Exception):
 
 @dataclass(frozen=True)
 class Draft:
-    """Two operands and the scale at which they are degenerate. `zeros`: predicates that are zero
-    there, or at all scales, beyond those of the events. Vertices are numbered in the order of the
-    shapes; shapes are drawn counter-clockwise, holes clockwise."""
+    """Two operands and the degenerate scale. `zeros`: predicates that vanish there, or at all
+    scales, in addition to the events' predicates. Vertices are numbered in the order of the shapes;
+    shapes are drawn counter-clockwise, holes clockwise."""
 
     P: Shape
     Q: Shape
@@ -50,7 +50,7 @@ class Facts:
 
     @classmethod
     def of(cls, draft: Draft) -> Facts:
-        """Raises _core.BadInput where an operand is none."""
+        """Raises _core.BadInput if an operand is invalid."""
         operands = []
         for name, shape in (("P", draft.P), ("Q", draft.Q)):
             operand = _core.PolygonSet.from_json(shape_text(shape))
@@ -60,7 +60,7 @@ class Facts:
 
     @classmethod
     def of_valid(cls, draft: Draft) -> Facts | None:
-        """None where an operand is none."""
+        """Returns None if an operand is invalid."""
         try:
             return cls.of(draft)
         except _core.BadInput:
@@ -76,7 +76,7 @@ class Facts:
 
     @cached_property
     def coordinates(self) -> list[Fraction]:
-        """The coordinates of all vertices of both operands."""
+        """All vertex coordinates of both operands."""
         return [c for place in (*self.vertices.P, *self.vertices.Q) for c in place]
 
     @cached_property
@@ -107,8 +107,8 @@ class Facts:
 
     @cached_property
     def gap(self) -> int:
-        """The least k > 0 such that no other scale within 2^-k is critical: by bisection, for what
-        is alone within a distance is alone within a smaller one."""
+        """The least k > 0 such that no other scale within 2^-k is critical. Bisection works, since
+        a scale alone within a distance is alone within a smaller distance."""
         low, high = 0, 1
         while not self._is_free(high):
             if high >= LARGEST_GAP:
@@ -162,7 +162,7 @@ class Facts:
 
     @property
     def has_zeros(self) -> bool:
-        """Whether all predicates of the draft are zero."""
+        """Whether all predicates in the draft vanish."""
         return all(self.vertices.value(zero, self.scale) == 0 for zero in self.zeros)
 
 
@@ -182,8 +182,8 @@ class Subject:
 
 @dataclass(frozen=True)
 class Family(Subject):
-    """`draw` draws a candidate of about `size` vertices; it belongs to the family if `belongs`
-    says so of its facts."""
+    """`draw` draws a candidate with about `size` vertices; `belongs` decides from the facts whether
+    the candidate belongs to the family."""
 
     draw: Callable[[Random, int], Draft]
     belongs: Callable[[Facts], bool]

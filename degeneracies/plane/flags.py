@@ -1,5 +1,5 @@
-"""Flags of cases in the plane: each flag holds of the facts of a case, or does not. flags.json says
-what each flag means, what it breaks, and who is known to be broken by it."""
+"""Flags for cases in the plane: a case's facts decide each flag. flags.json says the meaning of
+each flag, the methods that it breaks, and known victims."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from minkref.degeneracies.plane.draft import Facts
 from minkref.fuzz.geometry.plane import in_box, turn
 
 CLOSE = 60  # another critical scale is within 2^-60
-FAR = 10**6  # of the extent of the operands
+FAR = 10**6  # times the operands' extent
 APART = 10**6  # the least and the greatest number of a case
 MANY = 2  # times the vertices of both operands
 LIMITS = {n for bits in (31, 32, 53, 62, 63, 64) for n in (2**bits - 1, 2**bits)}
@@ -26,14 +26,14 @@ ORIGIN = '{"polygons":[{"outer":[["0","0"]]}]}'
 
 
 def explained() -> dict[str, dict[str, Any]]:
-    """In the plane and in space."""
+    """Explanations of all flags, in the plane and in space."""
     text = Path(__file__).with_name("flags.json").read_text(encoding="utf-8")
     value: dict[str, dict[str, Any]] = json.loads(text)
     return value
 
 
 def flags_of(facts: Facts) -> list[str]:
-    """All that hold, in the order of the alphabet. Exact."""
+    """All flags that hold, in alphabetical order. Exact."""
     return sorted(name for name, holds in FLAGS.items() if holds(facts))
 
 
@@ -62,7 +62,7 @@ def _collinear(facts: Facts) -> bool:
 
 
 def three_lines_meet(facts: Facts, row: dict[str, Any]) -> bool:
-    """Whether the edges of a triple event lie on lines of which no two are parallel."""
+    """Whether no two lines through the edges of a triple event are parallel."""
     spans = [facts.convolution.ends(edge) for edge in row["edges"]]
     directions = [(b[0] - a[0], b[1] - a[1]) for a, b in spans]
     return all(u[0] * v[1] != u[1] * v[0] for u, v in combinations(directions, 2))
@@ -79,7 +79,7 @@ def _parallel(facts: Facts) -> bool:
 
 
 def _directions(facts: Facts, side: int) -> set[Fraction | None]:
-    """Slopes of the edges of an operand, None of upright ones."""
+    """Slopes of an operand's edges, None for upright edges."""
     vertices, operand = ((facts.vertices.P, facts.P), (facts.vertices.Q, facts.Q))[side]
     found: set[Fraction | None] = set()
     for ring in ring_numbers(operand):
@@ -101,7 +101,7 @@ def far_apart(numbers: Iterable[Fraction]) -> bool:
 
 
 def far_out(vertices: Iterable[tuple[Fraction, ...]]) -> bool:
-    """Further from the origin than it is large, by a factor."""
+    """Whether the vertices lie farther from the origin than their extent, by a factor."""
     columns = list(zip(*vertices, strict=True))
     extent = max(max(c) - min(c) for c in columns)
     away = max(min(map(abs, c)) for c in columns)
@@ -114,7 +114,7 @@ def _origin_outside(facts: Facts) -> bool:
 
 
 def _touching(facts: Facts) -> bool:
-    """A vertex of an operand is on another part of its boundary."""
+    """Whether a vertex lies on another part of its operand's boundary."""
     for vertices, operand in ((facts.vertices.P, facts.P), (facts.vertices.Q, facts.Q)):
         if len(set(vertices)) < len(vertices):
             return True

@@ -1,4 +1,4 @@
-"""Members of families: drawn until one belongs."""
+"""Members of families, by drawing until a candidate belongs."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ FEWEST, MOST = 8, 24  # vertices of a pair, about
 
 
 def member(family: Family, seed: int, index: int, size: int | None = None) -> Facts:
-    """The member of this number, of about `size` vertices where the family can be large. It depends
-    on nothing else, on any machine. Refuses a size that no draw has come to."""
+    """Draws member number `index`, with about `size` vertices if the family can be large. The
+    arguments alone decide the result, on any machine. Refuses a size that no draw reaches."""
     dice = Random(f"minkref degeneracy {family.name} {seed} {index}")
     for _ in range(PATIENCE):
         wanted = dice.randint(FEWEST, MOST) if size is None else size
@@ -27,7 +27,7 @@ def member(family: Family, seed: int, index: int, size: int | None = None) -> Fa
 
 
 def nothing_drawn(family: str, seed: int, index: int, size: int | None) -> Exception:
-    """A refusal of the size; without one it is a fault of ours."""
+    """Refuses the size; without a size, the fault is ours."""
     if size is None:
         return RuntimeError(f"{family}:{seed}:{index}: nothing drawn belongs to the family")
     return Refusal(

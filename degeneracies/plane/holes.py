@@ -1,4 +1,4 @@
-"""Holes of the sum that close, open, merge, or never were."""
+"""Holes of the sum that close, open, merge, or never exist."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _changes(facts: Facts, change: str) -> list[dict[str, object]]:
 
 def _dies_by(kind: str) -> Callable[[Facts], bool]:
     def belongs(facts: Facts) -> bool:
-        """A hole dies at a point at which only events of this kind are."""
+        """Whether a hole dies at a point with events of this kind only."""
         kinds: dict[object, set[str]] = {}
         for row in facts.arrangement:
             kinds.setdefault(row["at"], set()).add(row["kind"])
@@ -61,7 +61,7 @@ def _triple(dice: Random, size: int) -> Draft:
 
 
 def _segment(dice: Random, size: int) -> Draft:
-    """A box in a longer hole of the same width."""
+    """A box in a longer hole with the same width."""
     width, height = number(dice, 1, 6), number(dice, 1, 6)
     longer = number(dice, 1, 9)
     hole = box(0, 0, width, height + longer)
@@ -69,14 +69,14 @@ def _segment(dice: Random, size: int) -> Draft:
 
 
 def _polyline(dice: Random, size: int) -> Draft:
-    """A square in a winding corridor of its width."""
+    """A square in a winding corridor as wide as the square."""
     width = Fraction(dice.randint(1, 6), dice.choice((1, 2, 3)))
     hole = corridor([(4 * x, 4 * y) for x, y in dice.choice(CORRIDORS)], width)
     return changed(dice, Draft([[box(0, 0, width, width)]], [framed([hole])], Fraction(1)))
 
 
 def _born(dice: Random, size: int) -> Draft:
-    """A frame that grows, and what just fits its hole."""
+    """A growing frame, and a body that just fits the frame's hole."""
     return mined(dice, lambda dice: _framed_pair(dice)[::-1], _is_born)
 
 
@@ -103,7 +103,7 @@ def _is_merge(facts: Facts) -> bool:
 
 
 def _small(dice: Random, size: int) -> Draft:
-    """Holes of the form of P, of which most are too small, one fits, one is larger."""
+    """Holes shaped like P: most too small, one fitting, one larger."""
     P = convex(dice, dice.randint(3, 5), 5)
     factors = [Fraction(1), Fraction(dice.randint(5, 9), 4)]
     factors += [Fraction(1, dice.randint(2, 6)) for _ in range(dice.randint(2, 4))]
@@ -118,7 +118,7 @@ def _small(dice: Random, size: int) -> Draft:
 
 
 def _is_small(facts: Facts) -> bool:
-    """At least two holes of Q are none of the sum, and one is."""
+    """Whether at least two holes of Q leave no hole in the sum, and one does."""
     below, _, above = facts.counts
     return facts.Q.ring_count - 1 - below[1] >= 2 and above[1] >= 1 and bool(facts.topology)
 

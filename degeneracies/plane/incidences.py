@@ -1,4 +1,4 @@
-"""Vertices and edges of the convolution that meet where they need not."""
+"""Vertices and edges of the convolution that meet without need."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ def _is_several(facts: Facts) -> bool:
 
 
 def _is_concurrent(facts: Facts) -> bool:
-    """Three edges, no two of them parallel, pass through a place that is an end of none, and at
-    which no two edges start or stop meeting."""
+    """Whether three edges, no two parallel, pass through a place that is no end of theirs, and
+    where no two edges start or stop meeting."""
     others = {row["at"] for row in facts.arrangement if row["kind"] != "triple"}
     return any(
         row["kind"] == "triple"

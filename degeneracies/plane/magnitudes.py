@@ -25,7 +25,7 @@ LEAST_DOUBLE = Fraction(1, 2**1074)
 INTEGERS = (
     (-(2**31), 2**31 - 1),
     (-(2**53), 2**53),  # beyond, doubles leave out integers
-    (-(2**62), 2**62),  # two differ by 2^63, which 64 bits do not hold
+    (-(2**62), 2**62),  # the difference 2^63 does not fit into 64 bits
     (-(2**63), 2**63 - 1),
 )
 
@@ -74,10 +74,10 @@ def _integers(dice: Random, size: int) -> Draft:
 def _placed(
     dice: Random, draft: Draft, low: int, high: int, ends: tuple[int, int], reach: int
 ) -> tuple[Shape, Shape]:
-    """A draft at the scale 1 in whole coordinates from `low` to `high`. Along each axis both
-    operands are stretched, the longer one to more than a quarter of `reach` if it is not longer
-    already; one of the two goes to the end of this axis, and the other has points on the same side
-    of 0, so that the sum goes further."""
+    """Moves a draft to the scale 1 and whole coordinates between `low` and `high`. Along each axis
+    both operands are stretched, the longer operand to more than a quarter of `reach` unless longer
+    already; one operand goes to the axis's end, and the other has points on the same side of 0, so
+    that the sum reaches further."""
     shapes = [scaled(draft.P, draft.scale), draft.Q]
     for axis, end in enumerate(ends):
         rows = [[Fraction(p[axis]) for polygon in s for ring in polygon for p in ring]
@@ -101,7 +101,7 @@ def _placed(
 
 
 def _measure(lengths: list[Fraction]) -> Fraction:
-    """The largest number of which all are multiples."""
+    """Returns the largest number that divides all lengths."""
     below = lcm(*(length.denominator for length in lengths))
     return Fraction(gcd(*(int(length * below) for length in lengths)), below)
 
@@ -117,19 +117,19 @@ def _along(shape: Shape, axis: int, least: Fraction, factor: Fraction, start: in
 
 
 def _is(condition: Callable[[Facts], bool]) -> Callable[[Facts], bool]:
-    """And the scale is one at which something happens."""
+    """Adds the condition that the arrangement has an event at the scale."""
     return lambda facts: bool(facts.arrangement) and condition(facts)
 
 
 def _ratio(facts: Facts) -> Fraction:
-    """The less extreme ratio: of the sizes of the operands, or of the scale and 1."""
+    """The less extreme ratio: between the operands' sizes, or between the scale and 1."""
     p, q = (max(abs(c) for v in vs for c in v) for vs in (facts.vertices.P, facts.vertices.Q))
     return min(max(p / q, q / p), max(facts.scale, 1 / facts.scale))
 
 
 def _are_doubles(facts: Facts) -> bool:
-    """Below the least normal double in magnitude and one of them the least; or the largest, or the
-    least normal, in both directions."""
+    """Whether all coordinates are doubles, and either subnormal with the least double among them;
+    or the largest or the least normal double occurs in both directions."""
     values = {abs(c) for c in facts.coordinates}
     if max(values) > LARGEST_DOUBLE or any(Fraction(float(c)) != c for c in values):
         return False

@@ -1,4 +1,4 @@
-"""Critical scales of a certain kind, looked for among those of small random pairs."""
+"""Searches small random pairs for critical scales of a certain kind."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Row = dict[str, Any]
 
 
 def mined(dice: Random, draw: Callable[[Random], Pair], accept: Callable[[Facts], bool]) -> Draft:
-    """A pair, and a critical scale that is accepted, in other coordinates."""
+    """Returns a pair with an accepted critical scale, in other coordinates."""
     for _ in range(PATIENCE):
         P, Q = draw(dice)
         try:
@@ -67,12 +67,12 @@ def upright_pair(dice: Random) -> Pair:
 
 
 def ends_at(facts: Facts, row: Row) -> list[int]:
-    """How many of its ends each edge of an event has at the place of the event."""
+    """Counts, for each edge of an event, its ends at the event's place."""
     place = Fraction(row["at"][0]), Fraction(row["at"][1])
     return [facts.convolution.ends(edge).count(place) for edge in row["edges"]]
 
 
 def overlap_is_whole(facts: Facts, row: Row) -> bool:
-    """Whether the segment that two edges share is one of them."""
+    """Whether one of two overlapping edges equals the shared segment."""
     shared = {tuple(map(Fraction, row[name])) for name in ("at", "to")}
     return any(set(facts.convolution.ends(edge)) == shared for edge in row["edges"])

@@ -48,8 +48,8 @@ def _edge(facts: Facts, operand: int) -> tuple[Fraction, Fraction]:
 
 
 def _sense(facts: Facts) -> Fraction:
-    """Positive where the first edges of P and Q have the same direction, negative where opposite
-    ones, zero where they are not parallel."""
+    """Positive if the first edges of P and Q have the same direction, negative if opposite, zero if
+    not parallel."""
     (x, y), (u, v) = _edge(facts, 0), _edge(facts, 1)
     return x * u + y * v if x * v == y * u else Fraction(0)
 
@@ -73,7 +73,7 @@ def _is_once(facts: Facts) -> bool:
 
 
 def _always(dice: Random, size: int) -> Draft:
-    """An edge of P on the axis, and two of Q, on the feet of an arch."""
+    """An edge of P on the axis, and two edges of Q, at the feet of an arch."""
     a, b, gap = (dice.randint(1, 6) for _ in range(3))
     low = dice.randint(1, 4)
     high = low + dice.randint(1, 4)

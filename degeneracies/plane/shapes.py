@@ -49,8 +49,8 @@ def framed(holes: Sequence[Ring], margin: int = 2) -> Polygon:
 
 
 def corridor(line: Sequence[tuple[int, int]], width: Fraction | int) -> Ring:
-    """The points within half the width, in the maximum norm, of a line of upright and level legs of
-    which no two touch but neighbours: what a square of this width can go along."""
+    """The points within half the width, in the maximum norm, of a line with upright and level legs,
+    where only neighbours touch: the corridor for a square of this width."""
     half = Fraction(width) / 2
     left: Ring = []
     right: Ring = []

@@ -1,4 +1,5 @@
-"""Scales that numbers of vertices, holes and components just below and just above do not show."""
+"""Scales that the numbers of vertices, holes and components just below and just above do not
+show."""
 
 from __future__ import annotations
 
@@ -13,26 +14,26 @@ from minkref.degeneracies.plane.shapes import changed, framed, number
 from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, extent, moved, written_rings
 from minkref.fuzz.plane.families.drawing import convex
 
-FRAME = 100  # half of the opening of a frame around all
+FRAME = 100  # half the opening of a frame around everything
 ONE = Fraction(1)
 Part = Callable[[Random, int], Ring]  # above the line y = 0 for 1, below it for -1
 
 
 def _two_tiers(dice: Random, of_p: Part, of_q: Part, half: int) -> Draft:
-    """A part of P and one of Q stand on a line, one of each hangs from it, and so do their sums,
-    whose places along it pass each other at the scale 1. The other two sums are as far off as the
-    parts of P are apart, at least twice `half`."""
+    """A part of P and a part of Q stand on a line, a second part of each hangs from the line, and
+    so do their sums, whose places along the line pass each other at the scale 1. The other two sums
+    lie as far away as the parts of P lie apart, at least twice `half`."""
     left, right = -half - dice.randint(0, 3), half + dice.randint(0, 3)
     first = -dice.randint(half, 3 * half)
     P = [*moved([[of_p(dice, 1)]], right, 0), *moved([[of_p(dice, -1)]], left, 0)]
     Q = [*moved([[of_q(dice, 1)]], first, 0), *moved([[of_q(dice, -1)]], first + right - left, 0)]
-    if dice.random() < 0.4:  # what happens, happens to a hole
+    if dice.random() < 0.4:  # the event happens to a hole
         Q.append(framed([box(-FRAME, -FRAME, 2 * FRAME, 2 * FRAME)], dice.randint(20, 40)))
     return changed(dice, Draft(P, Q, ONE))
 
 
 def _block(dice: Random, way: int) -> Ring:
-    """With a side on the line, to the right of its place there."""
+    """A block with a side on the line, to the right of the block's place."""
     width, height = number(dice, 2, 5), way * number(dice, 2, 6)
     near = number(dice, -3, 1)
     far = near + number(dice, 1, 5)
@@ -51,7 +52,7 @@ def _tooth(dice: Random, way: int) -> Ring:
 
 
 def _teeth(dice: Random, way: int, count: int, apart: int = 4) -> Ring:
-    """A bar with teeth whose tips are on the line."""
+    """A bar with teeth, their tips on the line."""
     height, width = dice.randint(6, 9), dice.randint(1, 4)
     ring: Ring = []
     for k in range(count):
@@ -86,7 +87,7 @@ def _is_passing(facts: Facts) -> bool:
 
 
 def _met_twice(found: _core.Sum) -> int:
-    """How many vertices of the sum are where another one is."""
+    """Counts vertices of the sum that coincide with another vertex."""
     rings = written_rings(found.region.canonical_json())
     places = Counter(tuple(point) for ring in rings for point in ring)
     return places.total() - len(places)
@@ -98,7 +99,7 @@ def _pocket(dice: Random, size: int) -> Draft:
 
 
 def _is_pocket(facts: Facts) -> bool:
-    """At the scale alone there are more holes."""
+    """Whether the sum has more holes at the scale alone."""
     below, at, above = facts.counts
     more = below == above and at[1] > below[1]
     return _touches(facts) and more and _changes(facts) == {("hole", "touch")}
@@ -109,8 +110,8 @@ def _changes(facts: Facts) -> set[tuple[str, str]]:
 
 
 def _exchange(dice: Random, size: int) -> Draft:
-    """A part that grows in a hole until it fills it, and a hole that grows around a part until it
-    frees it."""
+    """A part that grows in a hole until it fills the hole, and a hole that grows around a part
+    until it frees the part."""
     filled, freed = (convex(dice, dice.randint(3, 5), 6) for _ in range(2))
     P: Shape = [[filled], _around(freed, dice)]
     Q: Shape = [_around(filled, dice), [freed]]
@@ -120,7 +121,7 @@ def _exchange(dice: Random, size: int) -> Draft:
 
 
 def _around(ring: Ring, dice: Random) -> Polygon:
-    """A frame whose hole the ring, turned by half, fits."""
+    """A frame with a hole that fits the ring, turned by half."""
     x, y, width, height = extent(ring)
     return framed([[(2 * x + width - u, 2 * y + height - v) for u, v in ring]], dice.randint(1, 4))
 

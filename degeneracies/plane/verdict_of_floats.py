@@ -1,4 +1,4 @@
-"""The answers of the paper's method in floating point, and the bits it needs to be right."""
+"""The answers of the paper's method in floating point, and the bits needed for a right answer."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from typing import Any
 
 from minkref import _core
 
-# Bits of a significand: all widths that are tried, ascending.
+# Significand bits: all widths to try, ascending.
 WIDTHS = (8, 12, 16, 20, 24, 28, 32, 40, 48, 53, 64, 80, 96, 113, 160, 237, 320, 512, 1024, 2048,
           4096)  # fmt: skip
 
 
 def answer_in(arithmetic: str, P: _core.PolygonSet, Q: _core.PolygonSet, scale: str) -> list[int]:
-    """Components, holes and vertices of the sum, operands rounded and all signs decided in this
-    arithmetic; nothing where it breaks down."""
+    """Components, holes and vertices of the sum, with operands rounded and all signs decided in
+    this arithmetic; empty if the method breaks down."""
     try:
         found = _core.minkowski_sum(P, Q, scale, "paper", arithmetic)
     except (_core.BadInput, _core.UndecidedSign, RuntimeError):
@@ -24,9 +24,9 @@ def answer_in(arithmetic: str, P: _core.PolygonSet, Q: _core.PolygonSet, scale: 
 
 
 def precision(P: _core.PolygonSet, Q: _core.PolygonSet, scale: str, truth: _core.Sum) -> Any:
-    """At one scale: the answer of doubles; whether its components and holes are as many as they
-    should be (a vertex in the middle of a straight edge is no fault); and the least of WIDTHS from
-    which on all of them answer so."""
+    """Returns, for one scale, the answer in doubles; whether its component and hole counts are
+    right (a vertex in the middle of a straight edge is no fault); and the least of WIDTHS from
+    which on all widths give the right counts."""
     right = [truth.components, truth.holes]
     doubles = answer_in("double", P, Q, scale)
     return {
@@ -40,7 +40,7 @@ def precision(P: _core.PolygonSet, Q: _core.PolygonSet, scale: str, truth: _core
 
 
 def deciding_bits(right: Callable[[int], bool]) -> int | None:
-    """The least of WIDTHS at which, and at all greater ones of which, the answer is right. None
-    where it is wrong at the greatest."""
+    """Returns the least of WIDTHS from which on every width answers right. None if the greatest
+    width answers wrong."""
     good = list(takewhile(right, reversed(WIDTHS)))
     return good[-1] if good else None

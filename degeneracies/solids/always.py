@@ -1,4 +1,4 @@
-"""Facets and edges that are parallel, or in one plane or line, at every scale."""
+"""Facets and edges that are parallel, coplanar or collinear at every scale."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def _coplanar(dice: Random, size: int) -> SolidDraft:
 
 
 def _edge_along_facet(dice: Random, size: int) -> SolidDraft:
-    """An edge upright, and walls; or a body whose faces look anywhere, along one of its faces."""
+    """An upright edge and walls; or a body with faces in any direction, along one of its faces."""
     if dice.random() < 0.5:
         prism = machined.dented_prism(dice, dice.randint(5, 7), 5)
         return placed(dice, swapped(dice, SolidDraft(prism, box(dice))))
@@ -79,14 +79,14 @@ def _on_one_base(dice: Random, size: int) -> SolidDraft:
 
 
 def _tent(dice: Random, start: int, end: int) -> Polyhedron:
-    """A ridge from (start, 0, 0) to (end, 0, 0), and what is below."""
+    """A ridge from (start, 0, 0) to (end, 0, 0), with the body below."""
     wide, deep = dice.randint(1, 4), dice.randint(1, 4)
     points = ((x, y, z) for x in (start, end) for y, z in ((0, 0), (-wide, -deep), (wide, -deep)))
     return convex_hull(vector(*point) for point in points)
 
 
 def _one_line(dice: Random, size: int) -> SolidDraft:
-    """Two tents or three in a row, of different slopes, with their ridges in one line."""
+    """Two or three tents in a row, with different slopes and their ridges on one line."""
     length, gap = dice.randint(1, 3), dice.randint(1, 2)
     tents = _tent(dice, 0, length)
     for k in range(1, dice.randint(2, 3)):
@@ -94,7 +94,7 @@ def _one_line(dice: Random, size: int) -> SolidDraft:
         tents = tents.with_faces_of(_tent(dice, start, start + length))
     wide, high = dice.randint(1, 3), dice.randint(1, 3)
     bar = machined.plate(gap + 1, wide, high)
-    # The ridge of the first tent moved reaches past where that of the second begins.
+    # The first tent's ridge, when moved, reaches past the start of the second tent's ridge.
     probe = Probe(vector(Fraction(2 * gap + 1, 2), wide, high), vector(length, 0, 0))
     return placed(dice, swapped(dice, SolidDraft(bar, tents, probes=(probe,))))
 

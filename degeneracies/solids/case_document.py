@@ -1,5 +1,5 @@
-"""A member of a family of polyhedra of any shape as a case file. It has no certificate: what shows
-that it is degenerate stands in the case, and two routes agree on its sums."""
+"""A member of a family of polyhedra of any shape as a case file, without a certificate: the case
+itself shows the degeneracy, and two routes agree on its sums."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class RoutesDiffer(Exception):
 
 @dataclass(frozen=True)
 class DegenerateSolids(CaseTexts):
-    """A case of two polyhedra of any shape."""
+    """A case with two polyhedra of any shape."""
 
     draft: SolidDraft
     facts: SolidFacts
@@ -43,7 +43,7 @@ class DegenerateSolids(CaseTexts):
     def of(
         cls, family: SolidFamily, seed: int, index: int, size: int | None = None
     ) -> DegenerateSolids:
-        """The member of this number; of about so many vertices, where a size is given."""
+        """Makes member number `index`, with about `size` vertices if given."""
         source = source_of(family.name, seed, index, size)
         return cls(family, source, *drawn_solids(family, seed, index, size))
 
@@ -97,7 +97,7 @@ class DegenerateSolids(CaseTexts):
         }
 
     def _row(self, tie: Tie) -> dict[str, Any]:
-        """With what the predicate is at each of the scales."""
+        """The tie's row, with the predicate's sign at each scale."""
         features = [[list(p), list(q)] for p, q in tie.features]
         return {"what": tie.what, "features": features, "signs": self.facts.signs(tie)}
 

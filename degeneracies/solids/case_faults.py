@@ -1,4 +1,4 @@
-"""Checks a case of polyhedra of any shape; the lint makes its text again from its source."""
+"""Checks a case with polyhedra of any shape; the lint makes its text again from its source."""
 
 from __future__ import annotations
 

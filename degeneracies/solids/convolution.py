@@ -1,6 +1,6 @@
-"""The facets of the convolution of two polyhedra, ties left as they are: what is level with a facet
-counts as below it, so that a facet is there if it is there after some small motion (Sec. 3). Under
-uniform scaling they are the same at all scales, and their planes move linearly."""
+"""The facets of the convolution of two polyhedra, with ties unbroken: a part level with a facet
+counts as below it, so a facet exists if it exists after some small motion (Sec. 3). Under uniform
+scaling all scales have the same facets, whose planes move linearly."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from minkref.degeneracies.solids.mesh import Corners, Mesh, SolidEdge
 from minkref.degeneracies.space.vectors import direction, product
 from minkref.fuzz.geometry.space import Point, Whole, cross, dot
 
-Feature = tuple[Corners, Corners]  # of P and of Q
+Feature = tuple[Corners, Corners]  # corners in P, corners in Q
 
 
 @dataclass(frozen=True)
 class ConvolutionFacet:
-    """The sum of two features, by their corners. `n · x = offset(s)` is its plane; the sum lies
-    below it. Faces run as in the mesh."""
+    """The sum of two features, by their corners. Its plane is `n · x = offset(s)`; the sum lies
+    below. Faces run as in the mesh."""
 
     P: Corners
     Q: Corners
@@ -35,12 +35,12 @@ class ConvolutionFacet:
         return s * self.level[0] + self.level[1]
 
     def is_level_with(self, x: Point, s: Fraction) -> bool:
-        """The point is in its plane."""
+        """Whether the point lies in the facet's plane."""
         return product(self.normal, x) == self.offset(s)
 
     @property
     def key(self) -> tuple[Whole, Fraction, Fraction]:
-        """The same of facets that are coplanar at all scales."""
+        """A key that facets share if coplanar at all scales."""
         return self.normal, *self.level
 
 
@@ -55,11 +55,11 @@ class Convolution:
 
     @cached_property
     def strict(self) -> dict[Feature, ConvolutionFacet]:
-        """Those without ties, by their features."""
+        """The facets without ties, by their features."""
         return {facet.feature: facet for facet in self.facets if facet.is_strict}
 
     def corners(self, facet: ConvolutionFacet, s: Fraction) -> list[Point]:
-        """A ring; of a parallelogram in either direction."""
+        """Returns a ring; for a parallelogram, in either direction."""
         P, Q = self.P.given.vertices, self.Q.given.vertices
         if len(facet.P) == len(facet.Q) == 2:
             (a, b), (c, d) = facet.P, facet.Q
@@ -91,8 +91,8 @@ class Convolution:
 
 
 def compatible(P: Mesh, e: SolidEdge, Q: Mesh, f: SolidEdge) -> tuple[Whole, bool] | None:
-    """The normal of the facet of two edges, outwards, and whether there is no tie; None where they
-    are parallel, or have no facet."""
+    """Returns the outward normal of the facet of two edges, and whether the facet has no tie; None
+    for parallel edges, or without a facet."""
     across = cross(e.along, f.along)
     if not (e.is_convex and f.is_convex) or across == (0, 0, 0):
         return None
@@ -116,7 +116,7 @@ def sum_at(p: Point, q: Point, s: Fraction) -> Point:
 
 
 def _below(mesh: Mesh, n: Whole) -> Iterator[tuple[int, bool]]:
-    """The vertices all of whose edges run down from n, or level, and whether none is level."""
+    """Yields vertices whose edges all run down from n, or level, and whether none runs level."""
     for vertex, ways in enumerate(mesh.ways):
         highest = max((dot(n, way) for way in ways), default=-1)  # a point is below all
         if highest <= 0:

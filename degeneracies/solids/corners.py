@@ -1,5 +1,5 @@
-"""Where facets of the convolution meet: four in a point, three at an edge, two in one plane at one
-scale."""
+"""Places where facets of the convolution meet: four at a point, three at an edge, two in one plane
+at one scale."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ from minkref.fuzz.space.generators.tube import lattice_torus
 from minkref.fuzz.space.hull import convex_hull
 
 LEAST, MOST = Fraction(1, 2), Fraction(2)  # scales
-CELL = 3  # a body of a crowd is in a cube of this side
-ENOUGH = 100  # crossings of a pair that are followed
+CELL = 3  # the side of a cube that holds one body of a crowd
+ENOUGH = 100  # crossings followed per pair
 LONGEST = 2**26  # numerators and denominators of a scale
 
 
@@ -49,8 +49,7 @@ def _moved(dice: Random, draft: SolidDraft) -> SolidDraft:
 
 
 def _crowd(dice: Random) -> Polyhedron:
-    """Four small bodies beside each other, whose sums with a large one run through each
-    other."""
+    """Four small bodies beside each other; their sums with a large body run through each other."""
     places = dice.sample(list(product((0, 1), repeat=3)), 4)
     first, *others = (
         random_hull(dice, 4, CELL - 1).translated(vector(*(CELL * c for c in place)))
@@ -62,8 +61,8 @@ def _crowd(dice: Random) -> Polyhedron:
 
 
 def _four_facets(dice: Random, size: int) -> SolidDraft:
-    """A scale at which some four facets have a point in common inside of each: a point that three
-    of them have at scale 1 moves along a line, until it meets a fourth."""
+    """Finds a scale at which four facets have a common inner point: a common point of three facets
+    at scale 1 moves along a line, until it meets a fourth facet."""
     P, Q = _crowd(dice), random_hull(dice, dice.randint(4, 5), 4 * CELL)
     convolution = Convolution(Mesh(P), Mesh(Q))
     facets = list(convolution.facets)
@@ -80,7 +79,8 @@ def _four_facets(dice: Random, size: int) -> SolidDraft:
 
 
 def _scale_of(four: list[ConvolutionFacet]) -> Fraction | None:
-    """At which the planes of four facets have a point in common; any three always have one."""
+    """The scale at which the planes of four facets have a common point, if any three planes always
+    do."""
     for three in combinations(four, 3):
         a, b, c = (f.normal for f in three)
         if dot(a, cross(b, c)) == 0:
@@ -106,7 +106,8 @@ def _point_of(three: list[ConvolutionFacet], s: Fraction) -> Point:
 
 
 def _in_one_point(facts: SolidFacts) -> list[Tie]:
-    """Fours of the facets that have the probe inside of them, and no three through one line."""
+    """Groups of four facets around the probe, as an inner point of each, with no three through one
+    line."""
     s, convolution = facts.scale, facts.convolution
     x = facts.probes[0].at(s)
     here = [
@@ -170,7 +171,7 @@ def _with_a_top(
 
 
 def _crossed_without_corners(facts: SolidFacts) -> list[Tie]:
-    """Two facets in one plane at the scale alone, with an area in common, neither of which has a
+    """Pairs of facets in one plane at the scale alone, with a common area, although neither has a
     corner of the other."""
     s, convolution = facts.scale, facts.convolution
     at = defaultdict(list)

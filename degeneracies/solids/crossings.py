@@ -1,4 +1,4 @@
-"""Points in which three facets of the convolution at scale 1 cross, by whole numbers alone."""
+"""Points where three facets of the convolution cross at scale 1, in whole numbers only."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Three = tuple[ConvolutionFacet, ConvolutionFacet, ConvolutionFacet]
 
 
 class _Seen:
-    """A facet of whole corners, as it is seen along an axis."""
+    """A facet with whole corners, seen along an axis."""
 
     def __init__(self, convolution: Convolution, facet: ConvolutionFacet) -> None:
         self.facet = facet
@@ -29,13 +29,13 @@ class _Seen:
         ]
 
     def is_on_both_sides_of(self, other: _Seen) -> bool:
-        """Whether corners lie on both sides of the plane of `other`. If not, no point inside of
-        this facet is in the plane, or all are."""
+        """Whether corners lie on both sides of the plane of `other`. If not, the plane holds no
+        inner point of this facet, or all."""
         heights = [dot(other.facet.normal, corner) for corner in self.corners]
         return min(heights) < other.offset < max(heights)
 
     def has_inside(self, point: Whole, unit: int) -> bool:
-        """The point, divided by a positive number, is inside of one of the triangles."""
+        """Whether a triangle holds the point, divided by a positive number, in its interior."""
         x = point[(self.axis + 1) % 3], point[(self.axis + 2) % 3]
         return any(
             all(
@@ -47,9 +47,9 @@ class _Seen:
 
 
 def crossings(convolution: Convolution, facets: list[ConvolutionFacet]) -> Iterator[Three]:
-    """Threes of facets with a point inside of each, of a pair with whole coordinates; in the order
-    of the list. Exact. Quadratic, and of threes only those are looked at any two of which have
-    corners on both sides of each other's plane."""
+    """Yields triples of facets with a common inner point, for a pair with whole coordinates, in the
+    list's order. Exact. Quadratic, plus the triples any two of whose facets have corners on both
+    sides of each other's plane."""
     seen = [_Seen(convolution, facet) for facet in facets]
 
     @cache

@@ -1,4 +1,4 @@
-"""Drafts that a generator of polyhedra of any shape draws, and the facts about them."""
+"""Drafts from a generator of polyhedra of any shape, and facts about them."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.meeting import Contact, Meeting
 from minkref.fuzz.space.thin_meeting import ThinMeeting
 
-WIDE = Fraction(1, 4)  # of the scale: the siblings beside it
-FINE = Fraction(1, 2**60)  # and those that are nearest
+WIDE = Fraction(1, 4)  # relative distance of the outer siblings
+FINE = Fraction(1, 2**60)  # and of the nearest
 ONE = Fraction(1)
 
 
@@ -37,8 +37,8 @@ class Probe:
 
 @dataclass(frozen=True)
 class SolidDraft:
-    """Two polyhedra, the scale at which they are degenerate, and points that show it. `plain`: the
-    same two without what changes no sum, where that is what the family is about."""
+    """Two polyhedra, the degenerate scale, and points that show the degeneracy. `plain`: both
+    polyhedra without details that change no sum, if the family is about such details."""
 
     P: Polyhedron
     Q: Polyhedron
@@ -60,7 +60,7 @@ class SolidFacts:
 
     @classmethod
     def of(cls, draft: SolidDraft) -> SolidFacts:
-        """Raises _core.BadInput where an operand is none."""
+        """Raises _core.BadInput if an operand is invalid."""
         P, Q = Mesh(draft.P), Mesh(draft.Q)
         P.certify("P")
         Q.certify("Q")
@@ -81,7 +81,7 @@ class SolidFacts:
         return Predicates(self.P, self.Q, self.convolution)
 
     def signs(self, tie: Tie) -> list[int]:
-        """At each of the scales."""
+        """Signs at each scale."""
         return [self.predicates.value(tie, s) for s in self.scales]
 
     def contacts(self, probe: Probe) -> list[Contact]:
@@ -95,8 +95,9 @@ class SolidFacts:
         return self._contacts[probe]
 
     def euler(self, probe: Probe) -> int | None:
-        """The Euler characteristic of what sP and `x - Q` have in common at the scale, where both
-        are polycubes: as often the full convolution winds around x. None for other solids."""
+        """The Euler characteristic of the intersection of sP and `x - Q` at the scale, for
+        polycubes: it equals the full convolution's winding number around x. None for other
+        solids."""
         return euler_of_meeting(self.P.given, self.Q.given, self.scale, probe.at(self.scale))
 
     def sum(self, s: Fraction) -> _core.PolyhedralSet:
@@ -108,8 +109,8 @@ class SolidFacts:
 
 @dataclass(frozen=True)
 class SolidFamily(Subject):
-    """`draw` draws a candidate of about `size` vertices, where the family can be large. `proof`:
-    the ties that show that it belongs to the family, some of them; none where it does not."""
+    """`draw` draws a candidate, with about `size` vertices if the family can be large. `proof`:
+    some ties that show membership in the family; none for other pairs."""
 
     draw: Callable[[Random, int], SolidDraft]
     proof: Callable[[SolidFacts], list[Tie]]

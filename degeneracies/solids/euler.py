@@ -1,5 +1,5 @@
-"""The Euler characteristic of the intersection of two polycubes. For `sP` and `x - Q` it is how
-often the full convolution in space winds around x (docs/space-sums.md)."""
+"""The Euler characteristic of the intersection of two polycubes. For `sP` and `x - Q` it equals the
+full convolution's winding number around x, in space (docs/space-sums.md)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ Box = tuple[Point, Point]
 
 
 def euler_of_meeting(P: Polyhedron, Q: Polyhedron, s: Fraction, x: Point) -> int | None:
-    """The number for closed `sP` and `x - Q`; None where one of the two is no polycube. Exact."""
+    """Returns the characteristic for closed `sP` and `x - Q`; None unless both are polycubes.
+    Exact."""
     if P.is_thin or Q.is_thin:
         return None
     try:
@@ -42,7 +43,7 @@ def _mirrored(box: Box, x: Point) -> Box:
 
 
 def _parts(boxes: list[Box], stops: list[list[Fraction]]) -> set[tuple[int, ...]]:
-    """The open cells, squares, edges and vertices of the grid that the closed boxes are made of."""
+    """The grid's open cells, squares, edges and vertices whose union equals the closed boxes."""
     found: set[tuple[int, ...]] = set()
     for low, high in boxes:
         spans = []

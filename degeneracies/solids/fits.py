@@ -43,7 +43,7 @@ def _slot_closes(dice: Random, size: int) -> SolidDraft:
 
 
 def cavity(dice: Random, longer: int) -> SolidDraft:
-    """A box in a cavity that it fits exactly, but along so many axes, where it is shorter."""
+    """A box that fits a cavity exactly, except along so many axes, where the box is shorter."""
     sizes = [dice.randint(1, 2) for _ in range(3)]
     axes = dice.sample(range(3), longer)
     inner = [size + dice.randint(1, 2) * (k in axes) for k, size in enumerate(sizes)]
@@ -83,14 +83,14 @@ def _octant(signs: tuple[int, ...], axes: int) -> Point:
 
 
 def _touching(facts: SolidFacts, axes: int) -> list[Tie]:
-    """Two parts of the sum touch at the first probe, and only there of those around it."""
+    """Whether two parts of the sum touch at the first probe, and at no other probe around it."""
     around = contacts_at(facts, facts.probes[1:])
     wanted = ["overlap", *["empty"] * (2**axes - 2), "overlap"]
     return fills(facts, axes, False) if around == wanted else []
 
 
 def _cup_and_plate(dice: Random, size: int) -> SolidDraft:
-    """A plate wider than a cup, that cuts all its walls when it is turned upside down."""
+    """A plate wider than a cup, turned upside down to cut all the cup's walls."""
     wide, deep, high = dice.randint(1, 2), dice.randint(1, 2), dice.randint(2, 3)
     cup = machined.cup(wide, deep, high, (1, 1, 1, 1), 1)
     plate = machined.plate(wide + 2, deep + 2, 1)

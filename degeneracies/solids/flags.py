@@ -1,5 +1,5 @@
-"""The flags of cases of polyhedra of any shape, some of those of convex ones: each holds of the
-facts of a case, or does not. flags.json says what each means."""
+"""The flags for cases with polyhedra of any shape, a part of the flags for convex bodies: a case's
+facts decide each flag. flags.json says what each means."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from minkref.fuzz.geometry.space import Whole
 
 
 def flags_of_solids(facts: SolidFacts) -> list[str]:
-    """All that hold, in the order of the alphabet. Exact."""
+    """All flags that hold, in alphabetical order. Exact."""
     return sorted(name for name, holds in FLAGS_OF_SOLIDS.items() if holds(facts))
 
 
@@ -44,7 +44,7 @@ def _has_flat_vertex(mesh: Mesh) -> bool:
 
 
 def _has_split_facet(mesh: Mesh) -> bool:
-    """Two faces at an edge lie in one plane."""
+    """Whether two faces at an edge lie in one plane."""
     return any(mesh.normals[e.left] == mesh.normals[e.right] for e in mesh.edges)
 
 

@@ -1,4 +1,4 @@
-"""Members of families of polyhedra of any shape: drawn until one belongs."""
+"""Members of families of polyhedra of any shape, by drawing until a candidate belongs."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from minkref.degeneracies.solids.ties import Tie
 def drawn_solids(
     family: SolidFamily, seed: int, index: int, size: int | None = None
 ) -> tuple[SolidDraft, SolidFacts, list[Tie]]:
-    """The member of this number, of about `size` vertices where the family can be large, and what
-    shows that it is one. It depends on nothing else, on any machine. Refuses a size that no draw
-    has come to."""
+    """Draws member number `index`, with about `size` vertices if the family can be large, and the
+    ties that prove membership. The arguments alone decide the result, on any machine. Refuses a
+    size that no draw reaches."""
     dice = Random(f"minkref degeneracy {family.name} {seed} {index}")
     for _ in range(PATIENCE):
         wanted = dice.randint(FEWEST, MOST) if size is None else size

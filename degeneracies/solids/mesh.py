@@ -18,7 +18,7 @@ Corners = tuple[int, ...]
 
 @dataclass(frozen=True)
 class SolidEdge:
-    """From the first of its ends to the second; `left` and `right` are the faces beside it. A
+    """An edge from its first end to its second; `left` and `right` are the faces beside it. A
     segment has an edge without faces."""
 
     ends: tuple[int, int]
@@ -30,7 +30,7 @@ class SolidEdge:
 
 @dataclass(frozen=True)
 class Mesh:
-    """Faces as they are given: two in one plane are two, with a flat edge between."""
+    """Faces as given: two faces in one plane stay two, with a flat edge between."""
 
     given: Polyhedron
 
@@ -39,7 +39,7 @@ class Mesh:
         return core_polyhedron(self.given)
 
     def certify(self, name: str) -> None:
-        """Raises _core.BadInput where it is no operand; a point or a segment is one."""
+        """Raises _core.BadInput for an invalid operand; a point or a segment is valid."""
         if not self.given.is_thin:
             self.surface.validate(name)
 
@@ -65,7 +65,7 @@ class Mesh:
 
     @cached_property
     def ways(self) -> list[list[Whole]]:
-        """For each vertex the directions of the edges that leave it."""
+        """Lists, for each vertex, the directions of its edges, away from the vertex."""
         points = self.given.vertices
         beside: list[set[int]] = [set() for _ in points]
         for face in self.given.faces:
@@ -81,7 +81,7 @@ class Mesh:
 
     @cached_property
     def faces_at(self) -> dict[int, list[int]]:
-        """For each vertex the faces that have it."""
+        """Lists, for each vertex, the faces around it."""
         found = defaultdict(list)
         for number, face in enumerate(self.given.faces):
             for k in face:
@@ -89,7 +89,8 @@ class Mesh:
         return dict(found)
 
     def is_flat(self, vertex: int) -> bool:
-        """The faces at it lie in one plane, or in two that meet along a line through it."""
+        """Whether the faces at the vertex lie in one plane, or in two that meet along a line
+        through the vertex."""
         normals = [self.normals[f] for f in self.faces_at[vertex]]
         first = normals[0]
         second = next((n for n in normals if cross(first, n) != (0, 0, 0)), None)

@@ -25,7 +25,7 @@ TINY = Fraction(1, 2**180 + 45)
 
 
 def _entry(dice: Random) -> int:
-    """Odd, of BITS bits, of either sign."""
+    """An odd number with BITS bits and either sign."""
     size: int = (1 << (BITS - 1)) + 2 * dice.getrandbits(BITS - 2) + 1
     return size if dice.random() < 0.5 else -size
 
@@ -48,7 +48,7 @@ def _long(dice: Random, size: int) -> SolidDraft:
 
 
 def _tiny(dice: Random, size: int) -> SolidDraft:
-    """The same, divided by a number that no power of two divides evenly."""
+    """The draft of `_long`, divided by a large odd number."""
     draft = _long(dice, size)
     return replace(
         draft,
@@ -79,7 +79,7 @@ def _thin(dice: Random, size: int) -> SolidDraft:
 
 
 def _along_a_face(facts: SolidFacts) -> list[Tie]:
-    """If an operand is a point: two faces of the body in one plane."""
+    """Finds coplanar faces of a body, if the other operand is a point."""
     if 1 in (len(facts.P.given.vertices), len(facts.Q.given.vertices)):
         return _faces_in_one_plane(facts)
     return face_and_edge(facts)

@@ -17,7 +17,7 @@ Triangle = tuple[Flat, Flat, Flat]
 def share_area(
     convolution: Convolution, one: ConvolutionFacet, other: ConvolutionFacet, s: Fraction
 ) -> bool:
-    """Two facets in one plane have an open set of it in common. Exact."""
+    """Whether two facets in one plane share an open part of the plane. Exact."""
     axis = longest_axis(one.normal)
     first, second = (triangles_of(convolution, facet, s, axis) for facet in (one, other))
     return any(_meet(a, b) for a, b in product(first, second))
@@ -26,8 +26,8 @@ def share_area(
 def has_point(
     convolution: Convolution, facet: ConvolutionFacet, x: Point, s: Fraction, inside: bool = False
 ) -> bool:
-    """A facet has a point of its plane, on its rim or inside; with `inside`, inside of one of the
-    triangles that it is cut into."""
+    """Whether a facet holds a point of its plane, on the rim or inside; with `inside`, whether the
+    point lies inside a triangle of the facet."""
     axis = longest_axis(facet.normal)
     point = _flat(x, axis)
     for a, b, c in triangles_of(convolution, facet, s, axis):
@@ -40,8 +40,8 @@ def has_point(
 def overlapping(
     convolution: Convolution, group: list[ConvolutionFacet], s: Fraction, least: int
 ) -> list[ConvolutionFacet]:
-    """At least so many of the facets of one plane, each of which shares an area with the first;
-    none where there are no such."""
+    """Returns at least so many facets from one plane, each sharing an area with the first; or
+    none."""
     for first in group:
         found = [f for f in group if f is not first and share_area(convolution, first, f, s)]
         if len(found) + 1 >= least:
@@ -52,7 +52,7 @@ def overlapping(
 def triangles_of(
     convolution: Convolution, facet: ConvolutionFacet, s: Fraction, axis: int
 ) -> list[Triangle]:
-    """Counter-clockwise, without one of the coordinates."""
+    """Counter-clockwise triangles, without one coordinate."""
     ring = convolution.corners(facet, s)
     wholes: list[Whole] = [whole(point, denominator_of(ring)) for point in ring]
     found = []
@@ -67,7 +67,7 @@ def _flat(point: Point, axis: int) -> Flat:
 
 
 def _meet(one: Triangle, other: Triangle) -> bool:
-    """Two open triangles: no side of either parts them."""
+    """Whether two open triangles meet: no side of either parts them."""
     return not any(_parted(a, b) for a, b in ((one, other), (other, one)))
 
 

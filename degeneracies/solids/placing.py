@@ -1,5 +1,5 @@
-"""Changes of coordinates that keep what is degenerate: one affine map for both operands, apart from
-where they are, and another scale."""
+"""Changes of coordinates that keep degeneracies: one affine map for both operands, except for their
+positions, and another scale."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ FAR = 3  # translations are up to this long along each axis
 
 
 def placed(dice: Random, draft: SolidDraft, shears: bool = True) -> SolidDraft:
-    """In other coordinates. Half of the time axes only change places, so that what is made of
-    cells stays so."""
+    """Changes the draft's coordinates. Half the time axes only change places, so that polycubes
+    stay polycubes."""
     steps = dice.randint(1, 2) if shears and dice.random() < 0.5 else 0
     matrix = unimodular(dice, steps)
     first, second = (vector(*(dice.randint(-FAR, FAR) for _ in range(3))) for _ in range(2))

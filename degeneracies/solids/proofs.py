@@ -24,7 +24,7 @@ FILLS: tuple[list[Contact], ...] = (  # at the scale, at the two below, and at t
 
 
 def faces_alone(facts: SolidFacts) -> list[ConvolutionFacet]:
-    """The facets that are a face of one body at a vertex of the other."""
+    """The facets made from a face of one body and a vertex of the other."""
     return [f for f in facts.convolution.facets if 1 in (len(f.P), len(f.Q))]
 
 
@@ -45,12 +45,12 @@ def coplanar(
 
 
 def of_both(group: list[ConvolutionFacet]) -> bool:
-    """A face of P is among them, and one of Q."""
+    """Whether the group has a face of P, and a face of Q."""
     return any(len(f.P) > 2 for f in group) and any(len(f.Q) > 2 for f in group)
 
 
 def facing(facts: SolidFacts) -> Iterator[tuple[ConvolutionFacet, ConvolutionFacet]]:
-    """Two facets with opposite normals that are in one plane at the scale, and at no other."""
+    """Yields pairs of facets with opposite normals that are coplanar at this scale only."""
     at = defaultdict(list)
     for facet in faces_alone(facts):
         at[facet.normal, facet.offset(facts.scale)].append(facet)
@@ -70,7 +70,7 @@ def facing_with_area(facts: SolidFacts) -> list[Tie]:
 
 
 def facing_at(facts: SolidFacts, x: Point) -> list[Tie]:
-    """One for each plane through x in which facets face each other that both have x."""
+    """Returns one tie for each plane through x in which two facets that hold x face each other."""
     found: dict[Whole, Tie] = {}
     for one, other in facing(facts):
         if one.normal not in found and all(
@@ -82,8 +82,8 @@ def facing_at(facts: SolidFacts, x: Point) -> list[Tie]:
 
 
 def fills(facts: SolidFacts, planes: int, with_area: bool) -> list[Tie]:
-    """Around the first probe facets face each other in so many planes at the scale, with an area in
-    common or without one; on one side of the scale there is a gap, on the other none."""
+    """Proves that around the first probe facets face each other in so many planes at the scale,
+    with a common area or without; and that a gap exists on only one side of the scale."""
     first = facts.probes[0]
     if facts.contacts(first) not in FILLS:
         return []
@@ -94,8 +94,8 @@ def fills(facts: SolidFacts, planes: int, with_area: bool) -> list[Tie]:
 
 
 def face_and_edge(facts: SolidFacts) -> list[Tie]:
-    """A face of one body along a convex edge of the other, which lies highest along its normal: two
-    facets in one plane, that hang together."""
+    """A face of one body along a convex edge of the other, which lies highest along the face's
+    normal: two adjacent facets in one plane."""
     found = []
     strict = {facet.feature for facet in facts.convolution.facets}
     for name, faces, edges in (
@@ -126,8 +126,8 @@ def edges_of(mesh: Mesh) -> list[SolidEdge]:
 
 
 def parallel_edges(facts: SolidFacts) -> list[Tie]:
-    """Convex edges along one direction whose arcs on the Gaussian map have a piece in common: the
-    facet that they might have has no area."""
+    """Parallel convex edges whose arcs on the Gaussian map overlap: their possible facet has no
+    area."""
     P, Q = facts.P, facts.Q
     found = []
     for e, f in product(P.edges, Q.edges):
@@ -145,15 +145,15 @@ def _arc(mesh: Mesh, edge: SolidEdge) -> tuple[Whole, Whole]:
 
 
 def _between(arc: tuple[Whole, Whole], n: Whole) -> bool:
-    """Strictly inside an arc shorter than half a turn, of a vector in its plane."""
+    """Whether a vector in the plane of an arc, shorter than half a turn, lies strictly inside."""
     first, last = arc
     across = cross(first, last)
     return dot(across, cross(first, n)) > 0 and dot(across, cross(n, last)) > 0
 
 
 def one_line(facts: SolidFacts) -> list[Tie]:
-    """Three planes or more of facets through one line at all scales, and through the first probe at
-    the scale, where each of the facets has it; not the facets of one side."""
+    """Three or more planes of facets through one line at all scales, and through the first probe at
+    the scale, where each facet holds the probe; the facets do not all share one side."""
     x, s = facts.probes[0].at(facts.scale), facts.scale
     here: dict[tuple[object, ...], ConvolutionFacet] = {}
     for facet in facts.convolution.facets:
@@ -172,7 +172,7 @@ def one_line(facts: SolidFacts) -> list[Tie]:
 
 
 def _line(one: ConvolutionFacet, other: ConvolutionFacet) -> tuple[object, ...]:
-    """The line of two planes: its direction, and its moment, a polynomial in the scale."""
+    """The line common to two planes: its direction, and its moment, a polynomial in the scale."""
     across = cross(one.normal, other.normal)
     along = max(direction(across), direction((-across[0], -across[1], -across[2])))
     k = next(k for k in range(3) if across[k])
@@ -190,7 +190,7 @@ def _one_side(facets: Iterable[ConvolutionFacet]) -> bool:
 
 
 def sides_of(facet: ConvolutionFacet) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
-    """The sides of a facet: an edge of one body, its lesser end first, at a vertex of the other."""
+    """A facet's sides: an edge of one body, its lesser end first, at a vertex of the other."""
     if len(facet.Q) == 1:
         return [(edge, facet.Q) for edge in _ring(facet.P)]
     if len(facet.P) == 1:

@@ -13,8 +13,8 @@ SHARES = tuple(Fraction(text) for text in ("1/2", "1/3", "3/4"))
 
 
 def refined(dice: Random, solid: Polyhedron) -> Polyhedron:
-    """Some edges have a vertex in their middle, and of the convex faces some a fan about a vertex
-    inside. At least one of both, where a face is convex."""
+    """Puts a vertex inside some edges, and cuts some convex faces into a fan around an inner
+    vertex. At least one of both, if a face is convex."""
     vertices = list(solid.vertices)
     faces = list(solid.faces)
     edges = sorted({(min(a, b), max(a, b)) for f in faces for a, b in pairwise((*f, f[0]))})
@@ -52,5 +52,5 @@ def _is_convex(solid: Polyhedron, face: Face) -> bool:
 
 
 def _inside(dice: Random, ring: list[Point]) -> Point:
-    """In the middle of the face, or of three of its corners."""
+    """A point in the middle of the face, or of three corners."""
     return middle(dice.sample(ring, 3) if dice.random() < 0.5 else ring)

@@ -1,4 +1,4 @@
-"""A solid and itself, a solid and its reflection, and surfaces that are cut up needlessly."""
+"""A solid and itself, a solid and its reflection, and surfaces cut up needlessly."""
 
 from __future__ import annotations
 
@@ -61,7 +61,8 @@ def _opposite(facts: SolidFacts) -> list[Tie]:
 
 
 def _steps(facts: SolidFacts, turn: int) -> set[Point]:
-    """From the vertices of sP, perhaps reflected, to those of Q: all the same."""
+    """Differences from the vertices of sP, perhaps reflected, to the vertices of Q: all the
+    same."""
     s, found = facts.scale * turn, set()
     for p, q in zip(facts.P.given.vertices, facts.Q.given.vertices, strict=True):
         x, y, z = (b - s * a for a, b in zip(p, q, strict=True))

@@ -35,7 +35,7 @@ class Tie:
 
 
 class Predicates:
-    """The values of ties at the scales of a case."""
+    """The values of ties at a case's scales."""
 
     def __init__(self, P: Mesh, Q: Mesh, facets: Convolution) -> None:
         self._P, self._Q, self._facets = P, Q, facets
@@ -56,7 +56,7 @@ class Predicates:
         }
 
     def value(self, tie: Tie, s: Fraction) -> int:
-        """The sign of the predicate; 1 where one without a sign is not zero."""
+        """The sign of the predicate; for a predicate without sign, 1 if not zero."""
         return self._of[tie.what](tie.features, s)
 
     def _direction(self, mesh: Mesh, corners: Corners) -> Whole:

@@ -68,7 +68,8 @@ def _edges(dice: Random, size: int) -> SpaceDraft:
 def _everywhere(
     found_at: Callable[[SumAt], list[Coincidence]],
 ) -> Callable[[SpaceFacts], list[Coincidence]]:
-    """A proof: coincidences at every scaling that are in the sum at each scaling of the case."""
+    """A proof from coincidences at every scaling that belong to the sum at each scaling of the
+    case."""
 
     def proof(facts: SpaceFacts) -> list[Coincidence]:
         shown = at_all(facts, found_at(facts.sum()))

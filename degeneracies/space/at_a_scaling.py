@@ -1,4 +1,4 @@
-"""Facets and edges that are parallel at one scaling, and at none beside it."""
+"""Facets and edges that are parallel at one scaling, but not beside it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ REACH = 12
 
 
 def direction_pair(dice: Random) -> tuple[Point, Point, Point]:
-    """Two vectors of a grid, and their cross product, none of whose coordinates is zero."""
+    """Two grid vectors, and their cross product, with no zero coordinate."""
     while True:
         u, v = (vector(*(dice.randint(-5, 5) for _ in range(3))) for _ in range(2))
         normal = crossed(u, v)
@@ -31,13 +31,13 @@ def direction_pair(dice: Random) -> tuple[Point, Point, Point]:
 
 
 def on_top(dice: Random, top: list[Point], normal: Point, size: int) -> Polyhedron:
-    """A body whose face farthest along the normal is the hull of these points of the plane through
-    the origin."""
+    """A body whose farthest face along the normal is the hull of these points, from the plane
+    through the origin."""
     return hull([*top, *below(dice, normal, max(2, size // 2 - len(top)), REACH)])
 
 
 def facet_pair(dice: Random, size: int) -> SpaceDraft:
-    """A facet of SP and one of Q with one normal."""
+    """A facet of SP and a facet of Q with the same normal."""
     u, v, normal = direction_pair(dice)
     s = any_scaling(dice)
     P = on_top(dice, in_plane(dice, u, v), normal, size)
@@ -68,7 +68,7 @@ def facet_and_edge(dice: Random, size: int) -> SpaceDraft:
 
 
 def _edge_pair(dice: Random, size: int) -> SpaceDraft:
-    """An edge of SP and one of Q, both farthest in one direction."""
+    """An edge of SP and an edge of Q, both farthest in the same direction."""
     u, _, normal = direction_pair(dice)
     if not all(u):
         raise NothingDrawn

@@ -53,7 +53,7 @@ def pyramid(dice: Random, ring: Sequence[tuple[int, int]]) -> Polyhedron:
 
 
 def frustum(dice: Random, ring: Sequence[tuple[int, int]]) -> Polyhedron:
-    """Between a polygon and a smaller one of the same shape above it."""
+    """The body between a polygon and a smaller similar polygon above."""
     t, height = Fraction(1, dice.randint(2, 4)), dice.randint(2, 12)
     dx, dy = dice.randint(0, 4), dice.randint(0, 4)
     return hull([*((*p, 0) for p in ring), *((t * x + dx, t * y + dy, height) for x, y in ring)])
@@ -68,7 +68,7 @@ def roof(dice: Random, ring: Sequence[tuple[int, int]], along: tuple[int, int]) 
 
 
 def scattered(dice: Random, count: int, reach: int = 12) -> Polyhedron:
-    """The hull of points of a grid."""
+    """The hull of grid points."""
     return hull(lattice_point(dice, reach) for _ in range(max(4, count)))
 
 
@@ -90,7 +90,7 @@ def below(dice: Random, normal: Sequence[Fraction | int], count: int, reach: int
 
 
 def mapped(body: Polyhedron, change: Map) -> Polyhedron:
-    """By a map that is affine, and may turn inside out."""
+    """Applies an affine map, which may turn the body inside out."""
     result = Polyhedron(tuple(change(v) for v in body.vertices), body.faces)
     return result if result.volume > 0 else result.turned_inside_out()
 
@@ -114,7 +114,7 @@ def factors(dice: Random) -> Point:
 
 
 def any_scaling(dice: Random) -> Point:
-    """A scaling of moderate factors, no two of them the same."""
+    """A scaling by moderate factors, all different."""
     while True:
         x, y, z = (Fraction(dice.randint(1, 9), dice.randint(1, 5)) for _ in range(3))
         if x != y != z != x:
@@ -122,7 +122,7 @@ def any_scaling(dice: Random) -> Point:
 
 
 def far_scalings(dice: Random) -> tuple[Point, ...]:
-    """Some that have little in common."""
+    """Scalings without much in common."""
     found = []
     for _ in range(3):
         x, y, z = dice.sample(FAR_SCALINGS, 3)
@@ -131,7 +131,8 @@ def far_scalings(dice: Random) -> tuple[Point, ...]:
 
 
 def turned(dice: Random) -> tuple[Map, tuple[int, int, int]]:
-    """Axes in another order, some of them turned round; and the axes from which those come."""
+    """Returns a map that permutes axes and turns some round; and the original axis for each new
+    axis."""
     a, b, c = dice.choice(list(permutations(range(3))))
     signs = [dice.choice((1, -1)) for _ in range(3)]
 
@@ -142,9 +143,9 @@ def turned(dice: Random) -> tuple[Map, tuple[int, int, int]]:
 
 
 def changed(dice: Random, draft: SpaceDraft, far: int = 12, stretch: bool = True) -> SpaceDraft:
-    """The same in other coordinates: all predicates keep their signs. Both bodies are turned in one
-    way and moved apart; `stretch`: along each axis both change their size, and P and the scalings
-    change theirs the other way round."""
+    """Changes coordinates, keeping the signs of all predicates. Both bodies are turned in one way
+    and moved apart; `stretch`: along each axis both change their size, and P and the scalings
+    change size inversely."""
     turn, (a, b, c) = turned(dice)
     both = factors(dice) if stretch else (Fraction(1),) * 3
     first = factors(dice) if stretch else (dice.choice(FACTORS),) * 3
@@ -174,8 +175,8 @@ def swapped(dice: Random, draft: SpaceDraft) -> SpaceDraft:
 
 
 def orbit(points: Iterable[Point], mirrored: bool) -> set[Point]:
-    """Under the rotations of the tetrahedron: axes change in a cycle, two of them turn round;
-    `mirrored`: with all of the cube."""
+    """Images under the rotations of the tetrahedron: cyclic permutations of axes, with two turned
+    round; `mirrored`: under all symmetries of the cube."""
     found = set()
     for point in points:
         for order in permutations(range(3)) if mirrored else ((0, 1, 2), (1, 2, 0), (2, 0, 1)):

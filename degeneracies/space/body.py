@@ -12,7 +12,7 @@ from minkref.degeneracies.space.vectors import Vector, crossed, difference, dire
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole
 
-Corners = tuple[int, ...]  # of a face, ascending
+Corners = tuple[int, ...]  # a face's corners, ascending
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Facet:
 
 @dataclass(frozen=True)
 class Edge:
-    """`facets`: the two that it bounds. `direction` leads from the first of its ends to the
+    """`facets`: the two facets beside the edge. `direction` leads from the first end to the
     second."""
 
     ends: tuple[int, int]
@@ -37,8 +37,8 @@ class Edge:
 
 @dataclass(frozen=True)
 class Body:
-    """`given` may be in triangles and have flat vertices; the rest is of the body without them.
-    Vertices are in lexicographic order."""
+    """`given` may have triangulated facets and flat vertices; the other members describe the body
+    without them. Vertices are in lexicographic order."""
 
     given: Polyhedron
     name: str
@@ -54,7 +54,7 @@ class Body:
         return _core.ConvexPolyhedron(self.surface, self.name)
 
     def certify(self) -> None:
-        """Raises _core.BadInput where it is no convex body."""
+        """Raises _core.BadInput if the body is not convex."""
         _ = self.convex
 
     @cached_property
@@ -63,7 +63,7 @@ class Body:
 
     @cached_property
     def clean(self) -> Polyhedron:
-        """Facets in one plane are one, and no vertex is flat."""
+        """The body with one facet per plane, and no flat vertex."""
         return Polyhedron(tuple(self.vertices), tuple(facet.ring for facet in self.facets))
 
     @cached_property
@@ -72,7 +72,7 @@ class Body:
 
     @cached_property
     def numbers(self) -> list[int]:
-        """For each vertex its number in the body as it is given."""
+        """Maps each vertex to its number in the given body."""
         places = {point: k for k, point in enumerate(self.given.vertices)}
         return [places[point] for point in self.vertices]
 
@@ -115,7 +115,7 @@ class Body:
 
     @cached_property
     def diameter(self) -> tuple[Point, Point]:
-        """Two vertices that are as far apart as any."""
+        """Two vertices at the greatest distance from each other."""
         pairs = combinations(self.vertices, 2)
         return max(pairs, key=lambda pair: _square(difference(*pair)))
 
@@ -125,7 +125,7 @@ class Body:
 
     @cached_property
     def square_of_girth(self) -> Fraction:
-        """The square of the greatest distance of a vertex from the line of the diameter."""
+        """The square of the greatest distance between a vertex and the diameter's line."""
         a, b = self.diameter
         along = difference(b, a)
         far = max(_square(crossed(along, difference(v, a))) for v in self.vertices)

@@ -40,7 +40,7 @@ class DegenerateInSpace(CaseTexts):
     def of(
         cls, family: SpaceFamily, seed: int, index: int, size: int | None = None
     ) -> DegenerateInSpace:
-        """The member of this number; of about so many vertices, where a size is given."""
+        """Makes member number `index`, with about `size` vertices if given."""
         source = source_of(family.name, seed, index, size)
         return cls(family, source, *member_in_space(family, seed, index, size))
 
@@ -76,7 +76,7 @@ class DegenerateInSpace(CaseTexts):
 
     @property
     def certificate(self) -> ConvexCertificate:
-        """The certificate of the sum at each of the scalings."""
+        """The certificate of the sum at each scaling."""
         return self.facts.certificate
 
     def _expected(self, at: Point) -> dict[str, Any]:
@@ -93,7 +93,7 @@ class DegenerateInSpace(CaseTexts):
         return told
 
     def _row(self, shown: Coincidence) -> dict[str, Any]:
-        """With what the predicate is at each of the scalings."""
+        """The coincidence's row, with the predicate's value at each scaling."""
         facts = self.facts
         return {
             "what": shown.what,
@@ -135,5 +135,5 @@ def _texts(at: Point) -> list[str]:
 
 
 def _given(body: Body, face: Corners) -> list[int]:
-    """As the vertices are numbered in the file."""
+    """Vertex numbers as in the file."""
     return sorted(body.numbers[k] for k in face)

@@ -1,4 +1,4 @@
-"""Coincidences that a family looks for in a sum: which faces of P and of Q meet in its faces."""
+"""Coincidences that a family looks for in a sum: faces of P and of Q whose sums form its faces."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from minkref.fuzz.geometry.space import Whole
 
 
 def parallel_facets(at: SumAt) -> list[Coincidence]:
-    """The facets of the sum that are the sum of two facets."""
+    """Returns the sum's facets made from two facets."""
     return [
         Coincidence("parallel-facets", p, q) for p, q in at.parents if len(p) > 2 and len(q) > 2
     ]
 
 
 def facets_along_edges(at: SumAt) -> list[Coincidence]:
-    """Those that are the sum of a facet and an edge of the other body: the arc of the edge runs
-    through the normal of the facet."""
+    """Facets of the sum made from a facet and an edge of the other body: the edge's arc runs
+    through the facet's normal."""
     return [
         Coincidence("facet-and-edge" if len(q) == 2 else "edge-and-facet", p, q)
         for p, q in at.parents
@@ -30,14 +30,14 @@ def parallel_edges(at: SumAt) -> list[Coincidence]:
 
 
 def at_all(facts: SpaceFacts, shown: Iterable[Coincidence]) -> list[Coincidence]:
-    """Those that hold at every scaling there is: each of the three terms of the product is zero,
-    or the two that are parallel lie along an axis."""
+    """The coincidences that hold at every scaling: each of the product's three terms vanishes, or
+    the two parallel features lie along an axis."""
     return [each for each in shown if _always(facts, each)]
 
 
 def only_here(facts: SpaceFacts, shown: Iterable[Coincidence]) -> list[Coincidence]:
-    """Those that hold at no other factor along the axis: the predicate, which has one root there,
-    is not zero beside."""
+    """The coincidences that hold at no other factor along the axis: the predicate, which has one
+    root there, does not vanish beside it."""
     return [
         each
         for each in shown

@@ -1,4 +1,4 @@
-"""The signs on which sums of convex bodies rest, decided in doubles the plain way."""
+"""The signs that decide sums of convex bodies, computed in doubles the plain way."""
 
 from __future__ import annotations
 
@@ -11,10 +11,9 @@ Triple = tuple[float, float, float]
 
 
 def signs_in_doubles(normals: Body, edges: Body, factors: tuple[Point, Point]) -> list[int | None]:
-    """For each facet of the one and each edge of the other, in this order: the sign of the product
-    of the facet's normal with the edge; None where it is not a number. Coordinates are rounded,
-    scaled by the rounded factors, and subtracted; a normal is the cross product of the first two
-    edges of the facet."""
+    """Signs, for each facet of the first body and each edge of the second, in this order, of the
+    product of facet normal and edge; None for NaN. Coordinates are rounded, scaled by the rounded
+    factors, and subtracted; a normal is the cross product of the facet's first two edges."""
     first, second = (
         [_scaled(v, scaling) for v in body.vertices]
         for body, scaling in zip((normals, edges), factors, strict=True)

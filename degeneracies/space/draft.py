@@ -1,4 +1,4 @@
-"""Drafts that a generator in space draws, and the facts about them."""
+"""Drafts from a generator in space, and facts about them."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole, cross, dot
 
 LARGEST_GAP = 8000  # 2^-k beside a factor is looked at down to this k
-FINE = 60  # bits: a sibling is this near, where neighbouring doubles are 52 or 53 bits apart
+FINE = 60  # bits: a sibling lies this near; neighbouring doubles lie 52 or 53 bits apart
 ONE = (Fraction(1),) * 3
 VERTEX, EDGE, FACET = "vertex", "edge", "facet"
 
 
 @dataclass(frozen=True)
 class SpaceDraft:
-    """Two bodies, the scaling at which they are degenerate, and the axis along which its siblings
-    are. `others`: further scalings that the family speaks of."""
+    """Two bodies, the degenerate scaling, and the axis along which its siblings lie. `others`:
+    further scalings for the family's statement."""
 
     P: Polyhedron
     Q: Polyhedron
@@ -54,7 +54,7 @@ class Coincidence:
 
 @dataclass(frozen=True)
 class SumAt:
-    """SP + Q at one scaling, by the faces of which its faces are the sums."""
+    """SP + Q at one scaling, with the parent faces for each face."""
 
     found: _core.ConvexSum
     P: Body
@@ -67,13 +67,12 @@ class SumAt:
 
     @cached_property
     def kinds(self) -> Counter[tuple[str, str]]:
-        """How many facets are the sum of a face of this kind of P and one of that kind of Q."""
+        """Counts facets by their parents' kinds, first in P, then in Q."""
         return Counter((_kind(p), _kind(q)) for p, q in self.parents)
 
     @cached_property
     def parallel_edges(self) -> list[tuple[Corners, Corners]]:
-        """The edges of the sum that are the sum of an edge of P and one of Q, which are parallel:
-        their arcs have a piece in common."""
+        """The sum's edges that are sums of two parallel edges from P and Q, whose arcs overlap."""
         of = self.found.vertex_parents
         found = set()
         for ring in self.found.surface.rings():
@@ -85,7 +84,7 @@ class SumAt:
 
     @cached_property
     def structure(self) -> frozenset[tuple[Corners, Corners]]:
-        """The same of two sums whose facets are the sums of the same faces."""
+        """A value that two sums share if their facets are sums of the same faces."""
         return frozenset(self.parents)
 
     @property
@@ -98,8 +97,8 @@ class SumAt:
 
     @property
     def counts(self) -> dict[str, int]:
-        """Facets of the sum by their parents, whichever of P and Q has which; and its edges that
-        are the sum of two parallel ones."""
+        """Facets of the sum by their parents' kinds, irrespective of which belongs to P; and the
+        sum's edges made from two parallel edges."""
         return {
             "facet_and_facet": self.facets_on_facets,
             "facet_and_edge": self.facets_on_edges,
@@ -122,14 +121,14 @@ class SpaceFacts:
 
     @classmethod
     def of(cls, draft: SpaceDraft) -> SpaceFacts:
-        """Raises _core.BadInput where an operand is no convex body."""
+        """Raises _core.BadInput if an operand is no convex body."""
         P, Q = Body(draft.P, "P"), Body(draft.Q, "Q")
         P.certify()
         Q.certify()
         return cls(P, Q, draft.scaling, draft.axis, draft.others)
 
     def sum(self, scaling: Point | None = None) -> SumAt:
-        """At the scaling of the draft, or at another one."""
+        """Returns the sum at the draft's scaling, or at another."""
         at = scaling or self.scaling
         if at not in self._sums:
             x, y, z = at
@@ -148,7 +147,7 @@ class SpaceFacts:
     @cached_property
     def scalings(self) -> list[Point]:
         """The scaling; its siblings, with one factor ± 2^-k: the nearest such steps apart from
-        other critical factors, and still smaller ones; and the others."""
+        other critical factors, and still smaller steps; and the others."""
         factor = self.scaling[self.axis]
         size = factor.denominator.bit_length() - factor.numerator.bit_length()
         steps = sorted({self.gap, max(self.gap, FINE + size)})
@@ -179,9 +178,9 @@ class SpaceFacts:
 
     @cached_property
     def roots(self) -> set[Fraction]:
-        """The factors along the axis, the other two as they are, at which the product of a normal
-        of one body and an edge of the other is zero, unless it always is. Between them the sum has
-        the same faces."""
+        """The factors along the axis, with the other two fixed, at which the product of one body's
+        normal and the other's edge vanishes, unless it always does. Between roots the sum keeps its
+        faces."""
         found = set()
         k = self.axis
         for normal, along, power in self._pairs():
@@ -211,7 +210,7 @@ class SpaceFacts:
         return direction(inverse(factors)), direction(factors)
 
     def signs(self, at: Point | None = None) -> list[int]:
-        """Signs of all facets of one body with all edges of the other: first the facets of P."""
+        """Signs for all facets of one body with all edges of the other: first the facets of P."""
         down, up = self.weights(at)
         found = []
         for facet in self.P.facets:
@@ -250,8 +249,8 @@ class SpaceFacts:
         ]
 
     def value(self, shown: Coincidence, at: Point) -> int:
-        """The value of a coincidence's predicate at a scaling: its sign, or 1 where a cross product
-        is not zero, or faces are no more farthest in one direction."""
+        """The value of a coincidence's predicate at a scaling: its sign, or 1 if a cross product
+        does not vanish, or the faces are no longer farthest in one direction."""
         if shown.what == "compatible":
             return int((shown.P, shown.Q) not in self.sum(at).structure)
         first, second = self.P.directions[shown.P], self.Q.directions[shown.Q]
@@ -262,7 +261,7 @@ class SpaceFacts:
         return int(cross(first, second) != (0, 0, 0))
 
     def pairs_of_signs(self) -> Iterator[tuple[Corners, Corners]]:
-        """The faces of P and of Q of each of `signs`."""
+        """Yields the faces of P and Q behind each entry of `signs`."""
         for facet in self.P.facets:
             for edge in self.Q.edges:
                 yield facet.corners, edge.ends
@@ -278,8 +277,8 @@ class SpaceFacts:
 
 @dataclass(frozen=True)
 class SpaceFamily(Subject):
-    """`draw` draws a candidate of about `size` vertices. `proof`: the coincidences that show that
-    it belongs to the family, some of them; none where it does not."""
+    """`draw` draws a candidate with about `size` vertices. `proof`: some coincidences that show
+    membership in the family; none for other pairs."""
 
     draw: Callable[[Random, int], SpaceDraft]
     proof: Callable[[SpaceFacts], list[Coincidence]]

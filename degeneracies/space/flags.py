@@ -1,5 +1,5 @@
-"""The flags of cases in space: each holds of the facts of a case at its first scaling, or does not.
-flags.json says what each means."""
+"""The flags for cases in space: a case's facts at its first scaling decide each flag. flags.json
+says what each means."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from minkref.fuzz.geometry.space import Whole
 
 
 def flags_in_space(facts: SpaceFacts) -> list[str]:
-    """All that hold, in the order of the alphabet. Exact."""
+    """All flags that hold, in alphabetical order. Exact."""
     return sorted(name for name, holds in FLAGS_IN_SPACE.items() if holds(facts))
 
 
@@ -29,8 +29,8 @@ def _all_parallel(facts: SpaceFacts) -> bool:
 
 
 def _ties(facts: SpaceFacts) -> Iterator[bool]:
-    """For each product of a normal of one body and an edge of the other that is zero, whether its
-    terms are, so that it is zero at every scaling."""
+    """For each vanishing product between one body's normal and the other's edge, whether all its
+    terms vanish, so that the product vanishes at every scaling."""
     for (p, q), sign in zip(facts.pairs_of_signs(), facts.signs(), strict=True):
         if sign == 0:
             first, second = facts.P.directions[p], facts.Q.directions[q]
@@ -50,7 +50,8 @@ def _either_way(vector: Whole) -> Whole:
 
 
 def _nearly_parallel(facts: SpaceFacts) -> bool:
-    """The square of the tangent of the angle is less than 4^-LEAST_BITS, and not zero."""
+    """Whether the squared tangent of an angle between facets is below 4^-LEAST_BITS, but not
+    zero."""
     for n in facts.directions_of_P():
         for facet in facts.Q.facets:
             across, along = crossed(n, facet.normal), product(n, facet.normal)

@@ -1,4 +1,4 @@
-"""Members of families in space: drawn until one belongs."""
+"""Members of families in space, by drawing until a candidate belongs."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from minkref.degeneracies.space.draft import Coincidence, SpaceFacts, SpaceFamil
 def member_in_space(
     family: SpaceFamily, seed: int, index: int, size: int | None = None
 ) -> tuple[SpaceFacts, list[Coincidence]]:
-    """The member of this number, of about `size` vertices where the family can be large, and what
-    shows that it is one. It depends on nothing else, on any machine. Refuses a size that no draw
-    has come to."""
+    """Draws member number `index`, with about `size` vertices if the family can be large, and the
+    coincidences that prove membership. The arguments alone decide the result, on any machine.
+    Refuses a size that no draw reaches."""
     dice = Random(f"minkref degeneracy {family.name} {seed} {index}")
     for _ in range(PATIENCE):
         wanted = dice.randint(FEWEST, MOST) if size is None else size

@@ -1,5 +1,5 @@
-"""Facets that are nearly parallel, and coordinates and factors that are huge, tiny, or both: what
-an exact sign tells and doubles do not."""
+"""Nearly parallel facets, and coordinates and factors that are huge, tiny, or both: exact signs
+decide these cases, doubles do not."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ LEAST_BITS, MOST_BITS = 20, 200
 SIGNIFICAND = 53
 HUGE = Fraction(10) ** 250
 FAR = Fraction(10) ** 200
-LONG = 10**6  # a needle to its thickness, a plate to its
+LONG = 10**6  # ratio of a needle's length, or a plate's width, to its thickness
 
 
 def _nearly(dice: Random, size: int) -> SpaceDraft:
-    """A facet of SP, and one of Q with a corner that is off its plane by so little. Where doubles
-    have digits for this, the bodies are far from the origin."""
+    """A facet of SP, and a facet of Q with one corner slightly off the facet's plane. Where doubles
+    have digits for this distance, the bodies lie far from the origin."""
     bits = dice.randint(LEAST_BITS, MOST_BITS)
     u, v, normal = direction_pair(dice)
     s = any_scaling(dice)
@@ -60,8 +60,8 @@ def _nearly(dice: Random, size: int) -> SpaceDraft:
 
 
 def _nearly_parallel(facts: SpaceFacts) -> list[Coincidence]:
-    """Facets that are not parallel, at an angle of less than 2^-20, each with a facet of the sum of
-    its own; and doubles have a sign of the one and an edge of the other wrong."""
+    """Facets at an angle below 2^-20, but not parallel, each with its own facet in the sum; doubles
+    get a sign wrong between one facet and an edge of the other."""
     alone, alone_in_Q = (
         {pair[k] for pair in facts.sum().parents if len(pair[k]) > 2 and len(pair[1 - k]) < 3}
         for k in (0, 1)
@@ -79,19 +79,19 @@ def _nearly_parallel(facts: SpaceFacts) -> list[Coincidence]:
 
 
 def _wrong_pairs(facts: SpaceFacts) -> list[tuple[Corners, Corners]]:
-    """The faces of P and of Q whose sign doubles have wrong."""
+    """The faces of P and of Q with a wrong sign in doubles."""
     signs = zip(facts.pairs_of_signs(), facts.signs(), facts.signs_in_doubles(), strict=True)
     return [pair for pair, exact, found in signs if exact != found]
 
 
 def _meet(pairs: list[tuple[Corners, Corners]], p: Corners, q: Corners) -> bool:
-    """One of the two facets with an edge of the other."""
+    """Whether a pair consists of one facet and an edge of the other."""
     return any(set(face) <= set(p) and set(other) <= set(q) for face, other in pairs)
 
 
 def _huge(dice: Random, size: int) -> SpaceDraft:
-    """P or Q of such a size and the other as it was, or both, along all axes or along each in its
-    own way; the factors make up for it."""
+    """Gives P or Q a huge or tiny size, or both, along all axes or along each differently; the
+    factors compensate."""
     base = dice.choice((facet_pair, facet_and_edge, *(family.draw for family in ALWAYS)))
     draft = base(dice, size)
     exponents = [dice.randint(290, 300) * dice.choice((1, -1)) for _ in range(3)]
@@ -128,7 +128,7 @@ def _far_factors(facts: SpaceFacts) -> bool:
 
 
 def _thin(dice: Random, size: int) -> SpaceDraft:
-    """A needle along an edge that lies in the plane of a plate at the scaling."""
+    """A needle along an edge that lies in a plate's plane at the scaling."""
     u, v, normal = direction_pair(dice)
     s = any_scaling(dice)
     length = LONG * 10 ** dice.randint(1, 24)
@@ -146,9 +146,9 @@ def _thin(dice: Random, size: int) -> SpaceDraft:
 
 
 def _is_thin(facts: SpaceFacts) -> list[Coincidence]:
-    """One body is a needle, all of it near its longest line; the other is a plate, thin across a
-    facet and wide in two directions, as its volume tells; and at the scaling, and not beside it,
-    edges of the one are parallel to facets of the other."""
+    """Whether one body is a needle, close to its longest line, and the other a plate, thin across a
+    facet and wide in two directions, by its volume; and whether at the scaling only, edges of one
+    are parallel to facets of the other."""
     for needle, plate in ((facts.P, facts.Q), (facts.Q, facts.P)):
         is_needle = needle.square_of_girth * LONG**2 < needle.square_of_diameter
         is_plate = (

@@ -1,5 +1,5 @@
-"""Bodies whose shape is the difficulty: many facets at a vertex, facets of many corners, symmetry,
-a body and its own image, vertices that are none."""
+"""Bodies with difficult shapes: many facets at a vertex, facets with many corners, symmetry, a body
+and its own image, flat vertices."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ from minkref.fuzz.geometry.space import Point
 
 MANY = 8  # facets at a vertex, corners of a facet
 MOST_CORNERS = 120
-SOLIDS: tuple[tuple[tuple[tuple[int, int, int], ...], bool], ...] = (  # of an orbit; mirrored
+SOLIDS: tuple[tuple[tuple[tuple[int, int, int], ...], bool], ...] = (  # points; mirrored
     (((1, 1, 1),), False),  # tetrahedron
     (((1, 1, 1),), True),  # cube
     (((1, 0, 0),), True),  # octahedron
@@ -87,7 +87,7 @@ def _pyramids(dice: Random, size: int) -> SpaceDraft:
 
 
 def _many_facets(facts: SpaceFacts) -> list[Coincidence]:
-    """At a vertex of a body; and faces that meet."""
+    """Coincidences of a body with many facets at a vertex."""
     if max(facts.P.degree, facts.Q.degree) < MANY:
         return []
     here = facts.sum()
@@ -138,7 +138,7 @@ def _itself(dice: Random, size: int) -> SpaceDraft:
 
 
 def _turned_alike(dice: Random, draft: SpaceDraft) -> SpaceDraft:
-    """Both in the same other coordinates; Q stays P, moved, or reflected and moved."""
+    """Shears both bodies alike; Q stays P, moved, or reflected and moved."""
     a, b, c = (dice.choice((1, 2, 3)) for _ in range(3))
 
     def shear(v: Point) -> Point:
@@ -153,7 +153,7 @@ def _reflection(dice: Random, size: int) -> SpaceDraft:
 
 
 def _is_itself(facts: SpaceFacts) -> list[Coincidence]:
-    """Every facet of the sum is the sum of a facet and the same facet."""
+    """Checks that every facet of the sum is a facet plus the same facet."""
     if not _same_moved(facts.P.vertices, facts.Q.vertices):
         return []
     shown = parallel_facets(facts.sum())
@@ -162,7 +162,8 @@ def _is_itself(facts: SpaceFacts) -> list[Coincidence]:
 
 
 def _is_reflection(facts: SpaceFacts) -> list[Coincidence]:
-    """Each facet of SP is opposite to one of Q; P is no reflection of itself."""
+    """Checks that each facet of SP lies opposite a facet of Q, while P is not its own
+    reflection."""
     image = sorted((-x, -y, -z) for x, y, z in facts.P.vertices)
     if not _same_moved(image, facts.Q.vertices) or _same_moved(image, facts.P.vertices):
         return []
@@ -173,7 +174,7 @@ def _is_reflection(facts: SpaceFacts) -> list[Coincidence]:
 
 
 def _same_moved(first: list[Point], second: list[Point]) -> bool:
-    """Both are in ascending order."""
+    """Whether two ascending lists differ by a translation."""
     if len(first) != len(second):
         return False
     moves = {
@@ -183,7 +184,7 @@ def _same_moved(first: list[Point], second: list[Point]) -> bool:
 
 
 def _symmetric(dice: Random, size: int) -> SpaceDraft:
-    """Solids of the list, or hulls of the orbit of any point."""
+    """Solids from the list, or hulls of any point's orbit."""
 
     def solid() -> Polyhedron:
         if dice.random() < 0.7:
@@ -209,7 +210,7 @@ def _is_symmetric(facts: SpaceFacts) -> list[Coincidence]:
 
 
 def _flat(dice: Random, size: int) -> SpaceDraft:
-    """Facets in triangles, some of them about a vertex inside, and vertices inside edges."""
+    """Facets cut into triangles, some around an inner vertex, and vertices inside edges."""
     base = dice.choice((facet_pair, facet_and_edge))
     draft = changed(dice, base(dice, size))
     P, Q = (in_triangles(dice, body) for body in (draft.P, draft.Q))

@@ -1,5 +1,5 @@
-"""Sums kept up to date that must be mended from one scaling to another, where errors of facets and
-errors of edges do not come together (Behar & Lien 2012, Theorem 1)."""
+"""Sums updated from one scaling to another, where facet errors and edge errors do not come together
+(Behar & Lien 2012, Theorem 1)."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from minkref.degeneracies.space.draft import ONE, Coincidence, SpaceDraft, Space
 from minkref.fuzz.geometry.space import Point
 
 Corners = tuple[int, ...]
-# Two tetrahedra and a scaling after which each facet of both has another vertex, and all pairs of
-# edges are as before.
+# Two tetrahedra and a scaling that gives each facet of both another vertex, and keeps all pairs of
+# edges.
 EXCHANGED = (
     ((1, -5, 5), (-2, -5, 3), (2, 4, 1), (-2, 2, -4)),
     ((5, 4, -2), (-4, -4, -3), (5, -3, 1), (-4, 1, -5)),
@@ -32,7 +32,7 @@ class Pairs:
 
     @classmethod
     def at(cls, facts: SpaceFacts, scaling: Point) -> Pairs | None:
-        """None where faces meet in a special position."""
+        """Returns None if faces meet in a special position."""
         pairs = cls({}, {}, set())
         for p, q in facts.sum(scaling).parents:
             if len(p) > 2 and len(q) == 1:
@@ -60,8 +60,8 @@ def _one_kind(dice: Random, size: int) -> SpaceDraft:
 
 
 def _edges_without_facets_of_P(facts: SpaceFacts) -> list[Coincidence]:
-    """Pairs of edges are lost, no facet of P has another vertex, facets of Q do: these are shown,
-    with the vertex that they had."""
+    """Pairs of edges disappear, no facet of P gets another vertex, but facets of Q do: the result
+    lists these facets, each with its former vertex."""
     change = _change(facts)
     if change is None:
         return []
@@ -74,7 +74,7 @@ def _edges_without_facets_of_P(facts: SpaceFacts) -> list[Coincidence]:
 
 
 def _exchanged(dice: Random, size: int) -> SpaceDraft:
-    """The pair that is known, its corners moved by a little, in other coordinates."""
+    """The known pair, with slightly moved corners, in other coordinates."""
     grid = dice.choice((1, 4, 7, 12))
     P, Q = (
         hull(
@@ -90,7 +90,7 @@ def _exchanged(dice: Random, size: int) -> SpaceDraft:
 
 
 def _facets_without_edges(facts: SpaceFacts) -> list[Coincidence]:
-    """Each facet of both bodies has another vertex, and all pairs of edges are as before."""
+    """Each facet of both bodies gets another vertex, and all pairs of edges stay."""
     change = _change(facts)
     if change is None:
         return []

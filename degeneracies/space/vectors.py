@@ -25,7 +25,7 @@ def stretched(vector: Iterable[Fraction | int], factors: Point) -> Vector:
 
 
 def shrunk(vector: Iterable[Fraction | int], factors: Point) -> Vector:
-    """Along a normal of S P, for a normal of P."""
+    """Scales a normal of P to a normal of S P."""
     return stretched(vector, inverse(factors))
 
 
