@@ -11,9 +11,9 @@ def least_precision(
     P: _core.PolygonSet, Q: _core.PolygonSet, form: str = "corrected", most: int = MOST_BITS
 ) -> int | None:
     """Bits of mpfr such that no event is missed, invented or out of order: the least found by
-    doubling, then halving the last step. A higher precision is not proven to be right too: rounding
-    knows no order. None where no doubling up to `most` is enough, as with events that only exact
-    arithmetic can tell: an end that stays on a line for all scales, a pair that only touches."""
+    doubling, then halving the last step. A higher precision need not be right, too: rounding knows
+    no order. None if no doubling up to `most` suffices, as for events that only exact arithmetic
+    can tell: an end that stays on a line for all scales, a pair that only touches."""
 
     def enough(bits: int) -> bool:
         return bool(_core.precision_trial(P, Q, f"mpfr:{bits}", form)["all_right"])

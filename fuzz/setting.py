@@ -1,4 +1,4 @@
-"""The facts that a run of `verify` needs of the plane, of space, and of whatever comes next."""
+"""The facts that a `verify` run needs about the plane, space, and later settings."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from minkref.fuzz.targets.asking import Asking
 
 
 class SmallCase(Protocol):
-    """A case that is being shrunk, and as a text that names it. The least `size` is wanted."""
+    """A case while shrinking, with a text that names it. A smaller `size` is better."""
 
     @property
     def size(self) -> Any: ...
@@ -22,30 +22,30 @@ class SmallCase(Protocol):
 
 
 class Setting(ABC):
-    """How cases are read, sent, received, judged and shrunk where they live. A folder of `fuzz/`
-    has its filling; `settings.py` lists them."""
+    """Reads, sends, receives, judges and shrinks cases in one setting. A folder in `fuzz/`
+    implements it; `settings.py` lists them."""
 
-    name: ClassVar[str]  # also the capability by which a target declares that it takes its cases
+    name: ClassVar[str]  # also the capability by which a target declares that it takes the cases
     where: ClassVar[str]
     dimension: ClassVar[int]
-    target: ClassVar[str]  # a route of the reference that takes its cases
-    verbs: ClassVar[tuple[str, ...]]  # beside `at`; where a target declares them
-    asking: ClassVar[type[Asking]]  # how targets are asked, and their answers judged
-    never: ClassVar[frozenset[str]] = frozenset()  # capabilities that none of its cases asks for
+    target: ClassVar[str]  # a reference route that takes the cases
+    verbs: ClassVar[tuple[str, ...]]  # beside `at`; if a target declares them
+    asking: ClassVar[type[Asking]]  # asks targets, and judges their answers
+    never: ClassVar[frozenset[str]] = frozenset()  # capabilities never asked for
 
     # Cases.
 
     @abstractmethod
     def holds(self, operands: list[Any]) -> bool:
-        """Whether two JSON values are meant as its sets."""
+        """Whether two JSON values look like sets in this setting."""
 
     @abstractmethod
     def is_document(self, value: Any) -> bool:
-        """Whether a JSON value is meant as one of its case files."""
+        """Whether a JSON value looks like a case file in this setting."""
 
     @abstractmethod
     def case_of(self, name: CaseName, operands: list[Any], scale: Any, where: str) -> AnyCase:
-        """The case of two sets as JSON values. Refuses values that are no sets."""
+        """Makes a case from two sets as JSON values. Refuses values that are no sets."""
 
     @abstractmethod
     def scales_in(self, value: dict[str, Any], path: Path) -> list[str]:
@@ -61,14 +61,14 @@ class Setting(ABC):
 
     @abstractmethod
     def drawn(self, name: CaseName, family: str, seed: int, index: int) -> AnyCase | None:
-        """The case that the generator `family` makes; None if there is no such generator."""
+        """Makes a case by the generator `family`; None for an unknown generator."""
 
     @abstractmethod
     def derived(
         self, base: AnyCase, name: CaseName, operation: str, number: int | None
     ) -> AnyCase | None:
-        """The case that an operation makes of another; None if there is no such operation. NoCase
-        if there is nothing to be made."""
+        """Derives a case by an operation; None for an unknown operation. NoCase if nothing can be
+        made."""
 
     # Shrinking.
 
@@ -91,15 +91,15 @@ class Setting(ABC):
 
 
 class Question(ABC):
-    """A question about sets of a setting, other than for their sum: the cases that ask it, and how
-    these are made smaller."""
+    """A question about sets in a setting, other than their sum: the cases that ask it, and how to
+    make them smaller."""
 
     cases: ClassVar[type]
     asking: ClassVar[type[Asking]]
 
     @abstractmethod
     def drawn(self, name: CaseName, family: str, seed: int, index: int) -> AnyCase | None:
-        """The case that the generator `family` makes; None if there is no such generator."""
+        """Makes a case by the generator `family`; None for an unknown generator."""
 
     def named(self, name: CaseName, value: dict[str, Any], where: str) -> AnyCase | None:
         """The case of a JSON value; None if it asks something else. Refuses a wrong value."""

@@ -1,5 +1,4 @@
-"""The settings that there are, and questions other than for a sum. One more is a folder and a line
-here."""
+"""All settings, and questions other than sums. To add one, write a folder and a line here."""
 
 from __future__ import annotations
 
@@ -33,12 +32,12 @@ def setting_of_operands(operands: list[Any]) -> Setting:
 
 
 def question_of(literal: str) -> Question | None:
-    """The question of the text that names a case; None if the text asks for a sum."""
+    """Returns the question in a text that names a case; None if the text asks for a sum."""
     return next((question for question in QUESTIONS if question.is_asked(literal)), None)
 
 
 def asking_about(case: AnyCase, *how: Any) -> Asking:
-    """The Asking for the question or the setting of the case; `how`: all that Asking takes."""
+    """Makes the Asking for the case's question or setting; `how`: all arguments of Asking."""
     own = (question.asking for question in QUESTIONS if isinstance(case, question.cases))
     return next(own, setting_of(case.dimension).asking)(case, *how)
 

@@ -1,5 +1,6 @@
 // The loop of an adapter in C++: requests from standard input, answers to standard output.
-// The protocol is in docs/adapter-protocol.md; this is its part in the plane, numbers as doubles.
+// docs/adapter-protocol.md defines the protocol; this file implements its part in the plane, with
+// numbers as doubles.
 #pragma once
 
 #include <unistd.h>
@@ -51,7 +52,7 @@ inline Polygons read_polygons(const json& value) {
   return polygons;
 }
 
-/// All rings of the polygons.
+/// All the polygons' rings.
 inline std::vector<Ring> rings_of(const Polygons& polygons) {
   std::vector<Ring> rings;
   for (const Polygon& polygon : polygons) {
@@ -61,7 +62,7 @@ inline std::vector<Ring> rings_of(const Polygons& polygons) {
   return rings;
 }
 
-/// What becomes of one request, without `seq`. `Q` is that of the last `load`.
+/// The answer to one request, without `seq`. `Q` comes from the last `load`.
 inline json answer(const json& request, const json& hello, const Sum& sum, Polygons& Q,
                    bool& loaded) {
   try {
@@ -86,13 +87,13 @@ inline json answer(const json& request, const json& hello, const Sum& sum, Polyg
     return {{"status", "skipped"}, {"reason", reason.what()}};
   } catch (const std::exception& error) {
     return {{"status", "errored"}, {"reason", error.what()}};
-  } catch (...) {  // a thing that is no std::exception
+  } catch (...) {  // any type other than std::exception
     return {{"status", "errored"}, {"reason", "an exception that says nothing"}};
   }
 }
 
-/// Answers until `stop` or the end of the input; the exit code of the program. What the
-/// implementation prints goes to the log.
+/// Answers until `stop` or the input's end; returns the program's exit code. The implementation's
+/// own output goes to the log.
 inline int serve(const json& hello, const Sum& sum) {
   std::FILE* answers = fdopen(dup(STDOUT_FILENO), "w");
   if (answers == nullptr || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return 1;

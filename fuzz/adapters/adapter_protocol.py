@@ -1,7 +1,7 @@
 """The loop of an adapter in Python: requests from standard input, answers to standard output.
 
-The protocol is in docs/adapter-protocol.md. Standard library only: an adapter runs in an
-environment of its own, which knows nothing of minkref.
+docs/adapter-protocol.md defines the protocol. Standard library only: an adapter runs in its own
+environment, which knows nothing of minkref.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ class Skipped(Exception):
 
 
 class Rejected(Exception):
-    """The implementation says that the input is invalid; the text is the reason."""
+    """The implementation rejects the input as invalid; the text gives the reason."""
 
 
 class Errored(Exception):
-    """There is no result; the text is the reason."""
+    """No result; the text gives the reason."""
 
 
 class Adapter:
-    """Answers requests: `hello` is the declaration, `sum_of(sP, Q)` the members of a result, and
-    `path_of(P, Q, request)` those of the verb `path`."""
+    """Answers requests: `hello` is the declaration, `sum_of(sP, Q)` returns a result's members, and
+    `path_of(P, Q, request)` the members for the verb `path`."""
 
     def __init__(self, hello: dict[str, Any], sum_of: Sum, path_of: Path | None = None) -> None:
         self.hello = hello
@@ -69,7 +69,7 @@ class Adapter:
 
 
 def told(error: BaseException) -> str:
-    """Type and text of an exception, whatever that does."""
+    """Returns an exception's type and text, even if its `__str__` raises."""
     name = type(error).__name__
     try:
         return f"{name}: {error}"[:LONGEST_REASON]
@@ -95,8 +95,8 @@ def serve(
     given: tuple[BinaryIO, TextIO] | None = None,
     path_of: Path | None = None,
 ) -> None:
-    """Answers until `stop` or the end of the input. `given`: the streams, where they are taken
-    already. `path_of`: what answers the verb `path`, of P, Q and the request."""
+    """Answers until `stop` or the input's end. `given`: streams that were taken already. `path_of`
+    answers the verb `path`, from P, Q and the request."""
     requests, answers = given or streams()
     adapter = Adapter(hello, sum_of, path_of)
     for line in requests:

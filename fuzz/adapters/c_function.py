@@ -30,7 +30,7 @@ class _Set(Structure):
 
 
 def load(path: str, name: str) -> tuple[dict[str, Any], Sum]:
-    """The declaration that `minkref_hello` gives, with what is added to it, and what answers by the
+    """Returns the declaration from `minkref_hello`, completed, and a function that answers by the C
     function. Raises OSError, AttributeError, ValueError or Errored."""
     library = ctypes.CDLL(os.path.abspath(path) if os.path.exists(path) else path)
     found = getattr(library, name)

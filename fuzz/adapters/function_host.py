@@ -1,8 +1,9 @@
 """A function as a program that speaks the adapter protocol: `function_host.py py MODULE FUNCTION`
 or `function_host.py so LIBRARY FUNCTION`.
 
-It runs in minkref's own interpreter and imports nothing of minkref. Its own modules are out of the
-way once they are read, also in processes that the function starts: its modules may have any names.
+The program runs in minkref's own interpreter and imports nothing of minkref. After reading its own
+modules it moves them out of the way, also for processes that the function starts: the function's
+modules may have any names.
 """
 
 from __future__ import annotations
@@ -23,12 +24,12 @@ from adapter_protocol import Errored, Rejected, Set, Skipped, Sum, serve, stream
 
 sys.path.remove(HERE)
 PROTOCOL = sys.modules.pop("adapter_protocol")
-MEMBERS = ("polygons", "rings", "vertices", "faces")  # of a sum
+MEMBERS = ("polygons", "rings", "vertices", "faces")  # a sum's members
 
 
 def python_function(module: str, name: str) -> tuple[dict[str, Any], Sum]:
-    """The declaration of the function, its attribute `minkref`, and what answers by it. Modules of
-    the current folder are found. Raises what the import of the module raises, and Errored."""
+    """Returns the function's declaration, from its attribute `minkref`, and a function that answers
+    by it. Finds modules in the current folder. Raises Errored, and exceptions from the import."""
     here = os.getcwd()
     sys.path.insert(0, here)
     try:
@@ -36,7 +37,7 @@ def python_function(module: str, name: str) -> tuple[dict[str, Any], Sum]:
     finally:
         sys.path.remove(here)
         if here not in sys.path:
-            sys.path.append(here)  # for what the module imports later; it shadows nothing
+            sys.path.append(here)  # for later imports by the module; shadows nothing
     if not callable(function):
         raise TypeError(f"{name} is not a function")
     declared = getattr(function, "minkref", {})
@@ -50,7 +51,8 @@ def python_function(module: str, name: str) -> tuple[dict[str, Any], Sum]:
 
 
 def answering(function: Callable[[Set, Set], Any]) -> Sum:
-    """A sum by the Python function, which may change its operands: each call gets new ones."""
+    """Answers sums by the Python function, which may change its operands: each call gets new
+    copies."""
     kept: list[Any] = [None, "null"]  # the last Q, and its text
 
     def sum_of(sP: Set, Q: Set) -> dict[str, Any]:
@@ -70,7 +72,7 @@ def answering(function: Callable[[Set, Set], Any]) -> Sum:
 
 
 def c_function(library: str, name: str) -> tuple[dict[str, Any], Sum]:
-    """The declaration of a C function, and what answers by it."""
+    """Returns a C function's declaration, and a function that answers by it."""
     sys.path.insert(0, HERE)
     sys.modules["adapter_protocol"] = PROTOCOL
     from c_function import load  # type: ignore[import-not-found,unused-ignore]
@@ -80,7 +82,8 @@ def c_function(library: str, name: str) -> tuple[dict[str, Any], Sum]:
 
 
 def loaded(kind: str, place: str, name: str) -> tuple[dict[str, Any], Sum]:
-    """The answer to `hello`, which says why there is no function, and what answers by it."""
+    """Returns the answer to `hello`, which says why no function exists, and the answering
+    function."""
     try:
         if kind == "so":
             return c_function(place, name)

@@ -17,10 +17,10 @@ inline double largest_coordinate(const Polygons& polygons) {
   return largest;
 }
 
-/// The grid whose unit is a power of two, so chosen for each call that the coordinates of the sum
-/// (the largest of sP plus that of Q) lie between 2^(bits-1) and 2^bits units. So n units are at
-/// most n 2^(1-bits) of that size: the relative tolerance that an adapter declares. Whatever has
-/// few enough digits is not rounded at all.
+/// A grid with a power of two as its unit, chosen for each call so that the sum's coordinates
+/// (largest of sP plus largest of Q) lie between 2^(bits-1) and 2^bits units. So n units make at
+/// most n 2^(1-bits) times this size: the relative tolerance that an adapter declares. Numbers with
+/// few enough digits are not rounded at all.
 class IntegerGrid {
  public:
   IntegerGrid(const Polygons& sP, const Polygons& Q, int bits) {

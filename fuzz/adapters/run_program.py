@@ -1,5 +1,5 @@
-"""`run_program.py PROGRAM [WORD...]`: runs an adapter in Python, which may import what is beside
-this file."""
+"""`run_program.py PROGRAM [WORD...]`: runs an adapter in Python, which may import this file's
+neighbours."""
 
 import runpy
 import sys

@@ -50,7 +50,7 @@ def _turn(a: Plane, b: Plane, c: Plane) -> Fraction:
 
 
 def _is_ear(flat: dict[int, Plane], left: list[int], at: int) -> bool:
-    """Whether the corner turns left and no other vertex lies in its triangle."""
+    """Whether the corner turns left and no other vertex lies within its triangle."""
     corner = [flat[left[at - 1]], flat[left[at]], flat[left[(at + 1) % len(left)]]]
     a, b, c = corner
     if _turn(a, b, c) <= 0:

@@ -11,7 +11,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 HEADER = Path(__file__).parent / "minkref_adapter.h"
 PLACE = "NAME"
 VERIFY = "minkref verify {stem} --seconds 30"
-# Language: the template, the ending of the file, how it is started.
+# Language: the template, the file's ending, the commands that build and start it.
 LANGUAGES = {
     "python": ("template.py", ".py", ("minkref verify {program} --seconds 30",)),
     "c++": ("template.cpp", ".cpp", ("c++ -std=c++17 -O2 {file} -o {stem}", VERIFY)),
@@ -30,7 +30,7 @@ LANGUAGES = {
 
 
 def template(name: str, language: str, folder: Path) -> tuple[Path, str, list[str]]:
-    """The path of the adapter, its text, and the commands that test it. Refuses other names and
+    """Returns the adapter's path, its text, and the commands that test it. Refuses other names and
     languages."""
     if language not in LANGUAGES:
         raise Refusal(

@@ -1,4 +1,4 @@
-"""The members of a case of any setting."""
+"""The members of a case in any setting."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from minkref.fuzz.cases.case_name import CaseName
 
 
 class Exchange(Protocol):
-    """How operands and scales of a setting go to a target, as its declaration says, and how its
-    answer is read. `answer_is_no`: what an answer of a function is not, that cannot be read."""
+    """Sends operands and scales to a target, as its declaration says, and reads its answer.
+    `answer_is_no`: the missing property of a function's unreadable answer."""
 
     @property
     def answer_is_no(self) -> str: ...
@@ -25,11 +25,11 @@ class Exchange(Protocol):
 
 
 class AnyCase(Protocol):
-    """Two operands and a scale, as a target is asked for their sum. `family`: what drew it, and
-    `position`: where its scale lies, both for the coverage of a run. `needs`: what an
-    implementation must be able to take. `judged_operands`: those that the verdict is about, where a
-    law has changed what is sent. `sent`: all coordinates that it is sent. `is_valid`: both
-    operands are sets, and they have a sum. `literal`: the case itself as a text that names it."""
+    """Two operands and a scale, ready to ask a target for the sum. `family` drew the case, and
+    `position` tells where its scale lies; both serve a run's coverage. `needs`: the capabilities
+    that an implementation must have. `judged_operands`: the operands that the verdict speaks about,
+    if a law changed the operands sent. `sent`: all coordinates sent. `is_valid`: both operands are
+    sets, and have a sum. `literal`: the case itself as a text that names it."""
 
     @property
     def name(self) -> CaseName: ...

@@ -1,4 +1,4 @@
-"""The name of a case."""
+"""Names for cases."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Coordinates on grids: what an implementation that computes on one takes without rounding."""
+"""Coordinates on grids: numbers that an implementation on a grid takes without rounding."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from minkref.fuzz.geometry.plane import Number
 
 
 def bits_of(numbers: Iterable[Fraction]) -> int | None:
-    """The least b such that all are integers of absolute value at most 2^b times one power of two;
-    None where a denominator is no power of two."""
-    unit = 0  # of all, the exponent of the finest
+    """Returns the least b such that all numbers are integers, at most 2^b in absolute value, times
+    one power of two; None if a denominator is no power of two."""
+    unit = 0  # the finest unit's exponent
     values = [number for number in numbers if number]
     for number in values:
         if number.denominator & (number.denominator - 1):
@@ -30,7 +30,7 @@ def rounded(number: Number, unit: Fraction) -> Fraction:
 
 
 def unit_for(largest: Fraction, bits: int) -> Fraction:
-    """The power of two of which `largest` is at most 2^bits times."""
+    """Returns the least power of two such that `largest` is at most 2^bits units."""
     exponent = 0
     while largest > Fraction(2) ** (exponent + bits):
         exponent += 1

@@ -8,7 +8,7 @@ from math import lcm
 from typing import Any
 
 LARGEST_DOUBLE = Fraction(2) ** 1023
-EVERY_INTEGER = 2**53  # up to which each is a double
+EVERY_INTEGER = 2**53  # up to here, every integer is a double
 Node = tuple[int, int]
 Ring = list[Node]
 
@@ -53,8 +53,8 @@ def _of_polygons(polygons: list[dict[str, Any]]) -> set[str]:
 
 
 def _integers(rings: list[list[list[str]]]) -> tuple[list[Ring], bool]:
-    """The rings in integers, all multiplied by one number, and whether a coordinate is no
-    double."""
+    """Returns the rings in integers, all multiplied by one number, and whether some coordinate is
+    no double."""
     numbers = [number for ring in rings for point in ring for number in point]
     try:
         plain = [int(number) for number in numbers]
@@ -83,8 +83,8 @@ def _convex(ring: Ring) -> bool:
 
 
 def _touching(rings: list[Ring]) -> bool:
-    """A vertex of one ring lies on another: simple rings that do not cross touch in no other
-    way."""
+    """Whether a vertex of one ring lies on another: simple rings without crossings touch in no
+    other way."""
     for first, ring in enumerate(rings):
         for second, other in enumerate(rings):
             if first != second and any(_on_ring(x, y, other) for x, y in ring):

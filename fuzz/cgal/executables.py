@@ -1,4 +1,4 @@
-"""The executables of the CGAL oracle: where they are, what they offer, how to build them."""
+"""The CGAL oracle's executables: their places, their methods, the commands that build them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ METHOD_GROUPS = {
     "hertel-mehlhorn": "decomposition",
     "greene": "decomposition",
 }
-SWEPT_SOLID = "swept-solid"  # not a sum: heights of the vertices of the solid that the sum sweeps
+SWEPT_SOLID = "swept-solid"  # not a sum: the vertex heights of the solid that the sum sweeps
 GROUPS = {**METHOD_GROUPS, SWEPT_SOLID: "swept"}
 METHODS_WITH_HOLES = ("reduced", "vertical", "triangulation")
 ABOUT = {
@@ -39,26 +39,26 @@ ABOUT = {
 
 
 class OracleNotFoundError(FileNotFoundError):
-    """The executable was not built, or is not where it is looked for."""
+    """The executable was not built, or lies outside the searched folders."""
 
 
 def search_folders() -> list[Path]:
-    """In this order: the folders of MINKREF_CGAL, beside the interpreter, the build folder of the
-    checkout."""
+    """Returns, in this order: the folders in MINKREF_CGAL, the interpreter's folder, the checkout's
+    build folder."""
     return [*given_folders(), *built_folders("cgal")]
 
 
 def built_folders(room: str) -> list[Path]:
-    """Where executables of a room of oracle/ may be: beside the interpreter, in the build folder of
-    the checkout."""
+    """Returns folders that may hold a room's executables (oracle/ROOM): the interpreter's folder,
+    and the checkout's build folder."""
     checkouts = dict.fromkeys([Path(__file__).resolve().parents[2], Path(sys.prefix).parent])
     built = [checkout / "build" / "release" / "oracle" / room for checkout in checkouts]
     return [Path(sys.executable).parent, *built]
 
 
 def given_folders() -> list[Path]:
-    """The folders of MINKREF_CGAL, separated by colons: builds of the oracle with several versions
-    of CGAL."""
+    """Returns the folders in MINKREF_CGAL, separated by colons: builds of the oracle with several
+    CGAL versions."""
     given = os.environ.get("MINKREF_CGAL", "")
     return [Path(part) for part in given.split(os.pathsep) if part]
 
@@ -81,7 +81,7 @@ def refuse_wrong_folder() -> None:
 
 
 def find_executable(method: str) -> Path:
-    """The server that knows `method`. OracleNotFoundError names the command that builds it."""
+    """Returns the server that knows `method`. OracleNotFoundError names the build command."""
     found = _executables(method)
     if found:
         return found[0]
@@ -96,7 +96,8 @@ def _executables(method: str) -> list[Path]:
 
 
 def executable_of_target(target: str) -> Path:
-    """The server of `cgal-METHOD`; of `cgal-METHOD@VERSION` the first of this version of CGAL."""
+    """Returns the server for `cgal-METHOD`; for `cgal-METHOD@VERSION` the first with this CGAL
+    version."""
     method, _ = method_of_target(target)
     _, at, version = target.partition("@")
     if not at:
@@ -110,7 +111,7 @@ def executable_of_target(target: str) -> Path:
 
 
 def other_versions(method: str) -> list[str]:
-    """Versions of CGAL of further executables of `method`, beside that which is found first."""
+    """CGAL versions of further executables for `method`, other than the first one's version."""
     paths = _executables(method)
     versions = [cgal_version(method, path) for path in paths]
     return [version for version in dict.fromkeys(versions) if version != versions[0]]
@@ -125,14 +126,14 @@ def _description(executable: Path, modified: float) -> dict[str, Any]:
 
 
 def cgal_version(method: str, executable: Path | None = None) -> str:
-    """The version of CGAL that the server of `method` was compiled with, as `5.5.1`."""
+    """The CGAL version that the server for `method` was compiled with, as `5.5.1`."""
     path = executable or find_executable(method)
     return str(_description(path, path.stat().st_mtime)["cgal"])
 
 
 def target_names() -> list[str]:
-    """All targets of this oracle, built or not: those with `-raw` call CGAL with every hole; those
-    with `@VERSION` are further versions of CGAL, where MINKREF_CGAL names several folders."""
+    """All targets of this oracle, built or not: targets with `-raw` pass every hole to CGAL;
+    targets with `@VERSION` use further CGAL versions, if MINKREF_CGAL names several folders."""
     names = [f"cgal-{method}" for method in METHOD_GROUPS]
     names += [f"cgal-{method}-raw" for method in METHODS_WITH_HOLES]
     return names + [
@@ -143,13 +144,13 @@ def target_names() -> list[str]:
 
 
 def method_of_target(target: str) -> tuple[str, bool]:
-    """The method and whether it is raw: cgal-vertical-raw is ("vertical", True)."""
+    """Splits a target into method and rawness: cgal-vertical-raw gives ("vertical", True)."""
     method = target.removeprefix("cgal-").partition("@")[0]
     return method.removesuffix("-raw"), method.endswith("-raw")
 
 
 def available_targets() -> list[str]:
-    """The targets whose executable is there."""
+    """The targets whose executable exists."""
     found = []
     for target in target_names():
         try:

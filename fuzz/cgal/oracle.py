@@ -1,7 +1,7 @@
 """Client of the CGAL oracle: sums by CGAL's methods, each computed in a child process of a server.
 
-The servers are the executables of oracle/cgal (GPL-3.0-or-later), spoken to in JSON lines as its
-README.md says. Nothing that CGAL does to its own process reaches this one.
+The servers are the executables in oracle/cgal (GPL-3.0-or-later); they speak JSON lines, as their
+README.md says. Damage that CGAL does to its own process never reaches this process.
 """
 
 from __future__ import annotations
@@ -45,10 +45,10 @@ __all__ = [
 
 @dataclass(frozen=True)
 class OracleAnswer:
-    """The outcome of one call. `seconds` is the time of the CGAL call alone if there is a result,
-    else the time until the call ended; `total_seconds` is the time of the child process.
-    `rings_json` is the result as CGAL gave it, `{"polygons":[...]}`, not canonical. `signal` is a
-    name, as SIGSEGV; a crash without a name is a std::bad_alloc that no limit of ours explains."""
+    """The outcome of one call. `seconds` is the CGAL call's own time if a result exists, else the
+    time until the call ended; `total_seconds` is the child process's time. `rings_json` is the
+    result as CGAL gave it, `{"polygons":[...]}`, not canonical. `signal` is a name, as SIGSEGV; a
+    crash without a name is a std::bad_alloc that no limit of ours explains."""
 
     status: str
     reason: str | None = None
@@ -61,8 +61,8 @@ class OracleAnswer:
 
 
 class CgalOracle(OracleServer):
-    """Sums by one method of CGAL. `raw` hands every hole to CGAL, also those that cannot survive
-    and over which CGAL 5.5.1 may corrupt its memory. `seconds` and `bytes` limit each call."""
+    """Sums by one CGAL method. `raw` passes every hole to CGAL, also holes that cannot survive and
+    over which CGAL 5.5.1 may corrupt its memory. `seconds` and `bytes` limit each call."""
 
     def __init__(
         self,
@@ -80,8 +80,8 @@ class CgalOracle(OracleServer):
         super().__init__(Path(executable) if executable else find_executable(known), seconds, bytes)
 
     def sum(self, P_json: str | dict[str, Any], Q_json: str | dict[str, Any]) -> OracleAnswer:
-        """The sum of two polygon sets {"polygons":[{"outer":[["x","y"],...],"holes":[...]}]}.
-        Every failure of CGAL or of the server is an answer; OSError where no server starts."""
+        """Sums two polygon sets {"polygons":[{"outer":[["x","y"],...],"holes":[...]}]}. Every
+        failure of CGAL or of the server becomes an answer; OSError if no server starts."""
         value = self.ask(self.method, {"P": P_json, "Q": Q_json}, raw=self.raw)
         try:
             signal = value.get("signal")

@@ -1,6 +1,6 @@
 """A stand-alone C++ program that shows a fault of CGAL: CGAL only, exact input, one call.
 
-For a report to CGAL: nothing of ours takes part, neither the reference nor the oracle.
+For a report to CGAL: neither the reference nor the oracle takes part.
 """
 
 from __future__ import annotations
@@ -141,12 +141,12 @@ def cgal_program(
     observed: str = "",
     name: str = "fault",
 ) -> str:
-    """The text of a C++ file that computes P + Q by `method`, says how many holes the result has
-    and whether `point` lies in it ("in" or "out"), and exits with 1 where this is not `in_truth`.
-    Without a point, as for a crash, it only makes the call.
+    """Returns the text of a C++ file that computes P + Q by `method`, prints the result's hole
+    count and whether `point` lies in the result ("in" or "out"), and exits with 1 if this differs
+    from `in_truth`. Without a point, as for a crash, the file only makes the call.
 
-    P is scaled already. As the oracle does unless it is `raw`, holes that cannot survive are left
-    out of the file, and a comment names them: what remains has the same sum, and the fault shown is
+    P is scaled already. Unless `raw`, the file omits holes that cannot survive, as the oracle does,
+    and a comment names them: the remaining operands have the same sum, and the fault shown is
     CGAL's. `observed` goes into the comment. Exact. Raises ValueError for operands that CGAL's
     methods do not take."""
     rings = {"P": _rings(P), "Q": _rings(Q)}

@@ -1,7 +1,7 @@
-"""A server of the oracle: JSON lines to and from an executable of oracle/cgal or oracle/sampled.
+"""A server of the oracle: JSON lines to and from an executable in oracle/cgal or oracle/sampled.
 
-The server is started at the first request, and anew where it has died; those of oracle/cgal answer
-each request by a child process. Nothing that they do to their own process reaches this one.
+The server starts at the first request, and anew after dying; servers in oracle/cgal answer each
+request by a child process. Damage to their own process never reaches this process.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ class OracleServer:
     def ask(
         self, method: str, operands: dict[str, str | dict[str, Any]], **members: Any
     ) -> dict[str, Any]:
-        """The answer, as the README of its room gives its members. Operands are JSON texts or
-        objects {"polygons":[{"outer":[["x","y"],...],"holes":[...]}]}. Every failure of the
-        server is an answer with a `status` and a `reason`; OSError where no server starts."""
+        """The answer, with members as the room's README lists them. Operands are JSON texts or
+        objects {"polygons":[{"outer":[["x","y"],...],"holes":[...]}]}. Every failure of the server
+        becomes an answer with a `status` and a `reason`; OSError if no server starts."""
         number = next(self._ids)
         head = json.dumps({"id": number, "method": method, **members, **self._limits})
         tail = "".join(f', "{name}": {_one_line(value)}' for name, value in operands.items())
@@ -60,7 +60,7 @@ class OracleServer:
             return self.lost(f"the server's answer is not that of the protocol: {error}")
 
     def lost(self, reason: str) -> dict[str, Any]:
-        """The answer where the server gave none that can be used; it is ended."""
+        """Ends the server, and returns the answer for a missing or unusable answer."""
         self.close()
         return {"status": "errored", "reason": f"{self.executable.name}: {reason}"}
 
@@ -105,7 +105,7 @@ class OracleServer:
             view = view[self._server.stdin.write(view) :]
 
     def _receive(self) -> bytes | None:
-        """A line; what there is of it where the server ended; None where it took too long."""
+        """Reads a line; a partial line if the server ended; None if the server took too long."""
         assert self._server is not None and self._server.stdout is not None
         deadline = time.monotonic() + self._limits["seconds"] + GRACE_SECONDS
         pieces: list[bytes] = []

@@ -1,4 +1,4 @@
-"""Client of the swept solid: heights at which the boundary of a sum changes, by CGAL in space."""
+"""Client of the swept solid: heights at which a sum's boundary changes, by CGAL in space."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ class SolidVertex:
 
 @dataclass(frozen=True)
 class SweptSolidAnswer:
-    """`vertices`: those of the solid strictly between the two scales, sorted by scale; None without
-    a result. `pairs` of triangles were united."""
+    """`vertices`: the solid's vertices strictly between the two scales, sorted by scale; None
+    without a result. `pairs` counts the triangle pairs united."""
 
     status: str
     reason: str | None = None
@@ -53,9 +53,9 @@ class SweptSolid(OracleServer):
     def vertices(
         self, P: str | dict[str, Any], Q: str | dict[str, Any], low: str, high: str
     ) -> SweptSolidAnswer:
-        """The vertices of the solid between the scales `low` and `high` (`n` or `n/d`,
-        0 <= low < high). Exact. 0.01 to 0.1 s for each pair of triangles. Every failure is an
-        answer; OSError if no server starts."""
+        """The solid's vertices between the scales `low` and `high` (`n` or `n/d`, 0 <= low < high).
+        Exact. 0.01 to 0.1 s per pair of triangles. Every failure becomes an answer; OSError if no
+        server starts."""
         value = self.ask(
             SWEPT_SOLID, {"P": P, "Q": Q}, most_pairs=self.most_pairs, **{"from": low, "to": high}
         )

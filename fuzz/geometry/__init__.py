@@ -1,1 +1,1 @@
-"""Plain geometry of the plane and of space, in fractions and integers."""
+"""Plain geometry for the plane and space, with fractions and integers."""

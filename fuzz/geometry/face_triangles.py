@@ -12,9 +12,9 @@ Triple = tuple[int, int, int]
 
 
 def face_triangles(ring: Sequence[Whole]) -> list[Triple]:
-    """Positions in `ring` of triangles that cover the face once; those without area are left out.
-    For a ring that is not simple some triangles overlap, but with their orientation they bound
-    the same ring. O(n^3)."""
+    """Returns positions in `ring` of triangles that cover the face once, without triangles of zero
+    area. For a ring that is not simple some triangles overlap, but with their orientation they
+    bound the same ring. O(n^3)."""
     if len(ring) == 3:
         triples = [(0, 1, 2)]
     else:
@@ -31,9 +31,9 @@ def face_triangles(ring: Sequence[Whole]) -> list[Triple]:
 
 
 def ring_triangles(corners: Sequence[Corner]) -> list[Triple]:
-    """Triangles of a counter-clockwise ring, collinear ones among them. The ring may pass a point
-    twice, as a ring does that bridges join to its holes. Triangles that run counter-clockwise
-    and bound the ring together cover it once, so only their turns matter."""
+    """Cuts a counter-clockwise ring into triangles, some perhaps collinear. The ring may pass a
+    point twice, as a ring with bridges to its holes does. Counter-clockwise triangles that bound
+    the ring together cover it once, so only their turns matter."""
     count = len(corners)
     fan = _fan(count)
     if all(turn(corners[i], corners[j], corners[k]) >= 0 for i, j, k in fan):
@@ -69,8 +69,8 @@ def _ear(corners: Sequence[Corner], left: list[int]) -> int | None:
 def _blocked(
     corners: Sequence[Corner], left: list[int], place: int, ear: tuple[Corner, Corner, Corner]
 ) -> bool:
-    """Some other corner lies in the closed triangle; where it is a corner of the triangle, the
-    ring enters the triangle there."""
+    """Whether some other corner lies within the closed triangle; for a corner at the triangle's
+    corner, whether the ring enters the triangle there."""
     a, b, c = ear
     count = len(left)
     mine = {(place - 1) % count, place, (place + 1) % count}

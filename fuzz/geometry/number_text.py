@@ -1,4 +1,4 @@
-"""The one grammar of numbers that are texts in the answers and declarations of others
+"""The one grammar for numbers as texts in answers and declarations from others
 (docs/adapter-protocol.md)."""
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from fractions import Fraction
 
 LONGEST_NUMBER = 100_000  # characters
 GRAMMAR = "n, n/d, or a decimal with an exponent of four digits at most, in ASCII digits"
-# No part can be read in two ways: a long text that is no number is refused in linear time.
+# Each part reads in only one way: a long text that is no number is refused in linear time.
 _NUMBER = re.compile(
     r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]{1,4})?|[+-]?[0-9]+/0*[1-9][0-9]*"
 )
@@ -19,7 +19,7 @@ def is_number(text: str) -> bool:
 
 
 def number_of(text: str) -> Fraction:
-    """Exact. ValueError for a text that is none."""
+    """Reads a number exactly. ValueError for any other text."""
     if not is_number(text):
         raise ValueError(f"{text[:40]!r} is not a number: {GRAMMAR}")
     return Fraction(text)

@@ -10,7 +10,7 @@ class Parts:
         self._parent = list(range(count))
 
     def of(self, k: int) -> int:
-        """The number that stands for the part of `k`."""
+        """Returns the number that represents the part containing `k`."""
         parent = self._parent
         while parent[k] != k:
             parent[k] = parent[parent[k]]

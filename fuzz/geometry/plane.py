@@ -1,5 +1,5 @@
 """The plane in fractions and whole numbers: points, rings, polygon sets and their JSON, membership,
-whether two of them meet, maps, areas and hulls. Exact; nothing of it is imported from elsewhere."""
+intersection tests, maps, areas and hulls. Exact; imports the standard library only."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ ORIGIN = (Fraction(0), Fraction(0))
 
 
 def rings_of(polygon: Mapping[str, Any]) -> list[Any]:
-    """The outer ring of a polygon in the canonical JSON's form, then its holes; as written."""
+    """Returns a polygon's outer ring in the canonical JSON's form, then its holes; as written."""
     return [polygon["outer"], *polygon["holes"]]
 
 
 def written_rings(text: str) -> list[list[list[str]]]:
-    """All rings of a set in the canonical JSON's form, one after the other; as written."""
+    """Returns all rings of a set in the canonical JSON's form, one after another; as written."""
     return [ring for polygon in json.loads(text)["polygons"] for ring in rings_of(polygon)]
 
 

@@ -31,8 +31,8 @@ Face = tuple[int, ...]
 
 @dataclass(frozen=True)
 class Polyhedron:
-    """As a set: the points of positive winding number, and their closure. An operand without faces
-    is its vertex, or the segment between its two."""
+    """As a set: the points with positive winding number, and their closure. An operand without
+    faces equals its vertex, or the segment between its two vertices."""
 
     vertices: tuple[Point, ...]
     faces: tuple[Face, ...]
@@ -89,7 +89,7 @@ class Polyhedron:
         return Polyhedron(self.vertices, tuple(face[::-1] for face in self.faces))
 
     def without_unused_vertices(self) -> Polyhedron:
-        """Without those that no face names: they are no points of the set."""
+        """Drops vertices that no face names: the set does not contain them."""
         used = sorted({index for face in self.faces for index in face})
         if len(used) == len(self.vertices):
             return self
@@ -98,8 +98,8 @@ class Polyhedron:
         return Polyhedron(tuple(self.vertices[index] for index in used), faces)
 
     def without_opposite_faces(self) -> Polyhedron:
-        """Without pairs of faces along the same points in opposite directions, as pieces that abut
-        have them: no winding number changes."""
+        """Drops pairs of faces along the same points in opposite directions, as between abutting
+        pieces: winding numbers stay."""
         left: dict[tuple[Point, ...], list[int]] = {}
         gone = set()
         for number, face in enumerate(self.faces):
@@ -156,8 +156,8 @@ class Polyhedron:
 
     @cached_property
     def shells(self) -> tuple[int, ...]:
-        """For each face a vertex that stands for its part of the surface; parts hang together by
-        vertices."""
+        """For each face, a vertex that represents its connected part of the surface; common
+        vertices connect faces."""
         parts = Parts(len(self.vertices))
         for face in self.faces:
             for k in face:
@@ -165,7 +165,7 @@ class Polyhedron:
         return tuple(parts.of(face[0]) for face in self.faces)
 
     def bad_face(self) -> tuple[int, str] | None:
-        """A face that is too short, has no area or is not planar, and what is wrong with it."""
+        """Finds a face that is too short, not planar or without area, and says its fault."""
         for number, face in enumerate(self.faces):
             if len(face) < 3:
                 return number, "has fewer than three vertices"
@@ -177,13 +177,13 @@ class Polyhedron:
         return None
 
     def bent_face(self) -> int | None:
-        """A face that is not planar, whatever others have no area."""
+        """Finds a face that is not planar, ignoring faces without area."""
         rings = ([self.wholes[index] for index in face] for face in self.faces)
         return next((number for number, ring in enumerate(rings) if not _is_planar(ring)), None)
 
     def fault(self) -> str | None:
-        """A sentence that says what keeps this from being an operand; None where nothing does. Of
-        self-intersection nothing is said."""
+        """A sentence that names the obstacle to this being an operand, or None. Self-intersection
+        is not tested."""
         if self.is_thin:
             same = len(set(self.vertices)) < len(self.vertices)
             return "the two ends of the segment are the same point" if same else None

@@ -16,8 +16,8 @@ TextRing = list[list[str]]
 
 @dataclass
 class Region:
-    """Canonical form of one result. `degenerate` is a vertex of a ring whose vertices
-    lie on one line, `overlap` a point where the rings' winding number is neither 0 nor 1."""
+    """Canonical form of one result. `degenerate` is a vertex of a ring whose vertices lie on one
+    line, `overlap` a point where the rings' winding number is neither 0 nor 1."""
 
     set: _core.PolygonSet
     components: int
@@ -40,20 +40,20 @@ def region_of_sum(answer: _core.Sum) -> Region:
 
 
 def region_of_rings(rings: Any, turned: bool = False) -> Region:
-    """The result of somebody else: any rings, in any order. Raises what `rings` raises, ValueError
-    or KeyError where it is not in the form of a polygon set."""
+    """Reads a foreign result: any rings, in any order. Raises the exceptions of `rings`, ValueError
+    or KeyError if `rings` does not have the form of a polygon set."""
     return region_of_polygons(plain_polygons(rings), turned)
 
 
 def region_of_polygons(polygons: Sequence[Sequence[Any]], turned: bool) -> Region:
-    """The region of polygons: each a list of rings, the outer one first, of points of exact numbers
-    or their texts. With `turned` outer rings are made to run counter-clockwise and holes clockwise;
-    without, a ring that runs the wrong way counts as it runs."""
+    """Returns the region of polygons: each a list of rings, outer ring first, with exact numbers or
+    their texts as coordinates. `turned` makes outer rings counter-clockwise and holes clockwise;
+    without `turned`, a ring in the wrong direction counts as given."""
     return Region(*_core.region_of_rings(polygons, turned))
 
 
 def plain_polygons(value: Any) -> list[list[TextRing]]:
-    """A copy in lists and texts of what somebody else made, which may raise anything."""
+    """Copies a foreign value, which may raise anything, into lists and texts."""
     return [
         [_plain_ring(ring) for ring in (polygon["outer"], *polygon.get("holes", []))]
         for polygon in value["polygons"]
@@ -74,7 +74,7 @@ def _plain_point(point: Any) -> list[str]:
 
 def _plain_number(number: Any) -> str:
     if isinstance(number, str):
-        text = "".join(number)  # no text of a class of its own
+        text = "".join(number)  # a plain text, not a subclass
         if not is_number(text):
             raise ValueError(f"{text[:40]!r} is not a number: {GRAMMAR}")
         return text

@@ -23,7 +23,7 @@ def scale_of(text: str) -> Scale:
 
 
 def factors(scale: Scale) -> Point:
-    """One factor for each axis."""
+    """Returns a factor for each axis."""
     return scale if isinstance(scale, tuple) else (scale, scale, scale)
 
 
@@ -33,7 +33,7 @@ def denominator_of(points: Iterable[Sequence[Fraction]]) -> int:
 
 
 def whole(point: Point, denominator: int) -> Whole:
-    """The point times `denominator`, which has to clear its coordinates."""
+    """Returns the point times `denominator`, which must clear the point's coordinates."""
     x, y, z = point
     return (
         x.numerator * (denominator // x.denominator),
@@ -61,8 +61,8 @@ def cross(a: Vector[Number], b: Vector[Number]) -> Vector[Number]:
 
 
 def normal(a: Vector[Number], b: Vector[Number], c: Vector[Number]) -> Vector[Number]:
-    """The normal on the side from which the triangle runs counter-clockwise; its length is twice
-    the area of the triangle."""
+    """Returns the normal on the side from which the triangle runs counter-clockwise, twice as long
+    as the triangle's area."""
     return cross(minus(b, a), minus(c, a))
 
 
@@ -83,7 +83,7 @@ def primitive(vector: Whole) -> Whole:
 
 
 def longest_axis(vector: Whole) -> int:
-    """The axis along which the vector is longest; the first of equals."""
+    """The axis along which the vector is longest; the first among equals."""
     lengths = [abs(number) for number in vector]
     return lengths.index(max(lengths))
 

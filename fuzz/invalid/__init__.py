@@ -1,1 +1,1 @@
-"""Invalid input: a family of it, and verdicts on how it is refused."""
+"""A family of invalid input, and verdicts on its refusal."""

@@ -1,4 +1,4 @@
-"""Targets asked about operands of which one is invalid."""
+"""Asks targets about operands with one invalid."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pairs of which one operand is invalid, each with what is wrong with it. Nothing is validated."""
+"""Pairs with one invalid operand, and its fault. Nothing is validated."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ KINDS = (
 
 
 def invalid_pair(seed: int, index: int) -> tuple[str, str, str]:
-    """(kind, P, Q): the kinds in turn; P is invalid, and at odd rounds Q in its place."""
+    """Returns (kind, P, Q): the kinds in turn; P is invalid, or Q in odd rounds."""
     dice = Dice(f"minkref invalid {seed} {index}")
     kind = KINDS[index % len(KINDS)]
     shape = scaled(_drawn(dice, kind), dice.randint(1, 4))

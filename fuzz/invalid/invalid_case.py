@@ -1,4 +1,4 @@
-"""A case with an operand that is none: it has to be refused."""
+"""A case with an invalid operand, for targets to refuse."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ NEEDS = frozenset(("plane", "rejects-invalid"))
 
 @dataclass
 class InvalidCase:
-    """`kind` says what is wrong with one of the operands, `refusal` how the reference says it, and
-    `place` is the point that it names."""
+    """`kind` names the fault in one operand, `refusal` gives the reference's words, and `place` the
+    point that they name."""
 
     name: CaseName
     kind: str
@@ -80,7 +80,7 @@ def _place(corners: list[object]) -> tuple[str, str] | None:
 
 
 def _first(P: str, Q: str) -> tuple[str, str] | None:
-    """A vertex of an operand."""
+    """Returns a vertex of an operand."""
     for text in (P, Q):
         for polygon in json.loads(text)["polygons"]:
             for x, y in polygon["outer"]:

@@ -9,7 +9,7 @@ from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
 
 def judge_invalid(case: InvalidCase, name: str, answer: Answer) -> Outcome:
-    """A target that promises to reject has to say `rejected`; to err, crash or hang is what it is
+    """A target that promises to reject has to say `rejected`; errors, crashes and hangs count as
     for any case. The witness is the point that the reference's own refusal names."""
     if answer.verdict is Verdict.WRONG and answer.region is None:
         return Outcome(name, Verdict.PASS, seconds=answer.seconds)

@@ -1,4 +1,4 @@
-"""Whether invalid operands are refused, as a question of `verify`."""
+"""Refusal of invalid operands, as a question of `verify`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from minkref.fuzz.setting import Question
 
 
 class Refusals(Question):
-    """Two operands in the plane, one of them invalid. No smaller ones are known to be invalid."""
+    """Two operands in the plane, one invalid. No smaller cases are known to be invalid."""
 
     cases = InvalidCase
     asking = InvalidAsking

@@ -1,1 +1,1 @@
-"""Walls around the programs of others."""
+"""Walls around foreign programs."""

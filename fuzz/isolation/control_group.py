@@ -1,9 +1,8 @@
-"""A control group of Linux that holds a program, with all that it starts, to a limit of memory and
-to one of processes.
+"""A Linux control group that limits the memory and processes of a program and its descendants.
 
-Both versions, where we may make a group: of version 1 below our own, in each controller's own
-place; of version 2 below the next that hands the controllers on. A group that a process of ours
-left behind when it was killed is removed by the next.
+Both versions, if we may make a group: for version 1 below our own group, in each controller's own
+place; for version 2 below the next group that hands the controllers on. A group left behind by a
+killed process of ours is removed by the next process.
 """
 
 from __future__ import annotations
@@ -29,7 +28,7 @@ _numbers = itertools.count()
 
 @dataclass(frozen=True)
 class Room:
-    """Where groups can be made, and what they hold to a limit."""
+    """A place for groups, and the resources that they limit."""
 
     version: int
     folder: Path
@@ -38,8 +37,8 @@ class Room:
 
 @dataclass
 class ControlGroup:
-    """For one program. `memory`: bytes, files in memory (tmpfs) among them. `processes`: with their
-    threads."""
+    """A group for one program. `memory`: bytes, including files in memory (tmpfs). `processes`:
+    including threads."""
 
     room: Room
     memory: int
@@ -62,7 +61,7 @@ class ControlGroup:
                 self._events[controller] = os.open(events, os.O_RDONLY | os.O_CLOEXEC)
 
     def join(self) -> None:
-        """Puts the process that calls this into the group, with all that it starts from now on."""
+        """Puts the calling process into the group, and processes that it starts from now on."""
         (self.path / "cgroup.procs").write_text(str(os.getpid()))
 
     def reached(self, controller: str) -> int:
@@ -117,7 +116,8 @@ def _can_join(group: ControlGroup) -> bool:
 
 
 def _rooms() -> list[Room]:
-    """Where groups may be made, the likeliest first. A process is in one of version 2 only."""
+    """Places where groups may be made, the likeliest first. A process has only one version 2
+    group."""
     first, second = [], []
     try:
         lines = Path("/proc/self/cgroup").read_text(encoding="utf-8").splitlines()
@@ -143,7 +143,7 @@ def _handed_on(folder: Path) -> tuple[str, ...]:
 
 
 def _folder(held: tuple[str, ...], path: str) -> Path | None:
-    """The folder of the group `path`, below the mount point of its file system (in version 1: the
+    """Returns the folder of the group `path`, below its file system's mount point (version 1: the
     file system of the controllers `held`)."""
     for line in Path("/proc/self/mountinfo").read_text(encoding="utf-8").splitlines():
         before, _, after = line.partition(" - ")
@@ -156,7 +156,7 @@ def _folder(held: tuple[str, ...], path: str) -> Path | None:
 
 
 def remove_stale(room: Room) -> None:
-    """Removes the groups of processes that are no more, once their own have ended too."""
+    """Removes groups of vanished processes, once the groups' own processes have ended too."""
     deadline = time.monotonic() + REMOVE_SECONDS
     for folder in room.folder.glob(f"{_NAME}-*-*"):
         owner = folder.name.split("-")[1]
@@ -165,7 +165,8 @@ def remove_stale(room: Room) -> None:
 
 
 def _runs(process: str) -> bool:
-    """Whether it has not ended; one that has may be listed until its parent asks for it."""
+    """Whether the process has not ended; an ended process stays listed until its parent waits for
+    it."""
     try:
         status = Path("/proc", process, "stat").read_text(encoding="utf-8", errors="replace")
     except OSError:
@@ -174,7 +175,7 @@ def _runs(process: str) -> bool:
 
 
 def _remove(group: Path, deadline: float) -> None:
-    """Unless it has processes still when the time is over."""
+    """Removes the group, unless it still has processes at the deadline."""
     while True:
         try:
             group.rmdir()

@@ -1,17 +1,17 @@
-"""The variables that a program of somebody else is given: those of a short list."""
+"""The variables that a foreign program receives: a short list."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable
 
-# Variables of the language, of the places of programs and libraries, and ours (docs/security.md).
+# Variables for language, places of programs and libraries, and our own (docs/security.md).
 NAMES = (
     *("PATH", "LANG", "LANGUAGE", "TZ", "LD_LIBRARY_PATH", "NODE_PATH", "JAVA_HOME", "CLASSPATH"),
     *("VIRTUAL_ENV", "CONDA_PREFIX", "PYENV_ROOT", "PYENV_VERSION", "RUSTUP_HOME", "CARGO_HOME"),
     *("JULIA_DEPOT_PATH", "OMP_NUM_THREADS", "OPENSCAD"),
 )
-# HOME is not handed on; these are what it says without them, where that is there.
+# HOME is not handed on; these variables point to existing folders below it instead.
 BELOW_HOME = {
     "PYTHONUSERBASE": ".local",
     "RUSTUP_HOME": ".rustup",
@@ -19,11 +19,11 @@ BELOW_HOME = {
     "JULIA_DEPOT_PATH": ".julia",
 }
 PREFIXES = ("LC_", "PYTHON", "MINKREF_")
-MARK = "MINKREF_STARTED_BY"  # by which what a program left behind is found again
+MARK = "MINKREF_STARTED_BY"  # finds processes that a program left behind
 
 
 def listed_variables(passed: Iterable[str]) -> dict[str, str]:
-    """Those of ours that are on the list, or `passed` by name."""
+    """Returns our variables that are listed, or `passed` by name."""
     wanted = {*NAMES, *passed}
     return {
         name: value
@@ -35,8 +35,8 @@ def listed_variables(passed: Iterable[str]) -> dict[str, str]:
 def environment_of(
     passed: tuple[str, ...], more: dict[str, str], folder: str, home: str, mark: str
 ) -> dict[str, str]:
-    """The variables that a program begins with. `folder` is for temporary files of the program,
-    `home` is the HOME, unless HOME is passed."""
+    """Returns a program's initial variables. `folder` holds the program's temporary files, `home`
+    becomes HOME, unless HOME is passed."""
     own = {"HOME": home, "TMPDIR": folder}
     for name, place in BELOW_HOME.items():
         path = os.path.join(os.path.expanduser("~"), place)

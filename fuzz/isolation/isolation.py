@@ -1,4 +1,4 @@
-"""Which walls a run has around the programs of others, chosen once and said aloud."""
+"""The walls that a run has around foreign programs, chosen once and announced."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ OF_A_USER, OF_A_SPACE = "limit of its user", "limit of its user space"
 
 @dataclass(frozen=True)
 class Isolation:
-    """`kind` is `sandbox` or `none`; `why` there is none. `passed`: variables that are handed on
-    beside those of the list. `hidden`: files and folders of the run. `rooms`: where control groups
-    are made, without which memory is measured. `own_user`: without a sandbox, as root. `mark`: of
-    what this run starts."""
+    """`kind` is `sandbox` or `none`; `why` says why no sandbox exists. `passed`: variables handed
+    on in addition to the list. `hidden`: the run's files and folders. `rooms`: places for control
+    groups, without which memory is measured. `own_user`: as root without a sandbox. `mark`
+    identifies processes that this run starts."""
 
     kind: str
     why: str = ""
@@ -36,7 +36,7 @@ class Isolation:
 
     @property
     def memory(self) -> str:
-        """How the memory of a whole tree of processes is held to its limit."""
+        """How the memory limit of a whole process tree is enforced."""
         return self._group_of(control_group.MEMORY) or "measured"
 
     @property
@@ -54,7 +54,7 @@ class Isolation:
         return next((f"control group of version {room.version}" for room in found), None)
 
     def clear(self) -> None:
-        """Ends and removes what is left of programs whose worker was killed."""
+        """Ends and removes remnants of programs whose worker was killed."""
         if self.kind == NONE and sys.platform == "linux":
             leftovers.end_marked(self.mark)
         for room in self.rooms:
@@ -86,7 +86,7 @@ class Isolation:
 def choose(
     wanted: str = AUTO, passed: tuple[str, ...] = (), hidden: tuple[str | Path, ...] = ()
 ) -> Isolation:
-    """The walls that there can be. Refuses what is no kind, and `sandbox` where there is none."""
+    """Returns the available walls. Refuses unknown kinds, and `sandbox` if unavailable."""
     if wanted not in KINDS:
         what = f"there is no isolation {wanted[:40]!r}"
         raise Refusal(what, "--isolation", choice(wanted, KINDS))
@@ -106,7 +106,7 @@ def choose(
 
 @functools.cache
 def usual() -> Isolation:
-    """The isolation of a run that chooses no other."""
+    """The isolation for a run that makes no choice."""
     return choose()
 
 

@@ -9,12 +9,12 @@ from pathlib import Path
 
 from minkref.fuzz.isolation.environment import MARK
 
-SECONDS = 5.0  # in which what starts new processes all the time is caught, or left
+SECONDS = 5.0  # for programs that keep starting processes
 
 
 def end_marked(mark: str) -> int:
-    """Kills every process with the mark, and those that they start meanwhile. Returns how many
-    there were. One that cleared its environment is not found."""
+    """Kills every process with the mark, and processes that they start meanwhile. Returns their
+    number. A process that cleared its environment escapes."""
     count, deadline = 0, time.monotonic() + SECONDS
     while time.monotonic() < deadline:
         found = marked(mark)
@@ -30,7 +30,7 @@ def end_marked(mark: str) -> int:
 
 
 def marked(mark: str) -> list[int]:
-    """Processes whose mark begins so."""
+    """Lists processes whose mark begins so."""
     wanted = f"\0{MARK}={mark}".encode()
     found = []
     for entry in Path("/proc").iterdir():
@@ -38,6 +38,6 @@ def marked(mark: str) -> list[int]:
             try:
                 if wanted in b"\0" + (entry / "environ").read_bytes():
                     found.append(int(entry.name))
-            except OSError:  # it ended, or is not ours
+            except OSError:  # the process ended, or has another owner
                 continue
     return found

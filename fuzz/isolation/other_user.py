@@ -1,7 +1,7 @@
-"""A user of its own for a program of somebody else, where we are root.
+"""A separate user for a foreign program, if we are root.
 
-It can read what we can, so that it starts wherever it lies, and neither signal our processes nor
-write our files.
+The user can read our files, so that the program starts anywhere, but can neither signal our
+processes nor write our files.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def can_change() -> bool:
 
 
 def become(user: int) -> None:
-    """For a child of ours. Raises OSError where the system does not allow it."""
+    """Changes to the user, in a child process. Raises OSError if the system does not allow this."""
     libc = ctypes.CDLL(None, use_errno=True)
     os.setgroups([])
     _call(libc.prctl, PR_SET_KEEPCAPS, 1, 0, 0, 0)
@@ -49,7 +49,7 @@ def become(user: int) -> None:
 
 
 def forbid_new_privileges() -> None:
-    """Programs that change the user (sudo) do not, in this process and those that it starts."""
+    """Stops programs that change the user (sudo) from doing so, here and in child processes."""
     ctypes.CDLL(None).prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
 
 

@@ -1,5 +1,4 @@
-"""Folders of minkref that are no part of the package: of what it keeps of a user, and of what it
-has installed."""
+"""Folders of minkref outside the package: for user data, and for installed adapters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Processes as /proc tells of them: children, and the memory and processor time of a tree."""
+"""Processes from /proc: children, and a tree's memory and processor time."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ PROC = Path("/proc")
 
 
 def children_of(parent: int) -> list[int]:
-    """Its children, by the list that the kernel keeps; else by a look at every process."""
+    """Lists a process's children, from the kernel's list; else from every process's parent."""
     try:
         return [int(p) for p in (PROC / f"{parent}/task/{parent}/children").read_text().split()]
     except (OSError, ValueError):
@@ -25,13 +25,13 @@ def tree_bytes(root: int) -> int:
 
 
 def resident_bytes(root: int) -> int:
-    """At least as much as tree_bytes, at less cost: what is shared counts in each."""
+    """At least as much as tree_bytes, at less cost: shared memory counts in each process."""
     return sum(_resident(process) for process in descendants(root))
 
 
 def tree_seconds(root: int) -> float:
-    """The processor time of all processes below `root`, with that of their children that have
-    ended; of children of `root` itself that have ended resource.getrusage tells."""
+    """Processor time of all processes below `root`, including their ended children; for ended
+    children of `root` itself, use resource.getrusage."""
     return sum(_seconds_of(process) for process in descendants(root))
 
 

@@ -1,9 +1,8 @@
-"""The command line of bubblewrap around a program of somebody else.
+"""The command line of bubblewrap around a foreign program.
 
-Its own PID, network, IPC and UTS spaces; the whole system readable and nothing of it writable; no
-capabilities and no new privileges; folders of its own for temporary files. Folders in which
-sockets of the system lie are hidden, as are the places where secrets are kept, and what the run
-writes.
+Own PID, network, IPC and UTS spaces; the whole system readable and nothing writable; no
+capabilities and no new privileges; own folders for temporary files. Folders with sockets of the
+system are hidden, as are places with secrets, and the run's own output.
 """
 
 from __future__ import annotations
@@ -22,15 +21,15 @@ from pathlib import Path
 from minkref.fuzz.isolation.own_folders import adapters_folder
 
 PROGRAM = "bwrap"
-LIMITER = "prlimit"  # of util-linux
-COUNTING_LINUX = (5, 14)  # the first that counts processes in each user space
+LIMITER = "prlimit"  # from util-linux
+COUNTING_LINUX = (5, 14)  # first version that counts processes per user space
 FOLDER, HOME = "/tmp", "/tmp/home"  # within
-EMPTIED = ("/tmp", "/run")  # these are the program's own, empty at its start
+EMPTIED = ("/tmp", "/run")  # the program's own, empty at its start
 DEVICES = ("null", "zero", "random", "urandom")  # fewer than bubblewrap's --dev: each costs a mount
 SECRETS = (".ssh", ".gnupg", ".aws", ".azure", ".kube", ".docker", ".config/gcloud", ".config/gh")
 SECRET_FILES = (".netrc", ".git-credentials", ".npmrc", ".pypirc")
 SPACES = ("--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts")
-MOST_FILES = 200  # that are shown one by one
+MOST_FILES = 200  # shown one by one
 TRY_SECONDS = 20.0
 LIBRARY_VARIABLES = ("PATH", "LD_LIBRARY_PATH", "PYTHONPATH", "NODE_PATH", "CLASSPATH")
 
@@ -38,8 +37,8 @@ LIBRARY_VARIABLES = ("PATH", "LD_LIBRARY_PATH", "PYTHONPATH", "NODE_PATH", "CLAS
 def sandboxed(
     command: list[str], environment: dict[str, str], hidden: Iterable[str], memory: int
 ) -> list[str]:
-    """The command within the sandbox. `hidden`: files and folders of ours that it shall not see.
-    `memory`: bytes that its temporary files may take, in each of three places."""
+    """Returns the command within the sandbox. `hidden`: our files and folders to hide from it.
+    `memory`: bytes for its temporary files, for each of three places."""
     words = [PROGRAM, *SPACES, "--die-with-parent", "--new-session", "--cap-drop", "ALL"]
     words += ["--ro-bind", "/", "/", "--proc", "/proc"]
     for folder in ("/dev", *filter(os.path.isdir, EMPTIED)):
@@ -60,8 +59,8 @@ def sandboxed(
 
 @functools.lru_cache
 def readable(command: tuple[str, ...], named: tuple[str, ...], here: str) -> tuple[Path, ...]:
-    """Folders that the program needs: of each word of its command that is a path, of the libraries
-    that the environment names, ours, and the current one, `here`."""
+    """Folders that the program needs: for each path in its command, for libraries that the
+    environment names, ours, and the current folder, `here`."""
     found = [Path(here), Path(sys.prefix), Path(sys.base_prefix), *_ours()]
     for word in command:
         path = Path(shutil.which(word) or word) if word == command[0] else Path(word)
@@ -76,7 +75,7 @@ def readable(command: tuple[str, ...], named: tuple[str, ...], here: str) -> tup
 
 
 def _ours() -> list[Path]:
-    """This package, with what it is linked to, and the folder of installed adapters."""
+    """This package with its link targets, and the folder for installed adapters."""
     import minkref
 
     here = Path(__file__).resolve()
@@ -85,15 +84,16 @@ def _ours() -> list[Path]:
 
 
 def _home_of(path: Path) -> Path:
-    """The folder of a program; of one in bin/, as of a virtual environment, what bin/ is in."""
-    if os.path.isdir(path):  # false, too, where we may not look
+    """A program's folder; for a program in bin/, as in a virtual environment, the folder above
+    bin/."""
+    if os.path.isdir(path):  # false also if we may not look
         return path
     return path.parent.parent if path.parent.name == "bin" else path.parent
 
 
 def _shown(wanted: Iterable[Path]) -> list[str]:
-    """The paths of `wanted` that lie in an emptied folder, and in no other path that is shown. For
-    an emptied folder itself, its files."""
+    """Returns paths from `wanted` that lie in an emptied folder, but in no other path shown. For an
+    emptied folder itself, returns its files."""
     found: set[str] = set()
     for folder in wanted:
         place = str(folder)
@@ -103,7 +103,7 @@ def _shown(wanted: Iterable[Path]) -> list[str]:
         elif place.startswith(tuple(f"{one}/" for one in EMPTIED)) and os.path.exists(place):
             found.add(place)
     shown: list[str] = []
-    for place in sorted(found):  # an outer one comes before those in it
+    for place in sorted(found):  # outer paths come before inner paths
         if not any(place.startswith(f"{outer}/") for outer in shown):
             shown.append(place)
     return shown
@@ -115,7 +115,7 @@ def _secrets() -> list[str]:
 
 
 def _covered(paths: Iterable[str], keep: Iterable[Path]) -> list[str]:
-    """Words that cover what is there of `paths`, but not folders in which something is needed."""
+    """Words that cover existing `paths`, except folders that hold something needed."""
     kept = [str(path) for path in keep]
     words: list[str] = []
     for path in sorted({os.path.realpath(path) for path in paths}):
@@ -128,8 +128,8 @@ def _covered(paths: Iterable[str], keep: Iterable[Path]) -> list[str]:
 
 @functools.cache
 def has_own_user_space() -> bool:
-    """Whether a program in the sandbox is counted by itself where its user's processes are: in a
-    user space of its own, which bubblewrap makes unless it has rights of root."""
+    """Whether a sandboxed program's processes are counted apart from its user's other processes: in
+    an own user space, which bubblewrap makes unless it has root's rights."""
     path, limiter = shutil.which(PROGRAM), shutil.which(LIMITER)
     if path is None or limiter is None or os.geteuid() == 0 or os.stat(path).st_mode & stat.S_ISUID:
         return False
@@ -138,7 +138,7 @@ def has_own_user_space() -> bool:
 
 
 def with_fewer_processes(command: list[str], most: int) -> list[str]:
-    """The command, which may have so many processes in the sandbox beside the first there."""
+    """Returns the command, limited to so many processes in the sandbox, apart from the first."""
     _, hard = resource.getrlimit(resource.RLIMIT_NPROC)
     most = most + 1 if hard == resource.RLIM_INFINITY else min(most + 1, hard)
     return [LIMITER, f"--nproc={most}", "--", *command]
@@ -146,7 +146,7 @@ def with_fewer_processes(command: list[str], most: int) -> list[str]:
 
 @functools.cache
 def absence() -> str | None:
-    """Why there can be no sandbox here; None where one was made."""
+    """Says why no sandbox works here; None if a test sandbox ran."""
     if sys.platform != "linux":
         return "bubblewrap runs on Linux only"
     if shutil.which(PROGRAM) is None:

@@ -1,4 +1,4 @@
-"""A program of somebody else, started within its walls, and ended with all that it started."""
+"""A foreign program, started within its walls, and ended with all its descendants."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from minkref.fuzz.isolation.other_user import a_user, become, forbid_new_privile
 from minkref.fuzz.isolation.process_tree import children_of, resident_bytes, tree_bytes
 
 END_SECONDS = 5.0
-WATCH_SECONDS = 0.2  # between two looks at the memory, where that is measured
+WATCH_SECONDS = 0.2  # between two measurements of memory
 SANDBOX_PROCESSES = 2  # bubblewrap's own
-SHELL_SIGNAL = 128  # the exit code of bubblewrap, and a signal, where the program died by that
+SHELL_SIGNAL = 128  # bubblewrap's exit code is this plus the signal that killed the program
 
 
 class SupervisedProgram:
-    """Runs from its making until `end`. Its standard streams are pipes. Raises OSError or
-    SubprocessError where it cannot be started."""
+    """Runs from construction until `end`. Standard streams are pipes. Raises OSError or
+    SubprocessError if the program cannot start."""
 
     def __init__(
         self,
@@ -55,7 +55,7 @@ class SupervisedProgram:
             raise
 
     def exit_of(self, code: int) -> tuple[int, str | None]:
-        """The exit code and the name of the signal that ended it."""
+        """Returns the exit code and the fatal signal's name."""
         if self._isolation.kind == SANDBOX and code > SHELL_SIGNAL:
             code = SHELL_SIGNAL - code
         if code >= 0:
@@ -66,8 +66,8 @@ class SupervisedProgram:
             return code, f"signal {-code}"
 
     def exceeded(self) -> bool:
-        """Whether the program, with all that it started, took more memory than it may. Where that
-        is measured, it is so a few times a second."""
+        """Whether the program, with its descendants, took more memory than allowed. Measurements,
+        if needed, happen a few times a second."""
         if any(MEMORY in group.room.controllers for group in self._groups):
             return self._reached(MEMORY)
         if time.monotonic() - self._looked < WATCH_SECONDS:
@@ -77,14 +77,14 @@ class SupervisedProgram:
         return resident_bytes(root) > self._memory and tree_bytes(root) > self._memory
 
     def crowded(self) -> bool:
-        """Whether it wanted more processes than it may have, where that is counted."""
+        """Whether the program wanted more processes than allowed, if they are counted."""
         return self._reached(PIDS)
 
     def _reached(self, controller: str) -> bool:
         return any(group.reached(controller) > 0 for group in self._groups)
 
     def end(self) -> None:
-        """Ends it with all that it started, and removes what it wrote in its own folder."""
+        """Ends the program with its descendants, and removes files in its own folder."""
         if self._isolation.kind == SANDBOX:
             self._end_sandbox()
         else:
@@ -130,7 +130,7 @@ class SupervisedProgram:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
     def _end_sandbox(self) -> None:
-        """The first process within is killed, and all others with it; bubblewrap ends after it."""
+        """Kills the first process within, and all others with it; then bubblewrap ends."""
         deadline = time.monotonic() + END_SECONDS
         while self.process.poll() is None and time.monotonic() < deadline:
             for first in children_of(self.process.pid):
@@ -150,7 +150,7 @@ class SupervisedProgram:
 
 
 def _lower(what: int, most: int) -> None:
-    """A limit of this process."""
+    """Lowers a limit of this process."""
     _, hard = resource.getrlimit(what)
     if hard == resource.RLIM_INFINITY or most < hard:
         resource.setrlimit(what, (most, most))

@@ -1,9 +1,9 @@
-"""A process between ours and a program that is not ours.
+"""A process between ours and a foreign program.
 
-For machines without a sandbox. Whatever the program does to its parent hits the supervisor. A
+For machines without a sandbox. Harm that the program does to its parent hits the supervisor. A
 program that runs as a user of its own cannot signal the supervisor. The supervisor adopts all
 processes that the program leaves behind, also in sessions of their own, and ends them with the
-program, or when we die; then the supervisor removes the folder of the program's temporary files.
+program, or when we die; then the supervisor removes the program's folder of temporary files.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from minkref.fuzz.isolation.process_tree import children_of
 from minkref.output.signals import PR_SET_PDEATHSIG, end_with_parent, kill_group
 
 PR_SET_CHILD_SUBREAPER = 36
-MOST_FILES = 1 << 16  # open ones that the supervisor closes
+MOST_FILES = 1 << 16  # open files that the supervisor closes
 END_SECONDS = 5.0
 _SIGNALS = (signal.SIGCHLD, signal.SIGTERM)
 
 
 def supervise(parent: int, folder: str, begin: Callable[[], None]) -> None:
-    """For the child of a fork, which becomes the supervisor: leads a session, forks, and returns in
-    the new child only, after `begin`. `parent` is the process that both end with. `folder` is
-    removed at the end."""
+    """Turns a fork's child into the supervisor: leads a session, forks, and returns in the new
+    child only, after `begin`. Both end with the process `parent`. At the end, `folder` is
+    removed."""
     os.setsid()
     if sys.platform != "linux":
         begin()
@@ -41,7 +41,7 @@ def supervise(parent: int, folder: str, begin: Callable[[], None]) -> None:
     if child == 0:
         signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         begin()
-        end_with_parent(supervisor)  # after a change of the user, which forgets it
+        end_with_parent(supervisor)  # after a change of user, which clears this setting
         return
     try:
         _wait(child, parent, folder)
@@ -50,7 +50,7 @@ def supervise(parent: int, folder: str, begin: Callable[[], None]) -> None:
 
 
 def end(process: subprocess.Popen[bytes]) -> None:
-    """Ends a program with all that it started."""
+    """Ends a program with all its descendants."""
     if process.poll() is None:
         for number in (signal.SIGTERM, signal.SIGCONT):
             process.send_signal(number)
@@ -63,7 +63,7 @@ def end(process: subprocess.Popen[bytes]) -> None:
 
 
 def _wait(child: int, parent: int, folder: str) -> None:
-    """Ends as the child does, after all that it started."""
+    """Ends as the child does, after all its descendants."""
     os.closerange(0, MOST_FILES)
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM, 0, 0, 0)
     status = None
@@ -87,7 +87,7 @@ def _wait(child: int, parent: int, folder: str) -> None:
 
 
 def _end_children() -> None:
-    """Whose children become ours when they end."""
+    """Kills children until none is left: orphans become our children."""
     while True:
         try:
             ended, _ = os.waitpid(-1, os.WNOHANG)

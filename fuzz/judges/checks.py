@@ -76,10 +76,10 @@ def _is_thin(operand: _core.PolygonSet) -> bool:
 
 @dataclass
 class Check:
-    """One of the targets, in one worker."""
+    """A target of this kind, in one worker."""
 
     name: str
-    size: int | None = None  # pairs of vertices instead of SIZE_LIMITS
+    size: int | None = None  # vertex pairs, instead of SIZE_LIMITS
 
     def __post_init__(self) -> None:
         self._open = ExitStack()
@@ -124,7 +124,7 @@ class Check:
             )
         except MemoryError as error:
             verdict, message = Verdict.OUT_OF_MEMORY, message_of(error)
-        except Exception as error:  # noqa: BLE001 a fault of either side, whatever it is
+        except Exception as error:  # a fault on either side, of any type
             verdict, message = Verdict.ERRORED, message_of(error)
         seconds = time.perf_counter() - since
         return Outcome(self.name, verdict, message=message, seconds=seconds)

@@ -1,5 +1,5 @@
-"""A judge that answers each line of JSON by one: a child process, started anew after one that took
-too long or ended."""
+"""A judge that answers each JSON line by a JSON line: a child process, restarted after taking too
+long or ending."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Any, Self
 
 
 class LineProcess:
-    """For one thread. `seconds` limit each answer on the clock. Close it, or use it in a `with`."""
+    """For one thread. `seconds` limit each answer, on the clock. Close it, or use `with`."""
 
     def __init__(self, executable: Path, seconds: float) -> None:
         self._executable, self._seconds = executable, seconds
@@ -32,14 +32,14 @@ class LineProcess:
         self._process = None
 
     def ask(self, request: dict[str, Any]) -> dict[str, Any]:
-        """The answer; {"error": why} where there is none."""
+        """Returns the answer; {"error": why} if none comes."""
         if self._process is None:
             self._process = subprocess.Popen(
                 [self._executable],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 text=True,
-                cwd=tempfile.gettempdir(),  # CGAL writes a diary where it ends
+                cwd=tempfile.gettempdir(),  # CGAL writes a diary into its folder
             )
         assert self._process.stdin is not None and self._process.stdout is not None
         try:

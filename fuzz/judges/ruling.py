@@ -1,4 +1,4 @@
-"""The ruling of a judge about one case."""
+"""A judge's ruling on one case."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from minkref import _core
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
-SCALES_OF_EVENTS = 2  # of each kind, on one case
+SCALES_OF_EVENTS = 2  # per kind and case
 HIGHEST = 40
 NOTHING = "nothing to compare: no event, or no point"
 
@@ -26,7 +26,7 @@ class Ruling:
     skipped: str | None = None
 
     def compare(self, what: str, ours: object, theirs: object, *reasons: Reason) -> bool:
-        """Notes a disagreement; whether there is none."""
+        """Notes a disagreement; returns whether both agree."""
         self.compared += 1
         if ours == theirs:
             return True
@@ -64,7 +64,7 @@ def dice_of(case: Case) -> random.Random:
 
 
 def event_scales(case: Case, dynamic: _core.DynamicSum) -> list[str]:
-    """Some scales of boundary events and some of other events of the arrangement."""
+    """Some scales of boundary events and some of the arrangement's other events."""
     dice = dice_of(case)
     boundary = sorted({row[0] for row in dynamic.boundary_events()}, key=Fraction)
     others = [scale for scale, _ in dynamic.event_scales() if scale not in set(boundary)]
@@ -77,7 +77,7 @@ def _some(dice: random.Random, scales: list[str]) -> list[str]:
 
 
 def scales_of(case: Case, dynamic: _core.DynamicSum) -> list[str]:
-    """The scale of the case, one at random, and some of events."""
+    """The case's scale, a random scale, and some scales of events."""
     dice = dice_of(case)
     at_random = str(Fraction(dice.randint(1, 6 * HIGHEST), dice.randint(1, HIGHEST)))
     return list(dict.fromkeys([case.scale, at_random, *event_scales(case, dynamic)]))

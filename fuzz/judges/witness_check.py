@@ -9,8 +9,8 @@ from minkref.oracle import slow
 
 
 def confirmed(finding: dict[str, Any]) -> bool:
-    """The slow engine says of the witness point what the finding (of the document of `verify`,
-    small enough to hold its operands) says of it."""
+    """Whether the slow engine agrees with a finding about its witness point (from the document of
+    `verify`, small enough to hold its operands)."""
     witness = finding["witness"]
     if witness is None:
         return False

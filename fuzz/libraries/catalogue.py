@@ -21,12 +21,12 @@ from minkref.fuzz.libraries.library import Adapter, Library
 
 HERE = Path(__file__).parent
 INSTALL_COMMAND = "minkref adapter install"
-RUN = HERE.parent / "adapters" / "run_program.py"  # beside what programs in Python import
+RUN = HERE.parent / "adapters" / "run_program.py"  # beside modules that Python programs import
 OPENSCAD = "openscad"
 
 
 def _libraries() -> dict[str, Library]:
-    """By the name of the folder, in the order of their places."""
+    """Maps folder names to libraries, in the order of their places."""
     folders = [each.name for each in pkgutil.iter_modules([str(HERE)]) if each.ispkg]
     found = {f: import_module(f"minkref.fuzz.libraries.{f}").LIBRARY for f in folders}
     return dict(sorted(found.items(), key=lambda item: item[1].place))
@@ -43,7 +43,7 @@ def adapter_named(name: str) -> Adapter:
 
 
 def install(name: str, folder: Path | None = None) -> None:
-    """Gets what the adapter needs. Raises Refusal where that cannot be."""
+    """Installs everything the adapter needs. Raises Refusal if impossible."""
     adapter = adapter_named(name)
     if adapter.kind == "debian":
         installation.install_package(OPENSCAD, OPENSCAD)
@@ -54,7 +54,7 @@ def install(name: str, folder: Path | None = None) -> None:
 
 
 def command(name: str, folder: Path | None = None) -> list[str] | None:
-    """The words that start the adapter, None where it is not installed or not up to date."""
+    """Returns the words that start the adapter, None if not installed or not up to date."""
     adapter = adapter_named(name)
     if absence(name, folder) is not None:
         return None
@@ -71,7 +71,7 @@ def command(name: str, folder: Path | None = None) -> list[str] | None:
 
 
 def absence(name: str, folder: Path | None = None) -> str | None:
-    """Says what is missing, and the command that gets it; None if the adapter can be started."""
+    """Names the missing part, and the command that gets it; None if the adapter can start."""
     adapter = adapter_named(name)
     if adapter.kind == "debian":
         return installation.missing_package(OPENSCAD, OPENSCAD)

@@ -11,7 +11,7 @@ Ring = list[tuple[str, str]]
 
 
 def polygons_of(text: str) -> list[list[Ring]]:
-    """Per polygon its outer ring and its holes, numbers as texts."""
+    """Returns, for each polygon, the outer ring and holes, numbers as texts."""
     return [
         [[(x, y) for x, y in ring] for ring in (polygon["outer"], *polygon.get("holes", []))]
         for polygon in json.loads(text)["polygons"]

@@ -1,7 +1,7 @@
-"""How an adapter gets into its folder: an environment of Python, a compiled program, a package.
+"""How an adapter gets into its folder: a Python environment, a compiled program, a package.
 
-A folder counts as installed when its stamp is there and says what is wanted now. The stamp is
-written last; a folder without it, as an installation that was ended leaves it, is made anew. One
+A folder counts as installed if its stamp exists and matches the current requirements. The stamp is
+written last; a folder without stamp, as after an interrupted installation, is made anew. One
 process at a time works on a folder.
 """
 
@@ -30,7 +30,7 @@ CLIPPER2 = "external/clipper2/CPP/Clipper2Lib"
 CLIPPER2_UNITS = ("engine", "offset", "rectclip")
 DEBIAN_NEEDS = "apt-get install -y g++ nlohmann-json3-dev libboost-dev"
 SECONDS = 900.0  # for each command
-SHOWN = 1500  # characters of what a command said before it failed
+SHOWN = 1500  # characters of a failed command's output
 
 
 def interpreter(home: Path) -> Path:
@@ -42,7 +42,7 @@ def binary(home: Path) -> Path:
 
 
 def state_of(home: Path, kind: str, program: str) -> str:
-    """Empty where `home` holds what is wanted, else `not installed` or `out of date`."""
+    """Returns an empty text if `home` is up to date, else `not installed` or `out of date`."""
     start = interpreter(home) if kind == "python" else binary(home)
     stamp = home / STAMP
     if not (stamp.is_file() and os.access(start, os.X_OK)):
@@ -51,7 +51,7 @@ def state_of(home: Path, kind: str, program: str) -> str:
 
 
 def install_home(home: Path, kind: str, program: str) -> None:
-    """Makes `home` anew, unless it holds what is wanted."""
+    """Makes `home` anew, unless up to date."""
     try:
         home.parent.mkdir(parents=True, exist_ok=True)
         with _alone(home.parent / f".{home.name}.lock"):
@@ -72,14 +72,14 @@ def install_home(home: Path, kind: str, program: str) -> None:
 
 
 def missing_package(executable: str, package: str) -> str | None:
-    """A sentence with the command that installs the package, None where the program is there."""
+    """A sentence with the command that installs the package, None if the program exists."""
     if shutil.which(executable):
         return None
     return f"{executable} is not installed: {' '.join(_package_command(package))} (as root)"
 
 
 def install_package(executable: str, package: str) -> None:
-    """By the package manager of Debian, as root only."""
+    """Installs a package by Debian's package manager, as root only."""
     if shutil.which(executable):
         return
     if os.geteuid() != 0 or not shutil.which("apt-get"):
@@ -94,13 +94,13 @@ def _package_command(package: str) -> list[str]:
 
 
 def _requirements(program: str) -> Path:
-    """The requirements file of a program, in the folder of its library."""
+    """The requirements file of a program, in its library's folder."""
     return (HERE / program).with_name("requirements.txt")
 
 
 def _wanted(kind: str, program: str) -> str:
-    """The digest of what an installation hangs on: pinned requirements, and the sources of a
-    compiled program. A program in Python is run from its own place."""
+    """The digest that an installation depends on: of pinned requirements, and a compiled program's
+    sources. A Python program runs from its own place."""
     paths = [_requirements(program)]
     words = [kind]
     if kind == "python":
@@ -114,7 +114,7 @@ def _wanted(kind: str, program: str) -> str:
 
 @contextmanager
 def _alone(lock: Path) -> Iterator[None]:
-    """Waits until no other process is in the same section."""
+    """Waits until no other process runs the same section."""
     with lock.open("w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         yield
@@ -151,13 +151,14 @@ def _compile(home: Path, program: str) -> None:
 
 
 def _clipper2_sources(home: Path, program: str) -> Path:
-    """The library out of the source distribution that its requirements name, with its digest."""
+    """Unpacks the library from the source distribution that its requirements name, with a
+    digest."""
     environment, downloads = home / "venv", home / "download"
     _make_empty_environment(environment)
     requirements = str(_requirements(program))
     wanted = ["--require-hashes", "--no-deps", "--no-binary", "pyclipr", "--dest", str(downloads)]
     wanted += ["-r", requirements]
-    # Sources are wanted: without its hooks the package is not compiled to find its metadata.
+    # Without its hooks the package is not compiled to find metadata: only sources are wanted.
     _pip(environment, "download", *wanted, HATCH_BUILD_NO_HOOKS="true")
     (archive,) = downloads.glob("pyclipr-*.tar.gz")
     library = home / "source" / archive.name.removesuffix(".tar.gz") / CLIPPER2
@@ -176,7 +177,7 @@ def _clipper2_sources(home: Path, program: str) -> Path:
 
 
 def _run(words: list[str], mend: str, environment: dict[str, str] | None = None) -> None:
-    """Runs a command. Raises Refusal with the end of what it said where it fails."""
+    """Runs a command. Raises Refusal with the end of its output if the command fails."""
     where = " ".join(words[:4])
     try:
         done = subprocess.run(

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Adapter:
-    """`kind` is how it is had: `python` (an environment of its own), `c++` (compiled), `debian`
-    (a package of the system), `cgal` (built with the project), `own` (always there). `program`: its
-    path from here, or the name of an executable. `home` is the folder of what is installed, which
-    adapters may share."""
+    """`kind` tells how to get the adapter: `python` (an environment of its own), `c++` (compiled),
+    `debian` (a system package), `cgal` (built with the project), `own` (always there). `program`:
+    its path from here, or an executable's name. `home` is the installation's folder, which adapters
+    may share."""
 
     name: str
     title: str
@@ -25,8 +25,8 @@ class Adapter:
 
 @dataclass(frozen=True)
 class Method:
-    """One of the sums that a library has: the name and title of its adapter, and what tells it from
-    the others on the command line."""
+    """One of a library's sums: the name and title of its adapter, and the argument that selects it
+    on the command line."""
 
     name: str
     title: str
@@ -35,9 +35,9 @@ class Method:
 
 @dataclass(frozen=True)
 class Library:
-    """`targets`: how the names of its targets begin. `place`: where it stands in lists.
-    `has_program`: whether `program.py` beside it shows a finding with the library alone. The rest
-    is alike for the adapters of all its methods."""
+    """`targets`: the prefix of its targets' names. `place`: the position in lists. `has_program`:
+    whether `program.py` beside it shows a finding with the library alone. All the library's
+    adapters share the other members."""
 
     title: str
     targets: str

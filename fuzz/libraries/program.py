@@ -1,4 +1,4 @@
-"""A program that uses one library, makes one call, and exits with 1 where the fault shows."""
+"""A program with one call to one library that exits with 1 if the fault shows."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from minkref.fuzz.verdicts.verdict import Outcome
 
 @dataclass(frozen=True)
 class Program:
-    """`run` are the lines of a shell that build and start it; `note` is what a reader has to know
-    of what it does, or empty."""
+    """`run` holds shell lines that build and start the program; `note` tells readers about its
+    behaviour, or is empty."""
 
     file: str
     text: str
@@ -23,23 +23,23 @@ class Program:
 
 
 def filled(template: str, finding: Finding, name: str, **fields: str) -> str:
-    """A file of a library, `clipper2/curves`, say, with its fields set: those given, what was
-    observed, and the name of the program."""
+    """Fills a library's template, `clipper2/curves`, say: the given fields, the observed outcome,
+    and the program's name."""
     folder = resources.files("minkref.fuzz.libraries")
     text = (folder / f"{template}.template").read_text(encoding="utf-8")
     return Template(text).substitute(fields, OBSERVED=observed(finding.outcome), NAME=name)
 
 
 def observed(outcome: Outcome) -> str:
-    """The observed outcome, on one line that is safe in a comment of any language."""
+    """The observed outcome, on one line that is safe in any language's comment."""
     signal = f", {outcome.signal}" if outcome.signal else ""
     text = f"{outcome.target} {outcome.was or outcome.verdict}: {', '.join(outcome.kinds)}{signal}"
     return re.sub(r"[^\w .,:@+-]", " ", text)
 
 
 def scaled_operands(finding: Finding, dimension: int | None = None) -> tuple[str, str] | None:
-    """P scaled, and Q, as JSON texts; None where the finding is of no two operands, or of another
-    dimension than the one given."""
+    """P scaled, and Q, as JSON texts; None if the finding has no two operands, or another dimension
+    than the given one."""
     from minkref import _core
     from minkref.fuzz.geometry.polyhedron import Polyhedron
     from minkref.fuzz.geometry.space import scale_of

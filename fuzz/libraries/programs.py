@@ -1,4 +1,4 @@
-"""Which program shows a finding, by the name of its target."""
+"""Chooses the program that shows a finding, by the target's name."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Maker = Callable[[Finding, str], Program | None]
 
 
 def program(finding: Finding, name: str) -> Program | None:
-    """The program, its file called `name`; None where there is none (`why_none`)."""
+    """Returns the program, its file called `name`; None if none exists (`why_none`)."""
     maker = _maker(finding.outcome.target)
     return maker(finding, name) if maker else None
 
@@ -28,7 +28,7 @@ def why_none(finding: Finding) -> str:
 
 
 def library(target: str) -> str:
-    """The name of the accused library; that of the target where it is none that we know."""
+    """Returns the accused library's name; for an unknown library, the target's name."""
     found = (each.title for each in LIBRARIES.values() if target.startswith(each.targets))
     return next(found, target)
 
@@ -44,5 +44,5 @@ def _maker(target: str) -> Maker | None:
 
 
 def _is_method(module: object, target: str) -> bool:
-    """Whether a target is one of the library that has no adapter."""
+    """Whether a target is a library method without adapter."""
     return bool(getattr(module, "shows", lambda _: False)(target))

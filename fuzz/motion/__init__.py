@@ -1,1 +1,1 @@
-"""Parts on paths as a setting of `verify`: what is asked about them, and verdicts."""
+"""Parts on paths as a setting of `verify`: questions about them, and verdicts."""

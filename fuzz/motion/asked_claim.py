@@ -15,7 +15,8 @@ from minkref.motion.scale_ranges import ScaleRange
 
 
 def asked_claim(target: AdapterTarget, case: AskedPath) -> tuple[PathClaim, Declaration] | Answer:
-    """The target's claim on the scales of a path, and its declaration; else why there is none."""
+    """Returns the target's claim on a path's scales, and its declaration; else the answer without
+    claim."""
 
     def fields(declaration: Declaration) -> dict[str, Any]:
         path = [[sent_number(axis, declaration) for axis in point] for point in case.path]
@@ -28,7 +29,7 @@ def asked_claim(target: AdapterTarget, case: AskedPath) -> tuple[PathClaim, Decl
 
 
 def _claim(case: AskedPath, value: dict[str, Any], declaration: Declaration) -> PathClaim:
-    """Raises Unreadable for what is none."""
+    """Reads a claim. Raises Unreadable for anything else."""
     if case.window is None:
         valid = value.get("valid")
         if not isinstance(valid, list) or not all(isinstance(one, bool) for one in valid):
@@ -43,8 +44,8 @@ def _claim(case: AskedPath, value: dict[str, Any], declaration: Declaration) -> 
 
 
 def _range(value: dict[str, Any], declaration: Declaration) -> ScaleRange:
-    """Ends belong to it unless it says that they do not; without an end it is that of the
-    window."""
+    """Reads a range. It contains its ends unless it says otherwise; a missing end defaults to the
+    window's."""
     if "from" not in value:
         raise Unreadable("a range has no from")
     low, high = (

@@ -32,7 +32,7 @@ from minkref.fuzz.plane.exact_shapes import set_of, shape_of
 from minkref.fuzz.plane.protocol import IN_THE_PLANE
 from minkref.motion.scale_ranges import CONTACTS
 
-GRID = "-grid"  # at the end of a family: coordinates are multiples of UNIT
+GRID = "-grid"  # suffix of a family whose coordinates are multiples of UNIT
 UNIT = Fraction(1, 64)
 FAMILIES = (PATH, RANGES, PATH + GRID, RANGES + GRID)
 #: In turn; each is asked for its cases one after the other, and so draws all of its own kinds.
@@ -47,7 +47,7 @@ DRAWS: tuple[Callable[[int, int], PathCase], ...] = (
 POSITIONS = frozenset((*KINDS, "general", "past a corner", "in a hole"))
 BESIDE = Fraction(1, 4096)  # relative: scales asked about just below and above each bound
 MOST_SCALES = 24
-MOST_VERTICES = 10_000  # of a path that is named
+MOST_VERTICES = 10_000  # most vertices of a named path
 MEND = (
     'write {"part":{"polygons":[...]},"obstacles":{"polygons":[...]},"path":[["0","0"],...],'
     '"contact":"allowed","scales":["1"]}'
@@ -56,7 +56,7 @@ MEND = (
 
 @dataclass(frozen=True)
 class AskedPath:
-    """`scales`: each is asked about; or those of the closed `window` are, as ranges. P is the part
+    """`scales`: asks about each; or about scales in the closed `window`, as ranges. P is the part
     and Q the obstacles."""
 
     name: CaseName
@@ -77,7 +77,7 @@ class AskedPath:
 
     @property
     def verb(self) -> str:
-        """The capability that it asks for."""
+        """Returns the capability that the case asks for."""
         return PATH if self.window is None else RANGES
 
     @cached_property
@@ -104,7 +104,7 @@ class AskedPath:
 
     @cached_property
     def sent(self) -> list[Fraction]:
-        """All coordinates that an implementation is sent."""
+        """Returns all coordinates sent to an implementation."""
         along = [Fraction(axis) for point in self.path for axis in point]
         return [*_numbers(self.P_json), *_numbers(self.Q_json), *along]
 
@@ -114,8 +114,8 @@ class AskedPath:
 
     @cached_property
     def magnitude(self) -> Fraction:
-        """The sum of the largest absolute coordinates of the part at its greatest scale, of the
-        obstacles and of the path."""
+        """Adds the largest absolute coordinates of the part at its greatest scale, the obstacles
+        and the path."""
         groups = (_numbers(self.P_json), _numbers(self.Q_json), self.sent[-2 * len(self.path) :])
         part, obstacles, path = (max(map(abs, group), default=Fraction(0)) for group in groups)
         return self.greatest_scale * part + obstacles + path
@@ -147,7 +147,7 @@ class AskedPath:
         return (count, len(self.literal), self.name.text)
 
     def valid(self, route: str = "contacts") -> minkref.ValidScales:
-        """By a route that shares little with the one that is the default."""
+        """Finds the valid scales by a route that shares little with the default route."""
         return minkref.valid_scales(self.part, self.obstacles, self.path, self.contact, route=route)
 
 
@@ -156,7 +156,7 @@ def _numbers(text: str) -> list[Fraction]:
 
 
 def drawn_path(name: CaseName, family: str, seed: int, index: int) -> AskedPath:
-    """Small ones, many of them degenerate: of every five one passes a corner, one is in a hole, and
+    """Draws small cases, many degenerate: among five, one passes a corner, one lies in a hole, and
     one between two walls; scales at and beside their bounds."""
     turn, which = divmod(index, len(DRAWS))
     draw = DRAWS[which]
@@ -186,8 +186,8 @@ def _scales_beside(bounds: list[Fraction]) -> list[Fraction]:
 
 
 def _on_grid(case: AskedPath) -> AskedPath:
-    """Obstacles are moved to the grid vertex by vertex, where they stay valid; else left out of it
-    as they are, for targets that take rational numbers."""
+    """Moves obstacles to the grid vertex by vertex, if they stay valid; else keeps them off the
+    grid, for targets that take rational numbers."""
 
     def rounded(point: Point) -> Place:
         x, y = (UNIT * round(Fraction(axis) / UNIT) for axis in point)
@@ -205,7 +205,7 @@ def _on_grid(case: AskedPath) -> AskedPath:
 
 
 def named_path(name: CaseName, value: dict[str, Any], where: str) -> AskedPath:
-    """The case that a JSON value is. Refuses what is none."""
+    """Returns the case that a JSON value describes. Refuses other values."""
     part, obstacles = (_set(value.get(word), word, where) for word in ("part", "obstacles"))
     contact = value.get("contact", CONTACTS[0])
     if contact not in CONTACTS:

@@ -20,7 +20,7 @@ KINDS = ("along an edge", "on a critical position", "single place", "corridor")
 
 @dataclass(frozen=True)
 class PathCase:
-    """`kind`: how it is degenerate, "general" where it is not meant to be."""
+    """`kind`: the case's degeneracy, "general" if none is intended."""
 
     name: str
     part: PolygonSet
@@ -58,7 +58,7 @@ def path_case(seed: int, index: int) -> PathCase:
 
 
 def case_in_a_hole(seed: int, index: int) -> PathCase:
-    """A path in the hole of a frame, as a part in a container has it."""
+    """A path in a frame's hole, like a part's path in a container."""
     dice = random.Random(f"hole {seed}:{index}")
     part = _valid(dice)
     while True:
@@ -83,7 +83,7 @@ def case_in_a_corridor(seed: int, index: int) -> PathCase:
 
 def case_past_a_corner(seed: int, index: int) -> PathCase:
     """A long segment that passes a corner of the obstacles somewhere: the part collides on a short
-    part of it."""
+    stretch."""
     dice = random.Random(f"corner {seed}:{index}")
     part, obstacles = _valid(dice), _valid(dice, 6)
     s, r, o = dice.choice(SCALES), dice.choice(_corners(part)), dice.choice(_corners(obstacles))
@@ -120,8 +120,8 @@ def _valid(dice: random.Random, far: int = 0) -> PolygonSet:
 
 
 def _corridor(dice: random.Random, name: str, part: PolygonSet) -> PathCase:
-    """Two walls, and a way along them: contact on both sides at one scale. Where the part is on one
-    side of its origin, that scale alone is valid between others."""
+    """Two walls, and a way along them: contact on both sides at one scale. If the part lies on one
+    side of its origin, only this scale is valid in its neighbourhood."""
     part = part.translated("0", dice.choice(("0", "5", "-5")))
     ys = [y for _, y in _corners(part)]
     low, high, s = min(ys), max(ys), dice.choice(SCALES)

@@ -9,7 +9,7 @@ from minkref.motion.scale_ranges import ScaleRange
 
 @dataclass(frozen=True)
 class PathClaim:
-    """The validity of each scale that was asked about, or all valid scales of the window."""
+    """The validity of each requested scale, or all valid scales within the window."""
 
     valid: tuple[bool, ...] = ()
     ranges: tuple[ScaleRange, ...] | None = None

@@ -24,8 +24,9 @@ FORBIDDEN = "forbidden"
 
 @dataclass(frozen=True)
 class Sides:
-    """Scales that must be called valid (`strict`) and that may be (`loose`). They differ by the
-    tolerance: obstacles are larger by it, and must not be touched; or smaller, and may be."""
+    """Scales that must be called valid (`strict`) and scales that may be (`loose`). The tolerance
+    makes the difference: obstacles are larger by it, and must not be touched; or smaller, and may
+    be."""
 
     strict: minkref.ValidScales
     loose: minkref.ValidScales
@@ -50,11 +51,10 @@ class Sides:
 def judge_path(
     case: AskedPath, name: str, claim: PathClaim, declared: Declaration
 ) -> list[Outcome]:
-    """The expected scales are those of the route `contacts`, beside the tolerance; where a target
-    says something else the scale is decided from the definition, twice. The witness of a collision
-    that is missed is a place with p and q; of one that is invented, that none of the places that
-    decide collides. Where the definition refutes the reference, the target is undecided, and the
-    referee is named."""
+    """Compares a claim with the route `contacts`, up to the tolerance; if the target differs, the
+    definition decides the scale, twice. The witness of a missed collision is a place with p and q;
+    for an invented collision, the fact that no deciding place collides. If the definition refutes
+    the reference, the target is undecided, and the outcome names the referee."""
     sides = Sides.of(case, declared)
     claim = _snapped(claim, declared, (sides.strict, sides.loose))
     differing = _differing(case, claim, sides)
@@ -80,7 +80,8 @@ def judge_path(
 def _snapped(
     claim: PathClaim, declared: Declaration, true: Sequence[minkref.ValidScales]
 ) -> PathClaim:
-    """Where numbers are doubles, one next to the true end of a range stands for it."""
+    """Replaces doubles next to the true end of a range by this end, if the target's numbers are
+    doubles."""
     if claim.ranges is None or declared.numbers != "double":
         return claim
     within = Within(declared)
@@ -106,8 +107,8 @@ def _doubt(name: str, message: str) -> list[Outcome]:
 
 
 def _differing(case: AskedPath, claim: PathClaim, sides: Sides) -> list[tuple[Fraction, bool]]:
-    """The least scale that is called valid and may not be, and the least that must be and is not;
-    with what is said of each."""
+    """Returns the least scale called valid that may not be, and the least scale that must be valid
+    but is not called so; each with the claim about it."""
     scales, says = _said(case, claim, (sides.strict, sides.loose))
     missed = next((s for s in scales if says(s) and s not in sides.loose), None)
     invented = next((s for s in scales if not says(s) and s in sides.strict), None)
@@ -117,7 +118,7 @@ def _differing(case: AskedPath, claim: PathClaim, sides: Sides) -> list[tuple[Fr
 def _said(
     case: AskedPath, claim: PathClaim, others: Sequence[minkref.ValidScales]
 ) -> tuple[list[Fraction], Callable[[Fraction], bool]]:
-    """Scales that tell all differences, ascending, and what is said of each."""
+    """Returns scales that reveal all differences, ascending, and the claim about each."""
     if claim.ranges is None:
         said = dict(zip(map(Fraction, case.scales), claim.valid, strict=True))
         return sorted(said), said.__getitem__
@@ -141,7 +142,8 @@ def _good(case: AskedPath, claim: PathClaim, declared: Declaration, sides: Sides
 
 
 def without_claim(case: AskedPath, name: str, answer: Answer) -> Outcome:
-    """The outcome if an answer says why there is no claim; WRONG: valid input was rejected."""
+    """The outcome if an answer gives a reason instead of a claim; WRONG: valid input was
+    rejected."""
     outcome = without_answer(name, answer)
     if outcome.verdict is not Verdict.WRONG:
         return outcome

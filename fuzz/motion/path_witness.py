@@ -1,5 +1,5 @@
-"""A place of a path at which a part collides, or that there is none: found from the definition, and
-checked again by code that shares nothing with it."""
+"""Finds by definition a place on a path where a part collides, or that none exists; code that
+shares nothing with the search checks the result again."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ class Asked(NamedTuple):
 
 
 def path_witness(asked: Asked, scale: Fraction) -> Witness:
-    """At this scale a place that collides, with p and q; or that none does, with the number of
-    places decided. Places are those at which the part starts or stops to touch, and one between
-    any two. Exact: by pairs of triangles, and again in plain fractions. Raises WitnessRefuted."""
+    """Finds at this scale a place that collides, with p and q; or that none does, with the number
+    of places decided: places where the part starts or stops touching, and one between any two.
+    Exact: by pairs of triangles, and again in plain fractions. Raises WitnessRefuted."""
     case = asked.case
     collisions = Collisions(case.part, asked.obstacles, case.path)
     found, count = _first(collisions, scale, by_triangles(case.part, asked.obstacles), asked)
@@ -83,8 +83,8 @@ def _texts(point: Point) -> tuple[str, str]:
 
 
 def _shared(asked: Asked, scale: Fraction, x: Point) -> tuple[Point, Point]:
-    """p in the part and q in the obstacles, in the interior of both where contact is allowed, with
-    x + s p = q."""
+    """Returns p in the part and q in the obstacles, in both interiors if contact is allowed, with x
+    + s p = q."""
     case = asked.case
     if asked.contact != ALLOWED:
         turned = case.part.scaled("-1")
@@ -105,7 +105,7 @@ def _shared(asked: Asked, scale: Fraction, x: Point) -> tuple[Point, Point]:
 
 
 def _inside(ends: list[Point], wide: Shape, case: AskedPath) -> Point:
-    """A point of a point or a segment, less its ends, inside of a set."""
+    """Returns a point of the thin operand, without a segment's ends, that lies inside a set."""
     if len(ends) == 1:
         return ends[0]
     a, b = ends
@@ -127,8 +127,8 @@ def _inside(ends: list[Point], wide: Shape, case: AskedPath) -> Point:
 
 
 def holds(asked: Asked, witness: Witness) -> bool:
-    """Whether a collision is what it says, in plain fractions: the place is on the path, x + s p is
-    q, p and q are in their sets, with contact allowed in their interiors."""
+    """Checks a collision in plain fractions: the place lies on the path, x + s p equals q, and p
+    and q belong to their sets, or to their interiors with contact allowed."""
     case = asked.case
     if witness.on_path is None or witness.p is None or witness.q is None or witness.scale is None:
         return False
@@ -150,7 +150,8 @@ def holds(asked: Asked, witness: Witness) -> bool:
 
 
 def _is_inside(shape: Shape, point: Point) -> bool:
-    """In the interior; of a point the point, of a segment all but its ends."""
+    """Whether a point lies in the interior; a point is its own interior, a segment's interior
+    excludes its ends."""
     ring = shape[0][0]
     if len(ring) == 1:
         return point == ring[0]

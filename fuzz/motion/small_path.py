@@ -1,4 +1,4 @@
-"""Steps that make a case of a path smaller."""
+"""Steps that make a path case smaller."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from minkref.fuzz.plane.small_case import (
 
 @dataclass(frozen=True)
 class SmallPath:
-    """`operands`: part and obstacles, at the scale 1. `window`: of scales, or none."""
+    """`operands`: part and obstacles, at the scale 1. `window`: bounds on scales, or None."""
 
     operands: PlaneCase
     path: tuple[Point, ...]
@@ -45,7 +45,7 @@ class SmallPath:
 
     @cached_property
     def size(self) -> tuple[int, int, int, int, str]:
-        """Vertices, those of the path too; rings; scales; the length of the numbers."""
+        """Counts vertices, including the path's; rings; scales; the numbers' length."""
         vertices, rings, *_ = self.operands.size
         text = self.literal
         length = len(text) + 2 * text.count("-") + 20 * text.count("/")

@@ -1,1 +1,1 @@
-"""The plane as a setting of `verify`: its cases, what is asked about them, and verdicts."""
+"""The plane as a setting of `verify`: cases, questions about them, and verdicts."""

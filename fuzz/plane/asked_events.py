@@ -1,4 +1,4 @@
-"""A target is asked for the scales at which the topology of the sum changes."""
+"""Asks a target for the scales at which the sum's topology changes."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from minkref.fuzz.targets.numbers import Unreadable, received_scale
 def asked_events(
     target: AdapterTarget, case: Case, start: str, end: str
 ) -> tuple[list[Fraction], Declaration] | Answer:
-    """Scales of topology events in [start, end] as the target has them, and what it declares; else
-    why not."""
+    """Returns the target's scales of topology events in [start, end], and its declaration; else the
+    answer without them."""
     window = {"from": start, "to": end}
     return target.asked(case, EVENTS, lambda _: window, _scales, EVENTS)
 

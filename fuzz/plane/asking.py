@@ -21,7 +21,7 @@ from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict
 
 @dataclass
 class PlaneAsking(Asking):
-    """A route of the reference is asked with them; where answers differ, a point settles it."""
+    """Asks a route of the reference, too; if answers differ, a point settles the case."""
 
     def outcomes(self, names: list[str]) -> list[Outcome]:
         if not names:
@@ -30,14 +30,14 @@ class PlaneAsking(Asking):
             return self._by_law(self.case, names)
         for name in dict.fromkeys([*TRUTHS, *names]):
             if name not in names and any(answer.region for answer in self.answers.values()):
-                continue  # one route of ours is truth enough until somebody disagrees
+                continue  # one own route is truth enough until somebody disagrees
             self.answers[name] = self._ask(name, self.case)
         outcomes = self._judged(self.case, self.answers, names)
         return [self._once_more(self.case, outcome) for outcome in outcomes]
 
     def coverage(self) -> str | None:
-        """Family, position of the scale, shape of the sum, needs. None where no route of ours has a
-        sum."""
+        """Returns family, position of the scale, shape of the sum, needs. None if none of our
+        routes has a sum."""
         case: Case = self.case
         if case.law is not None:
             return None
@@ -48,7 +48,7 @@ class PlaneAsking(Asking):
         return "|".join([case.family, case.position, shape, " ".join(sorted(case.needs))])
 
     def expected(self, outcomes: list[Outcome]) -> str | None:
-        """The sum as canonical JSON by a route that nothing refutes."""
+        """Returns the sum as canonical JSON by an unrefuted route."""
         wrong = {outcome.target for outcome in outcomes if outcome.verdict is Verdict.WRONG}
         regions = (
             self.answers[name].region
@@ -71,7 +71,8 @@ class PlaneAsking(Asking):
         return self._in_time(name, lambda: target.sum(case))
 
     def _once_more(self, case: Case, outcome: Outcome) -> Outcome:
-        """A wrong answer, and some of the right ones, are asked for again: whether it stays."""
+        """Repeats the question after a wrong answer, and after some right answers, to see whether
+        the answer stays."""
         name = outcome.target
         if name.startswith(REFERENCE) or name not in self.answers:
             return outcome
@@ -114,7 +115,7 @@ class PlaneAsking(Asking):
         return self._judged(case, answers, [name])
 
     def _updated(self, name: str, base: Case, case: Case) -> Outcome:
-        """The sum by `update` against the fresh one and the truth."""
+        """Compares the sum by `update` with a fresh sum and the truth."""
         if name in self.lost:
             return self.lost[name]
         target = self.target(name)
@@ -133,7 +134,7 @@ class PlaneAsking(Asking):
         return outcome
 
     def _events(self, name: str, _: Case, case: Case) -> Outcome:
-        """The scales of topology events that a target lists."""
+        """Judges the scales of topology events that a target lists."""
         if name in self.lost:
             return self.lost[name]
         target = self.target(name)

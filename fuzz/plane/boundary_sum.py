@@ -1,5 +1,5 @@
-"""The sum of the boundaries of two polygon sets: what some libraries compute under the name of the
-Minkowski sum."""
+"""The sum of two polygon sets' boundaries, which some libraries compute under the name Minkowski
+sum."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.exact_shapes import set_of
 from minkref.fuzz.verdicts.verdict import Witness
 
-MOST_PAIRS = 10_000  # of edges
+MOST_PAIRS = 10_000  # pairs of edges
 
 
 def boundary_sum(case: Case) -> Region:
-    """The union of the parallelograms of all pairs of edges, regularised: where edges are parallel
-    there is nothing. O(m n) parallelograms."""
+    """Unites the parallelograms of all pairs of edges, regularised: parallel edges contribute
+    nothing. O(m n) parallelograms."""
     polygons: Shape = []
     second = edges(read_shape(case.Q_json))
     for a, b in edges(read_shape(case.scaled_P_json)):
@@ -56,7 +56,7 @@ def decide_boundary(case: Case, point: tuple[str, str]) -> Witness:
 
 
 def _common(first: Edge, second: Edge) -> Point:
-    """A point of two segments that meet."""
+    """Returns a common point of two segments that meet."""
     (a, b), (c, d) = first, second
     for edge, ends in ((first, second), (second, first)):
         for end in ends:

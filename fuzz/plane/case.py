@@ -23,8 +23,8 @@ class Case:
     P_name: str
     Q_name: str
     family: str = "named"
-    position: str = "given"  # of the scale, relative to the boundary events of the pair
-    law: tuple[str, Case] | None = None  # the law by which it was changed, and what it was
+    position: str = "given"  # the scale's place among the pair's boundary events
+    law: tuple[str, Case] | None = None  # the law that changed the case, and the original case
 
     dimension = 2
     exchange = IN_THE_PLANE
@@ -69,7 +69,7 @@ class Case:
 
     @cached_property
     def magnitude(self) -> Fraction:
-        """The largest absolute value of a coordinate of sP plus that of Q."""
+        """Adds the largest absolute coordinates of sP and of Q."""
         return sum(
             (
                 max(map(abs, _numbers(text)), default=Fraction(0))
@@ -80,17 +80,17 @@ class Case:
 
     @cached_property
     def coordinates(self) -> list[Fraction]:
-        """The coordinates of sP and of Q."""
+        """Returns the coordinates of sP and of Q."""
         return _numbers(self.scaled_P_json) + _numbers(self.Q_json)
 
     @cached_property
     def sent(self) -> list[Fraction]:
-        """All coordinates that an implementation is sent: of P, too."""
+        """Returns all coordinates sent to an implementation, including P's."""
         return _numbers(self.P_json) + self.coordinates
 
     @property
     def literal(self) -> str:
-        """The case itself as a text that names it, on one line."""
+        """Writes the case as a text that names it, on one line."""
         P, Q = _without_empty(self.P_json), _without_empty(self.Q_json)
         return f'{{"P":{P},"Q":{Q},"scale":"{self.scale}"}}'
 

@@ -1,4 +1,4 @@
-"""A method of CGAL in the plane, each call in a child process of the oracle's server."""
+"""A CGAL method in the plane, each call in a child process of the oracle's server."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A disagreement is settled by points that are decided from the definition, never by a vote."""
+"""Settles disagreements by points, decided from the definition, never by a vote."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class WitnessRefuted(Exception):
 
 @dataclass
 class Settlement:
-    """Which of two results is refuted, each by a witness. `reasons` tell how the claim differs."""
+    """Witnesses that refute the claim, or the truth. `reasons` say how the claim differs."""
 
     claim: Witness | None = None
     truth: Witness | None = None
@@ -31,9 +31,9 @@ class Settlement:
 
 
 def decide(case: Case, point: tuple[str, str], boundary: bool = False) -> Witness:
-    """Whether the point lies in the sum, by pairs of triangles, checked again in plain fractions.
-    A point where the operands only touch belongs to the sum: it is closed. `boundary`: in the sum
-    of the boundaries."""
+    """Decides by pairs of triangles whether the point lies in the sum, checked again in plain
+    fractions. A point where the operands only touch belongs to the closed sum. `boundary`: decides
+    for the sum of boundaries."""
     if boundary:
         witness = decide_boundary(case, point)
         if not holds(case.P_json, case.Q_json, case.scale, witness):
@@ -51,7 +51,7 @@ def decide(case: Case, point: tuple[str, str], boundary: bool = False) -> Witnes
 
 
 def some_point(case: Case) -> Witness:
-    """A point of the sum: the sum of two vertices. If the sum is empty, the origin, outside."""
+    """Returns a point of the sum, from two vertices. If the sum is empty, the origin, outside."""
     if case.P.is_empty or case.Q.is_empty:
         return decide(case, ("0", "0"))
     s, (px, py), (qx, qy) = Fraction(case.scale), _first(case.P), _first(case.Q)
@@ -66,9 +66,9 @@ def _first(operand: _core.PolygonSet) -> Point:
 def settle(
     case: Case, truth: Region, claim: Region, half: Fraction = Fraction(0), boundary: bool = False
 ) -> Settlement:
-    """Decides a point that only `truth` has and one that only `claim` has, where there are such.
-    With `half` only points count whose whole square of that half side lies inside, or outside.
-    `boundary`: the sum of the boundaries is meant."""
+    """Decides a point that only `truth` has and a point that only `claim` has, if such points
+    exist. With `half` only points count whose whole square with this half side lies inside, or
+    outside. `boundary`: compares sums of boundaries."""
     settled = Settlement()
     least, most = shrunk(truth.set, half), grown(truth.set, half)
     absent, surplus = _core.minus(least, claim.set), _core.minus(claim.set, most)
@@ -82,7 +82,7 @@ def settle(
         if half and agrees:
             witness = replace(witness, tolerance=str(half))
             if not holds(case.P_json, case.Q_json, case.scale, witness):
-                continue  # its square is cut into too many cells
+                continue  # its square would need too many cells
         if witness.in_truth == (reason is Reason.MISSING):
             settled.claim = settled.claim or witness
             settled.reasons.append(reason)
@@ -102,8 +102,8 @@ def _sharpen(
     least: _core.PolygonSet,
     most: _core.PolygonSet,
 ) -> list[Reason]:
-    """Names lost and invented holes and components; `missing` and `extra` are left out where these
-    explain all of the difference. `least` and `most`: what the result may be."""
+    """Names lost and invented holes and components; omits `missing` and `extra` if these explain
+    the whole difference. `least` and `most`: bounds for the result."""
     found: list[Reason] = []
     if Reason.EXTRA in reasons:
         if claim.holes < truth.holes:

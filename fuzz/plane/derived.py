@@ -1,4 +1,4 @@
-"""Cases in the plane that are got from others (`fuzz/run/naming.py` has their names)."""
+"""Cases in the plane derived from others (see `fuzz/run/naming.py` for names)."""
 
 from __future__ import annotations
 
@@ -21,12 +21,13 @@ from minkref.fuzz.plane.laws import LAWS
 MOST_PROBES = 12
 MOST_BITS = 1000
 SCALED = {"scaled-up": Fraction(2), "scaled-down": Fraction(1, 2)}
-MOST_VERTICES = 2000  # that are asked of a case whose edges are cut
+MOST_VERTICES = 2000  # most vertices requested by cutting a case's edges
 WAYS = ("probe:K", "mutant:K", "grid:B", "scaled-up:B", "scaled-down:B", "cut:N", UPDATE, EVENTS)
 
 
 def derived(base: Case, name: CaseName, operation: str, number: int | None) -> Case | None:
-    """None where there is no such operation; NoCase where it makes nothing of this case."""
+    """Returns the derived case, or None for an unknown operation; NoCase if it does not apply
+    here."""
     if number is None:
         return _by_law(base, name, operation)
     if operation == "probe":

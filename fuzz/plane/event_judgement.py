@@ -1,4 +1,4 @@
-"""The verdict on the scales that a target lists as those of topology events."""
+"""The verdict on the topology events' scales that a target lists."""
 
 from __future__ import annotations
 
@@ -16,18 +16,19 @@ from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 
-MOST_PAIRS = 2000  # of vertices
+MOST_PAIRS = 2000  # pairs of vertices
 TWO_STEPS = Fraction(1, 2**51)  # relative: twice what lies between a double and the next, at most
 
 
 def window(case: Case) -> tuple[str, str]:
-    """From half of the scale to twice of it."""
+    """Returns half the scale and twice the scale."""
     scale = Fraction(case.scale)
     return str(scale / 2), str(scale * 2)
 
 
 def without_scales(case: Case, name: str, answer: Answer) -> Outcome:
-    """The outcome if an answer says why there is no list; WRONG: valid operands were rejected."""
+    """The outcome if an answer gives a reason instead of a list; WRONG: valid operands were
+    rejected."""
     outcome = without_answer(name, answer)
     if outcome.verdict is not Verdict.WRONG:
         return outcome
@@ -35,11 +36,11 @@ def without_scales(case: Case, name: str, answer: Answer) -> Outcome:
 
 
 def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Declaration) -> Outcome:
-    """Every scale of an exact target is one of the reference's and the other way round; of a
-    rounding one each within its tolerance of another (docs/adapter-protocol.md). The witness of a
-    missed one is the place where it happens, at its scale. Events at the ends of the window, or
-    within the tolerance of these, may be left out. Skipped where the tolerance is as large as the
-    window: any list would do."""
+    """Judges a list of scales. An exact target's list must equal the reference's; for a rounding
+    target each scale must lie within its tolerance of a counterpart, and vice versa
+    (docs/adapter-protocol.md). The witness of a missed event is its place, at its scale. Events at
+    the window's ends, or within the tolerance of them, may be left out. Skipped if the tolerance
+    reaches the window's size: any list would pass."""
     low, high = map(Fraction, window(case))
     within = Within(declared)
     room = within.room(high)
@@ -75,7 +76,7 @@ def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Decla
             f"{'; ' if text else ''}{s} is listed, where the topology does not change: {nearest}"
         )
         if witness is None:
-            # No single point shows that the sum there is as just below and above.
+            # No single point shows that the sum equals the sums just below and above.
             at = replace(case, scale=str(s) if s > 0 else case.scale, law=None)
             witness = replace(some_point(at), scale=at.scale)
     return Outcome(name, Verdict.WRONG, reasons, message=text, witness=witness)
@@ -83,7 +84,7 @@ def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Decla
 
 @dataclass(frozen=True)
 class Within:
-    """Whether a listed scale may stand for one of an event."""
+    """Whether a listed scale may stand for an event's scale."""
 
     declared: Declaration
 
@@ -99,8 +100,8 @@ class Within:
         return lambda listed: abs(listed - scale) <= slack or listed in beside
 
     def beside(self, scale: Fraction) -> set[Fraction]:
-        """The greatest double that is not above a scale, and the least that is not below it, where
-        the target's numbers are doubles: then an exact one cannot say more either."""
+        """The greatest double not above a scale, and the least not below, if the target's numbers
+        are doubles: even an exact target cannot say more then."""
         if self.declared.numbers != "double":
             return set()
         try:

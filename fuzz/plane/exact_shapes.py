@@ -9,10 +9,10 @@ from minkref.fuzz.geometry.plane import Shape
 
 
 def shape_of(polygons: _core.PolygonSet) -> Shape:
-    """The rings as they are stored."""
+    """Returns the rings as stored."""
     return cast(Shape, polygons.rings())
 
 
 def set_of(shape: Shape) -> _core.PolygonSet:
-    """The set of these rings; nothing is validated and no ring is turned."""
+    """Makes the set of these rings; validates nothing and turns no ring."""
     return _core.PolygonSet(shape, validate=False)

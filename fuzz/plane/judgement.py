@@ -14,7 +14,7 @@ from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
 TRUTHS = tuple(f"minkref:{route}" for route in _core.ROUTES)
-REFEREE = "minkref:referee"  # the decision of single points; named only where it fails
+REFEREE = "minkref:referee"  # decides single points; named only when it fails
 DOUBT = "the decision of a point is refuted by plain fractions"
 
 
@@ -24,9 +24,9 @@ def judge(
     targets: list[str],
     judging: Callable[[str], None] = lambda name: None,
 ) -> list[Outcome]:
-    """One outcome for each of `targets`, and for each of our own routes that is refuted, selected
-    or not. The truth is a route that no witness refutes; where there is none, others are
-    undecided. `judging` is told whose answer is looked at next."""
+    """Returns an outcome for each of `targets`, and for each refuted route of ours, selected or
+    not. The truth is a route that no witness refutes; without such a route, others are undecided.
+    `judging` is told whose answer comes next."""
     outcomes = _judge(case, answers, {}, judging)
     chosen = set(targets) | {
         name for name, outcome in outcomes.items() if outcome.verdict is Verdict.WRONG
@@ -75,7 +75,7 @@ def _against(
     refuted: dict[str, tuple[Witness, list[Reason]]],
     judging: Callable[[str], None],
 ) -> dict[str, Outcome] | None:
-    """All outcomes with the result of `truth` taken as the sum; None where that itself is
+    """Returns all outcomes, taking the result of `truth` as the sum; None if this truth is itself
     refuted."""
     expected = answers[truth].region
     assert expected is not None
@@ -148,7 +148,7 @@ def _same_set(case: Case, name: str, answer: Answer, region: Region) -> Outcome:
 
 
 def _rejected(case: Case, name: str, answer: Answer, expected: Region) -> Outcome:
-    """Valid operands called invalid: any point that is decided shows that they have a sum."""
+    """Valid operands called invalid: any decided point shows that they have a sum."""
     return Outcome(
         name,
         Verdict.WRONG,

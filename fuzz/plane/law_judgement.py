@@ -24,10 +24,10 @@ def judge_law(
     answer: Answer,
     against_truth: Callable[[], list[Outcome]],
 ) -> list[Outcome]:
-    """`before` answers `base`, and `answer` the case changed by the law. An exact target must keep
-    the law: no expected value is needed, and where it does not, the point that shows it is decided.
-    A rounding target keeps laws only within its tolerance, so that its answer is judged
-    `against_truth`."""
+    """Judges by a law. `before` answers `base`, and `answer` the case changed by the law. An exact
+    target must keep the law: no expected value is needed, and for a breach, the point that shows
+    the breach is decided. A rounding target keeps laws only within its tolerance, so its answer is
+    judged `against_truth`."""
     if not applies(law, base):
         what = "the law says nothing of points and segments"
         return [Outcome(name, Verdict.SKIPPED, message=what)]
@@ -45,8 +45,8 @@ def judge_law(
 
 
 def _related(law: str, name: str, case: Case, answer: Answer, said: Region) -> Outcome | None:
-    """None where the law is broken, and not by `answer`: the other one is judged as a case of its
-    own."""
+    """Returns None if the law is broken, but not by `answer`: the other answer is judged as a case
+    of its own."""
     got = answer.region
     assert got is not None
     if got.digest != said.digest:

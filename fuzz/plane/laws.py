@@ -1,8 +1,8 @@
-"""Laws of the sum: how it changes with the operands. No expected value is needed.
+"""Laws for the sum: how it changes with the operands. No expected value is needed.
 
-A case is changed, the target is asked for both sums, and the law says what the second must be if
-the first is right. Where they break the law, one point of their difference is decided, and one of
-the two is wrong.
+A case is changed, the target computes both sums, and the law derives the second from the first, if
+the first is right. If the sums break the law, one point of their difference is decided, and one sum
+is wrong.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ THERE = (Fraction(-3), Fraction(5))
 
 @dataclass(frozen=True)
 class Law:
-    """`carry(base, R)` is what the changed sum must be where R is the sum of `base`, both in
-    fractions; with `contains` it must be a part of the changed sum. `constant`: whatever R is."""
+    """`carry(base, R)` is the changed sum if R is the sum of `base`, both in fractions; with
+    `contains`, only a part of the changed sum. `constant`: independent of R."""
 
     title: str
     change: Callable[[Case], Case]

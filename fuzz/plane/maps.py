@@ -8,18 +8,18 @@ from minkref.fuzz.geometry.plane import Point, Ring, Shape, hull
 
 
 def quarter_turn(point: Point) -> Point:
-    """By 90 degrees about the origin."""
+    """Turns by 90 degrees about the origin."""
     return (-point[1], point[0])
 
 
 def without_holes(shape: Shape) -> Shape:
-    """The outer rings of a single polygon; of several, which may lie in holes of each other, all
-    as they are."""
+    """Returns the outer ring of a single polygon; several polygons, which may lie in holes of each
+    other, stay unchanged."""
     return [shape[0][:1]] if len(shape) == 1 else shape
 
 
 def refined(shape: Shape) -> Shape:
-    """A vertex at a third of every other edge of each ring of three or more."""
+    """Puts a vertex at a third of every other edge, in each ring with three or more vertices."""
     return [[_refined(ring) for ring in polygon] for polygon in shape]
 
 

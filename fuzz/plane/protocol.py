@@ -14,7 +14,7 @@ from minkref.fuzz.verdicts.verdict import Verdict
 
 
 def sent_set(text: str, declaration: Declaration) -> Any:
-    """The JSON value of a set as the target wants it. OverflowError beyond the range of doubles."""
+    """The JSON value of a set in the target's form. OverflowError beyond the range of doubles."""
     value = json.loads(text)
     if declaration.numbers == "text":
         return value
@@ -29,7 +29,7 @@ def _doubles(polygon: dict[str, Any]) -> dict[str, Any]:
 
 
 def plane_answer(value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
-    """The region that `polygons` or `rings` of an answer give. Raises Unreadable. Rings may
+    """Returns the region given by `polygons` or `rings` in an answer. Raises Unreadable. Rings may
     overlap: their winding number tells the set. Polygons that are points and segments have no
     interior."""
     by_winding = "rings" in value
@@ -59,7 +59,7 @@ def plane_answer(value: dict[str, Any], declaration: Declaration, seconds: float
 
 
 class PlaneExchange:
-    """How cases in the plane are sent, and answers to them read."""
+    """Sends cases in the plane, and reads answers."""
 
     answer_is_no = "not a polygon set"
 

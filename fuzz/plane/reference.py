@@ -51,8 +51,8 @@ class ReferenceTarget:
         )
 
     def updated_sum(self, before: Case, case: Case) -> Answer:
-        """The sum at the scale of `case`, stepped to from that of `before`, or read off an index of
-        the scales between them."""
+        """The sum at the scale of `case`, reached by steps from the scale of `before`, or read off
+        an index over the scales between."""
         if self.route not in UPDATING:
             return skipped("does not declare update")
 
@@ -72,7 +72,7 @@ class ReferenceTarget:
             answer = compute()
         except MemoryError as error:
             return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
-        except Exception as error:  # noqa: BLE001 a fault of the target, whatever it is
+        except Exception as error:  # any exception is the target's fault
             return Answer(verdict=Verdict.ERRORED, message=message_of(error))
         return Answer(region_of_sum(answer), seconds=answer.seconds)
 

@@ -89,7 +89,7 @@ def _valid(text: str, where: str) -> _core.PolygonSet:
 
 
 def _within(interval: Any) -> str:
-    """1, or the end that is nearer to it."""
+    """Returns 1, or the interval's end nearest to 1."""
     ends = interval if isinstance(interval, dict) else {}
     try:
         if "from" in ends and number_of(str(ends["from"])) > 1:

@@ -1,4 +1,4 @@
-"""Steps that make a case in the plane smaller."""
+"""Steps that make a plane case smaller."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ class PlaneCase:
 
     @cached_property
     def size(self) -> tuple[int, int, int, str]:
-        """Vertices first; then holes and polygons; then the length of the numbers, a scale other
-        than 1 counting more than it is long."""
+        """Vertices first; then holes and polygons; then the numbers' length, where a scale other
+        than 1 counts more than its length."""
         text = self.literal
         rings = [ring for operand in (self.P, self.Q) for polygon in operand for ring in polygon]
         length = len(text) + (0 if self.scale == 1 else 40) + 2 * text.count("-")
@@ -234,7 +234,7 @@ def _with_denominators(operand: Operand, most: int) -> Operand:
 
 
 def _ranked(operand: Operand) -> Operand:
-    """Each coordinate by its place among the others: the order stays, the numbers are small."""
+    """Replaces each coordinate by its rank: the order stays, the numbers become small."""
     points = vertices_of(operand)
     places = [
         {value: Fraction(k) for k, value in enumerate(sorted({p[axis] for p in points}))}
@@ -258,7 +258,7 @@ def _narrowed(operand: Operand, axis: int, after: Fraction, by: Fraction) -> Ope
 
 
 def _vertices_moved(operand: Operand) -> Iterator[Operand]:
-    """One vertex onto the nearest integers, or one step towards zero in x or y."""
+    """Moves one vertex to the nearest integers, or one step towards zero along x or y."""
     for i, polygon in enumerate(operand):
         for j, ring in enumerate(polygon):
             for k, (x, y) in enumerate(ring):

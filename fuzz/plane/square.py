@@ -1,8 +1,7 @@
-"""Whether a whole square lies inside or outside of a sum, in plain Python fractions.
+"""Whether a whole square lies inside or outside a sum, in plain Python fractions.
 
-The boundary of a sum lies on segments vertex + edge and edge + vertex. Lines through those that
-cross the square cut it into convex cells, each wholly inside or wholly outside: one point decides
-it.
+A sum's boundary lies on segments vertex + edge and edge + vertex. Their lines, where they cross the
+square, cut it into convex cells, each wholly inside or wholly outside: one point decides a cell.
 """
 
 from __future__ import annotations
@@ -28,9 +27,9 @@ Cell = list[Point]
 
 
 def clear_of_square(P: Shape, reflected: Shape, half: Fraction, boundary: bool) -> bool:
-    """No point of the square of half side `half` around x lies in the sum, where `reflected` is
-    x - Q: the distance of P and x - Q in the maximum norm exceeds `half`. With `boundary` that of
-    their boundaries."""
+    """No point within `half` of x, in the maximum norm, lies in the sum, where `reflected` is x -
+    Q: P and x - Q are more than `half` apart. With `boundary`, tests the distance of their
+    boundaries."""
     others = edges(reflected)
     if any(_near(first, second, half) for first in edges(P) for second in others):
         return False
@@ -42,8 +41,8 @@ def clear_of_square(P: Shape, reflected: Shape, half: Fraction, boundary: bool) 
 
 
 def _near(first: Edge, second: Edge, half: Fraction) -> bool:
-    """The distance of two segments in the maximum norm is at most `half`: the origin lies in the
-    hull of all differences of end points, widened by the square."""
+    """Whether two segments are at most `half` apart in the maximum norm: the hull of all
+    differences of end points, widened by the square, contains the origin."""
     if any(
         max(first[0][k], first[1][k]) + half < min(second[0][k], second[1][k])
         or max(second[0][k], second[1][k]) + half < min(first[0][k], first[1][k])
@@ -63,8 +62,8 @@ def _in_hull(x: Point, points: list[Point]) -> bool:
 
 
 def square_inside(P: Shape, Q: Shape, x: Point, half: Fraction, boundary: bool) -> bool:
-    """The closed square of half side `half` around x lies in the sum of P and Q, or with `boundary`
-    in that of their boundaries. False too where it is cut into more than MOST_CELLS cells."""
+    """Whether the closed square with half side `half` around x lies in the sum of P and Q, or with
+    `boundary` in the sum of their boundaries. False also after more than MOST_CELLS cells."""
     low, high = (x[0] - half, x[1] - half), (x[0] + half, x[1] + half)
     cells: list[Cell] = [[low, (high[0], low[1]), high, (low[0], high[1])]]
     for line in _crossing(P, Q, low, high):
@@ -105,7 +104,7 @@ def _meets_box(segment: Edge, low: Point, high: Point) -> bool:
 
 
 def _cut(cell: Cell, line: Edge) -> list[Cell]:
-    """The two sides of a convex cell; the cell where the line does not cut it."""
+    """Returns both sides of a convex cell; the whole cell if the line misses its inside."""
     a, b = line
     sides = [turn(a, b, corner) for corner in cell]
     if min(sides) >= 0 or max(sides) <= 0:

@@ -22,7 +22,7 @@ def grown(region: _core.PolygonSet, half: Fraction) -> _core.PolygonSet:
 
 
 def shrunk(region: _core.PolygonSet, half: Fraction) -> _core.PolygonSet:
-    """The closure of all points whose square of half side `half` lies in the set."""
+    """The closure of all points whose square with half side `half` lies in the set."""
     if region.is_empty or not half:
         return region
     left, low, width, height = extent([point for outer, *_ in shape_of(region) for point in outer])

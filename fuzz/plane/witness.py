@@ -1,6 +1,6 @@
-"""The check of a witness in plain Python fractions, from the definition of the sum alone.
+"""Checks a witness in plain Python fractions, from the definition of the sum alone.
 
-A point x lies in sP + Q iff sP meets x - Q. It shares nothing with the code that found the witness.
+A point x lies in sP + Q iff sP meets x - Q. Shares nothing with the code that found the witness.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from minkref.fuzz.verdicts.verdict import Witness
 
 
 def holds(P_json: str, Q_json: str, scale: str, witness: Witness) -> bool:
-    """True iff the witness proves what it says. O(mn) exact segment tests where it says
-    `outside`. With a tolerance its square is inside or outside as a whole; False too where the
-    square is crossed by so many segments that the check gives up."""
+    """True iff the witness proves its statement. O(mn) exact segment tests for `outside`. With a
+    tolerance, the whole square lies inside or outside; False also if too many segments cross the
+    square and the check gives up."""
     s = Fraction(scale)
     P = read_shape(P_json, s)
     x = (Fraction(witness.point[0]), Fraction(witness.point[1]))

@@ -1,4 +1,4 @@
-"""Case files of a folder, each at each of its scales."""
+"""Case files in a folder, each at each of its scales."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 
 
 def corpus_folder() -> Path:
-    """The corpus of the checkout."""
+    """Returns the checkout's corpus."""
     return CHECKOUT / "degeneracies" / "corpus"
 
 
 @dataclass(frozen=True)
 class CaseFiles:
-    """`names`: the cases of a run. `note` says which files are left out."""
+    """`names`: a run's cases. `note` tells which files are left out."""
 
     names: tuple[str, ...] = ()
     note: str | None = None
 
 
 def case_files(folder: Path | None, settings: Collection[Setting] = SETTINGS) -> CaseFiles:
-    """The cases of these settings, in the order of the paths. Refuses a folder that holds none of
-    them, and a case that cannot be read, be it left out or not."""
+    """Returns the cases in these settings, ordered by path. Refuses a folder without any, and an
+    unreadable case, whether left out or not."""
     where = folder or corpus_folder()
     names = []
     left_out: Counter[Setting] = Counter()
@@ -74,7 +74,7 @@ def _left_out(count: int, setting: Setting) -> str:
 
 
 def _json_of(path: Path) -> Any:
-    """Refuses what is no JSON; other JSON than cases may be in the folder."""
+    """Reads JSON, refusing other text; the folder may hold JSON other than cases."""
     mend = "mend the file, or take it out of the folder"
     text = text_of_file(path, str(path), mend)
     try:
@@ -84,7 +84,7 @@ def _json_of(path: Path) -> Any:
 
 
 def case_document(path: Path) -> dict[str, Any] | None:
-    """The JSON of a case; None of any other file."""
+    """Returns a case's JSON; None for any other file."""
     try:
         value = json.loads(text_of_file(path, str(path), ""))
     except (Refusal, ValueError, RecursionError):
@@ -94,7 +94,7 @@ def case_document(path: Path) -> dict[str, Any] | None:
 
 
 def scales_in(path: Path, value: dict[str, Any]) -> list[str]:
-    """Those at which a case is asked for."""
+    """Returns the scales at which the file asks."""
     if value.get("schema") != "case-v1":
         return []  # the readers of operands refuse it
     return setting_of_document(value).scales_in(value, path)

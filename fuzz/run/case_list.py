@@ -1,5 +1,5 @@
-"""The cases of a run: generated ones, small ones first, with what is got from them; the shipped
-models; the paper's kind of input; case files."""
+"""A run's cases: generated cases, small first, with cases derived from them; the shipped models;
+the paper's kind of input; case files."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ MUTANTS_PER_ROUND = 12
 MOST_PARENTS = 200
 DEEPEST_MUTANT = 4
 PROBES_PER_ROUND = 3
-PATHS_PER_ROUND = 3  # of each verb
-GRID_BITS = 24  # of cases for implementations on a grid, or in doubles
+PATHS_PER_ROUND = 3  # per verb
+GRID_BITS = 24  # for cases on a grid, or in doubles
 CONVEX_FAMILIES = ("space-convex", "space-sphere")  # which most targets with updates take
-TOUCHING = "passing"  # the family whose topology events are of the kind `touch`
+TOUCHING = "passing"  # the family with topology events of the kind `touch`
 FAR_AND_LARGE = (  # each in every second round
     ("scaled-up:210", "far out"),
     ("cut:100", "many vertices"),
     ("scaled-down:90", "far in"),
     ("cut:300", "many vertices"),
 )
-MOST_TRIES = 20  # cases made for each that is asked for
+MOST_TRIES = 20  # cases made for each requested case
 FEWEST_TRIES = 500
-SPACE_ROUNDS = 3  # in which each family in space has its turn, beside families in the plane
+SPACE_ROUNDS = 3  # rounds in which each family in space has a turn, beside the plane's families
 
 
 class Wait(Enum):
@@ -46,11 +46,10 @@ class Wait(Enum):
 
 @dataclass
 class CaseList:
-    """The cases of a run. Generated cases are drawn from `families` in turn and bounded by
-    `seconds`, or by `pairs`: the number of cases that exist and that a target takes. With `derived`
-    the generated cases include probes of scales at events, cases changed by laws, and mutants of
-    cases that `learn` found interesting; all depends on the seed and the results alone, not on
-    time."""
+    """A run's cases. Generated cases come from `families` in turn, bounded by `seconds`, or by
+    `pairs`: the number of cases that exist and that a target takes. With `derived`, generated cases
+    include probes of scales at events, cases changed by laws, and mutants of cases that `learn`
+    found interesting; everything depends on the seed and the results alone, not on time."""
 
     seed: int = 1
     pairs: int | None = None
@@ -62,10 +61,10 @@ class CaseList:
     laws: tuple[str, ...] = ()
     derived: bool = False
     files: tuple[str, ...] = ()
-    invalid: bool = False  # also pairs of which one operand is invalid
+    invalid: bool = False  # also pairs with one invalid operand
     paths: tuple[str, ...] = ()  # verbs of paths
     doubles: bool = False  # no target takes other numbers: each pair on a grid, too
-    spent: float = 0.0  # seconds of an earlier part of the run
+    spent: float = 0.0  # seconds used by an earlier part of the run
     notes: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -87,8 +86,8 @@ class CaseList:
         yield from self._rest
 
     def _bounded(self, end: float) -> Iterator[CaseName | Wait]:
-        """Those generated until there are enough, or the time is over. Where there may be enough
-        all results are waited for: where it stops depends on no order in which they come."""
+        """Yields generated cases until there are enough, or time is over. When the number may
+        suffice, waits for all results: the end does not depend on the order in which they come."""
         count = 0
         for name in self._generated():
             if isinstance(name, Wait):
@@ -113,7 +112,7 @@ class CaseList:
 
     @property
     def count(self) -> int | None:
-        """The number of cases where it is known beforehand."""
+        """Returns the number of cases, if known beforehand."""
         if self.named:
             return len(self.named)
         if self.pairs is None:
@@ -121,18 +120,18 @@ class CaseList:
         return self.pairs + len(self._rest) + len(self.files)
 
     def head(self) -> dict[str, object]:
-        """The settings that tell one run from another."""
+        """Returns the settings that distinguish runs."""
         names = ("seed", "pairs", "seconds", "named", "models", "families", "space", "laws")
         head: dict[str, object] = {name: getattr(self, name) for name in names}
         more = ("derived", "files", "invalid", "paths", "doubles")
         return {**head, **{name: getattr(self, name) for name in more}}
 
     def miss(self) -> None:
-        """One that was generated does not exist, or no target takes it."""
+        """Notes that a generated case does not exist, or that no target takes it."""
         self._missing += self.generating
 
     def learn(self, number: int, text: str, coverage: str | None) -> None:
-        """Takes note of what a case showed. The order in which results come does not matter."""
+        """Notes what a case showed. The order of results does not matter."""
         if self.derived and coverage is not None:
             self._learned.append((number, text, coverage))
 
@@ -152,7 +151,7 @@ class CaseList:
             self._choose_parents()
 
     def _round(self, index: int) -> Iterator[CaseName]:
-        """One case of each family, and what is got from some of them."""
+        """Yields one case per family, and cases derived from some."""
         dice = random.Random(f"minkref round {self.seed} {index}")
         texts = {family: f"{family}:{self.seed}:{index}" for family in self.families}
         for family in self.families:
@@ -189,7 +188,7 @@ class CaseList:
             yield CaseName(f"mutant:{index * MUTANTS_PER_ROUND + k}({parent})", "mutants")
 
     def _paths(self, index: int) -> Iterator[CaseName]:
-        """Several in each round: small cases, of four kinds."""
+        """Yields several small cases per round, of four kinds."""
         end = "-grid" if self.doubles else ""
         for verb in self.paths:
             for k in range(PATHS_PER_ROUND):
@@ -199,7 +198,7 @@ class CaseList:
     def _far_and_large(
         self, index: int, texts: dict[str, str], dice: random.Random
     ) -> Iterator[CaseName]:
-        """Cases of this round, of families that are drawn, with numbers far from 1 and with many
+        """Yields cases for this round, from drawn families, with numbers far from 1 and with many
         vertices."""
         for k, (change, group) in enumerate(FAR_AND_LARGE):
             if self.families and index % 2 == k % 2:
@@ -207,7 +206,7 @@ class CaseList:
                 yield CaseName(f"{change}({texts[family]})", group)
 
     def _choose_parents(self) -> None:
-        """Those that showed something new, in the order of their numbers."""
+        """Chooses cases that showed something new, ordered by number."""
         for _, text, coverage in sorted(self._learned):
             if coverage in self._seen:
                 continue

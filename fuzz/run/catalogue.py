@@ -38,7 +38,7 @@ class TargetEntry:
 
 
 def list_targets() -> list[TargetEntry]:
-    """All that this machine could test; what is absent says how to get it."""
+    """Lists all targets that this machine could test; absent targets say how to get them."""
     refuse_wrong_folder()
     ours = [
         TargetEntry(f"{REFERENCE}{route}", version(), about, True)
@@ -70,9 +70,9 @@ def _adapter_entry(name: str) -> TargetEntry:
 
 
 def select(names: list[str]) -> tuple[list[TargetEntry], list[TargetEntry]]:
-    """The targets to run, and those that are absent. Without names: our routes and all of CGAL but
-    the raw ones; `minkref` stands for every judge, `all` for whatever is found here. A name
-    that is unknown or absent is refused."""
+    """Returns the targets to run, and the absent targets. Without names: our routes and all CGAL
+    methods except raw ones; `minkref` means every judge, `all` everything found here. Refuses an
+    unknown or absent name."""
     entries = {entry.name: entry for entry in list_targets()}
     plain = [
         entry
@@ -110,7 +110,7 @@ def select(names: list[str]) -> tuple[list[TargetEntry], list[TargetEntry]]:
 
 
 def select_one(name: str) -> TargetEntry:
-    """The target of this name. Refuses a name that stands for several."""
+    """Returns the target with this name. Refuses a name for several."""
     chosen, _ = select([name])
     if len(chosen) != 1:
         what = f"this stands for {len(chosen)} targets"
@@ -119,7 +119,7 @@ def select_one(name: str) -> TargetEntry:
 
 
 def _mend(name: str, known: list[str]) -> str:
-    """For a name that is none of a target; perhaps it is that of a file."""
+    """Advice for an unknown target name, which perhaps names a file."""
     if Path(name).is_file():
         return f"write ./{name} for the program of this name"
     return f"{nearest(name, known)}`minkref targets` lists them"
@@ -150,7 +150,7 @@ def is_adapter(name: str) -> bool:
 
 
 def declares_itself(name: str) -> bool:
-    """A program or function of somebody else, which says what it takes."""
+    """Whether the name means a foreign program or function, which declares its own capabilities."""
     return is_adapter(name) or is_function(name)
 
 

@@ -1,4 +1,4 @@
-"""The first steps of a worker process, and its end."""
+"""A worker process's first steps, and its end."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from minkref.output.signals import end_with_parent, kill_group
 
 
 def begin() -> None:
-    """Makes this process the leader of a session that ends with its parent. Output goes
-    to standard error: standard output belongs to the document of the command."""
+    """Makes this process the leader of a session that ends with its parent. Output goes to standard
+    error: standard output belongs to the command's document."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, (signal.SIGINT,))
     os.setsid()
@@ -25,9 +25,9 @@ def begin() -> None:
 
 
 def end(process: SpawnProcess) -> None:
-    """Kills the process with all that it started, and waits for it."""
+    """Kills the process with all its descendants, and waits."""
     if process.pid is not None:
         kill_group(process.pid)
-    if process.is_alive():  # it did not come to lead a session yet
+    if process.is_alive():  # not yet a session leader
         process.kill()
     process.join()

@@ -26,8 +26,8 @@ _OURS = {
 def declarations_of(
     entries: list[TargetEntry], limits: Limits
 ) -> tuple[list[TargetEntry], dict[str, Declaration]]:
-    """The entries with the versions that adapters and functions give, and all declarations. Refuses
-    one that does not start, or whose `hello` fails."""
+    """Returns the entries with versions from adapters and functions, and all declarations. Refuses
+    a target that does not start, or whose `hello` fails."""
     found: dict[str, Declaration] = {}
     named = []
     for entry in entries:

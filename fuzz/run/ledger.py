@@ -1,8 +1,7 @@
-"""The ledger of a run: one JSON line for each result, written before anything is said of it.
+"""A run's ledger: one JSON line per result, written before anything is said about the result.
 
-A run that was killed goes on from its ledger: what is written is not run again, and half a line at
-its end is dropped. A line that is not as it was written, or not where, is refused (ledger_chain.py
-says against whom that holds).
+A killed run goes on from its ledger: written results are not run again, and half a line at the end
+is dropped. A changed or moved line is refused (ledger_chain.py says against whom this holds).
 """
 
 from __future__ import annotations
@@ -23,11 +22,11 @@ from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
 FORMAT = "ledger-v3"
-LONGEST_HEAD = 64 << 20  # bytes; cases that are named are in it
+LONGEST_HEAD = 64 << 20  # bytes; includes the named cases
 
 
 class Ledger:
-    """Open for appending, by one run at a time. `head` tells the run: a ledger of another run is
+    """Open for appending, by one run at a time. `head` identifies the run: another run's ledger is
     refused."""
 
     def __init__(self, path: Path, head: dict[str, Any]) -> None:
@@ -55,18 +54,18 @@ class Ledger:
 
     @property
     def count(self) -> int:
-        """Results that an earlier part of the run has left."""
+        """Counts results left by an earlier part of the run."""
         return len(self._known)
 
     def result(self, number: int, name: CaseName) -> CaseResult | None:
-        """The result of a case, if it is known."""
+        """Returns a case's result, if known."""
         known = self._known.get(number)
         if known is not None and known.name != name:
             raise self._foreign(f"case {number} is {known.name.text[:80]!r} there")
         return known
 
     def write(self, result: CaseResult) -> None:
-        """One line, by one call of the system: it is there whole, whatever becomes of us."""
+        """Writes one line, by one system call: the line is complete, whatever happens to us."""
         spent = round(self.spent + time.monotonic() - self._began, 3)
         self._append({**_plain(result), "spent": spent})
 
@@ -113,7 +112,7 @@ class Ledger:
             self._known[result.number] = result
 
     def _text(self) -> bytes:
-        """All of it, where its first line is as long as one may be."""
+        """Returns the whole text, if the first line's length is allowed."""
         try:
             with self.path.open("rb") as stream:
                 head = stream.readline(LONGEST_HEAD + 1)

@@ -1,12 +1,12 @@
-"""Codes make a ledger hard to forge: each line ends with a code of the line and of all lines before
-it, under a key that is no part of the ledger.
+"""Codes make a ledger hard to forge: each line ends with a code for the line and all lines before
+it, under a key kept outside the ledger.
 
-The key of a user stands in a file that only that user may read, `ledger.key` in `state_folder()`.
-Promised: a program that cannot read the key, in the sandbox or of another user, can neither change
+A user's key stands in a file that only this user may read, `ledger.key` in `state_folder()`.
+Promised: a program that cannot read the key, in the sandbox or as another user, can neither change
 nor add a line that a resumed run believes. Not promised: anything against a program that runs as
-the same user outside of the sandbox and looks for the key. Lines cut off at the end are no lie
-either way: a kill leaves the same, and the cases of these lines are asked again. A ledger as a
-whole is bound to its first line only, so that an older copy of the same ledger is believed.
+the same user outside the sandbox and looks for the key. Lines cut off at the end are no lie either
+way: a kill leaves the same, and their cases are asked again. A whole ledger is bound to its first
+line only, so that an older copy of the same ledger is believed.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from minkref.errors import Refusal
 from minkref.fuzz.isolation.own_folders import state_folder
 
 KEY_BYTES = 32
-_DIGITS = 32  # of a code, hexadecimal
+_DIGITS = 32  # hexadecimal digits per code
 _BEFORE, _AFTER = b',"chain":"', b'"}'
 
 
 class Chain:
-    """The codes of lines in their order, from the first on."""
+    """The codes for lines in order, from the first on."""
 
     def __init__(self, key: bytes) -> None:
         self._key = key
@@ -35,7 +35,7 @@ class Chain:
 
     @property
     def name(self) -> str:
-        """Tells the key from others, and says nothing else of it."""
+        """Identifies the key among others, and reveals nothing else about it."""
         return self._code(b"name")[:16].decode()
 
     def close(self, line: bytes) -> bytes:
@@ -44,7 +44,7 @@ class Chain:
         return line[:-1] + _BEFORE + self._last + _AFTER
 
     def open(self, line: bytes) -> bytes | None:
-        """The next line as it was given to `close`; None where this is no line that was."""
+        """Returns the next line as given to `close`; None for any line not written so."""
         end = len(line) - len(_BEFORE) - _DIGITS - len(_AFTER)
         plain = line[: max(0, end)] + b"}"
         before = self._last
@@ -58,7 +58,7 @@ class Chain:
 
 
 def ledger_key() -> bytes:
-    """The key of this user, made at the first use. Refuses where there is no place for it."""
+    """Returns this user's key, made at first use. Refuses if it cannot be stored."""
     path = state_folder() / "ledger.key"
     try:
         key = _read(path) or _made(path)
@@ -86,7 +86,7 @@ def _made(path: Path) -> bytes:
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
     try:
-        fcntl.flock(file, fcntl.LOCK_EX)  # of two runs that begin at once, one makes it
+        fcntl.flock(file, fcntl.LOCK_EX)  # if two runs begin at once, one makes the key
         if not os.fstat(file).st_size:
             os.write(file, secrets.token_bytes(KEY_BYTES))
         return os.pread(file, KEY_BYTES + 1, 0)

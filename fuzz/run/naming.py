@@ -50,8 +50,8 @@ _DERIVED = re.compile(r"([A-Za-z0-9-]+)(?::([0-9]+))?\((.*)\)", re.DOTALL)
 
 
 def load(name: CaseName) -> AnyCase:
-    """The case. Refusal where the text names none; NoCase where a derived one does not exist, as
-    a probe of a pair without events."""
+    """Returns the case. Refusal if the text names none; NoCase if a derived case does not exist, as
+    for a probe on a pair without events."""
     text = name.text
     if text.startswith("{"):
         return _literal(name)
@@ -72,7 +72,7 @@ def load(name: CaseName) -> AnyCase:
 
 
 def load_in_plane(name: CaseName) -> Case:
-    """The case in the plane. Refusal where the text names none."""
+    """Returns the case in the plane. Refusal if the text names none."""
     case = load(name)
     if not isinstance(case, Case):
         raise Refusal("this case is in space", f"--case {name.text}", "name one in the plane")
@@ -132,7 +132,7 @@ def _named(name: CaseName) -> AnyCase:
             setting = setting_of_document(value)
             return setting.case_in(name, path, scale if at else scales_in(path, value)[0])
         if "+" not in operands:
-            read_operand(f"{operands}#P")  # says what is wrong with it
+            read_operand(f"{operands}#P")  # refuses it with the reason
     known = all_models()
     for k in (k for k, letter in enumerate(operands) if letter == "+"):
         first, second = operands[:k], operands[k + 1 :]

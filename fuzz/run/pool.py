@@ -1,4 +1,4 @@
-"""Worker processes that may die: each death is charged to the target that was running."""
+"""Worker processes that may die: each death is charged to the running target."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.asking import JUDGING
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
-START_SECONDS = 60.0  # for the start of a worker, and until it reads its job
+START_SECONDS = 60.0  # until a started worker reads its job
 
 
 class InternalError(Exception):
@@ -71,9 +71,9 @@ class _Worker:
 def run_cases(
     cases: Iterable[Job | Wait], targets: list[str], limits: Limits, jobs: int
 ) -> Iterator[CaseResult]:
-    """The results of all cases, in the order in which they are done. Where the cases say Wait, the
-    next is asked for only after all results before have been taken. Raises InternalError where the
-    suite itself fails; ends its workers in every case."""
+    """Yields results for all cases, in the order of completion. After Wait, the next case is
+    requested only when all earlier results have been taken. Raises InternalError if the suite
+    itself fails; always ends its workers."""
     isolation = limits.isolation or usual()
     limits = replace(limits, isolation=isolation)
     queue = _Queue(iter(cases))
@@ -121,7 +121,7 @@ class _Queue:
     waiting: bool = False
 
     def next(self, any_busy: bool) -> Job | None:
-        """None where there is no job now: at the end, or before results are there."""
+        """Returns a job, or None for now: at the end, or before results arrive."""
         while True:
             if self.waiting and any_busy:
                 return None
@@ -133,7 +133,7 @@ class _Queue:
 
 
 def _replaced(worker: _Worker, lost: Outcome, targets: list[str], limits: Limits) -> _Worker:
-    """A fresh worker with the job of one that is lost, and what its loss says of a target."""
+    """Makes a fresh worker with a lost worker's job, noting the loss against its target."""
     job = worker.job
     assert job is not None
     worker.kill()

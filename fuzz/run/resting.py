@@ -1,8 +1,8 @@
-"""Targets that do not answer are asked no more.
+"""Stops asking targets that do not answer.
 
-A time-out costs twice the limit of a call. A target that did not answer MOST_TIME_OUTS cases in a
-row that it takes rests for the rest of the run. Results are looked at in the order of the cases,
-and what a target said of a later one, which another worker had begun already, is left out: who
+A time-out costs twice a call's limit. A target that left MOST_TIME_OUTS successive cases that it
+takes unanswered rests for the rest of the run. Results are examined in the order of cases, and a
+resting target's answer to a later case, which another worker had begun already, is left out: who
 rests, and from which case on, depends on the cases alone.
 """
 
@@ -20,7 +20,7 @@ RESTS = f"not asked: {MOST_TIME_OUTS} cases in a row had no answer"
 
 @dataclass
 class Resting:
-    """`since`: the case after which each target rests, by its name."""
+    """`since`: the case after which each target rests, by target name."""
 
     targets: list[str]
     since: dict[str, str] = field(default_factory=dict)
@@ -32,8 +32,8 @@ class Resting:
         return bool(self.targets) and self.since.keys() >= set(self.targets)
 
     def applied(self, result: CaseResult) -> CaseResult:
-        """The result without what is said of targets that rest; a generated case that no other
-        takes is one that no target takes."""
+        """Drops outcomes for resting targets; a generated case that no other target takes becomes a
+        case that no target takes."""
         if not self.since or result.absent is not None:
             return result
         kept = [outcome for outcome in result.outcomes if outcome.target not in self.since]
@@ -44,7 +44,7 @@ class Resting:
         return replace(result, outcomes=[*kept, *rests])
 
     def note(self, result: CaseResult) -> None:
-        """Counts the time-outs of a result that was applied."""
+        """Counts the time-outs in an applied result."""
         for outcome in result.outcomes:
             if outcome.verdict is Verdict.SKIPPED or outcome.target not in self.targets:
                 continue

@@ -31,7 +31,7 @@ class Finding:
 
     @property
     def kind(self) -> tuple[str, str, tuple[str, ...]]:
-        """Findings of one kind are shown once, by the smallest."""
+        """Findings of equal kind are shown once, by the smallest."""
         return (self.outcome.target, str(self.outcome.verdict), self.outcome.kinds)
 
     @property
@@ -42,7 +42,7 @@ class Finding:
 
 @dataclass
 class Cell:
-    """One target on one group of cases."""
+    """One target's results on one group of cases."""
 
     verdicts: Counter[str] = field(default_factory=Counter)
     skips: Counter[str] = field(default_factory=Counter)
@@ -59,15 +59,15 @@ class Run:
     began: dict[str, int] = field(default_factory=dict)  # the first case of each group
     asked: Counter[tuple[str, str, int]] = field(default_factory=Counter)  # target, verb, dimension
     met: Counter[tuple[str, str, int]] = field(default_factory=Counter)  # and what cases needed
-    ended: int | None = None  # the number of the signal that ended it
-    failed: str | None = None  # the fault of ours that ended it
+    ended: int | None = None  # the signal that ended the run
+    failed: str | None = None  # our fault that ended the run
     absent: int = 0  # derived cases that do not exist, as probes of a pair without events
     untaken: Counter[str] = field(default_factory=Counter)  # why no target takes a generated case
     resting: dict[str, str] = field(default_factory=dict)  # target: the case it last did not answer
-    remarks: dict[str, list[tuple[int, str]]] = field(default_factory=dict)  # what a pass rests on
+    remarks: dict[str, list[tuple[int, str]]] = field(default_factory=dict)  # a pass's assumptions
 
     def smallest(self) -> list[tuple[Finding, int]]:
-        """The smallest finding of each kind, with how many there are; the most serious first."""
+        """The smallest finding of each kind, with the count; the most serious first."""
         counts = Counter(finding.kind for finding in self.findings)
         best: dict[tuple[str, str, tuple[str, ...]], Finding] = {}
         for finding in self.findings:
@@ -98,7 +98,7 @@ class Run:
         return ExitCode.ALL_WELL
 
     def _ran(self) -> bool:
-        """Something other than skips happened."""
+        """Whether anything other than skips happened."""
         return any(
             count
             for cell in self.matrix.values()
@@ -108,7 +108,7 @@ class Run:
 
 
 def verb_of(text: str) -> str:
-    """The capability that a case asks for by its name, or the verb `at`."""
+    """Returns the capability that a case's name asks for, or the verb `at`."""
     verbs = {f"{UPDATE}(": UPDATE, f"{EVENTS}(": EVENTS, f"{INVALID}:": REJECTS}
     verbs |= {f"{RANGES}:": RANGES, f"{RANGES}-": RANGES, f"{PATH}:": PATH, f"{PATH}-grid": PATH}
     if is_path(text):
@@ -127,12 +127,12 @@ def run(
     ledger: Ledger | None = None,
     first: bool = False,
 ) -> Run:
-    """Runs all cases. With `cases.pairs` given the verdicts do not depend on `jobs`: results are
-    taken in the order of the cases. Cases in the ledger are not run again; every result is in the
-    ledger before it is shown. `first`: ends with the first case on which something is wrong or
-    broken and not known. Targets that do not answer rest, unless the cases are named. SIGINT,
-    SIGTERM, SIGHUP and a fault of ours end the run: the result holds all cases judged until then,
-    and `ended` or `failed` says so."""
+    """Runs all cases. With `cases.pairs` the verdicts do not depend on `jobs`: results are taken in
+    the order of cases. Cases in the ledger are not run again; every result enters the ledger before
+    it is shown. `first`: ends with the first case that shows an unknown wrong or broken target.
+    Unresponsive targets rest, unless the cases are named. SIGINT, SIGTERM, SIGHUP and our own
+    faults end the run: the result holds all cases judged until then, and `ended` or `failed` says
+    so."""
     done = Run(list(targets))
     resting = Resting([] if cases.named else targets, done.resting)
     waiting: dict[int, CaseResult] = {}
@@ -176,7 +176,7 @@ def run(
         except InternalError as error:
             done.failed = str(error)
         try:
-            with stoppable.held():  # those after a case that has no result
+            with stoppable.held():  # results after a case without result
                 for _, result in sorted(waiting.items()):
                     if not is_over():
                         take_next(result)
@@ -188,7 +188,7 @@ def run(
 
 
 def _coverage(result: CaseResult) -> str | None:
-    """The coverage of the case, and all that is amiss."""
+    """Returns the case's coverage, with all faults."""
     if result.coverage is None:
         return None
     amiss = sorted(

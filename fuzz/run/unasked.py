@@ -1,4 +1,5 @@
-"""Sentences on what a run did not ask its targets or could not prove of them."""
+"""Sentences on questions that a run did not ask its targets, and results that it could not
+prove."""
 
 from __future__ import annotations
 
@@ -10,7 +11,7 @@ from minkref.fuzz.setting import Setting
 from minkref.fuzz.settings import SETTINGS
 from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
 
-NAMED = "named"  # the group of cases that the command names
+NAMED = "named"  # the group for cases that the command names
 
 
 def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
@@ -54,8 +55,7 @@ def _not_met(done: Run, name: str, able: Iterable[str], setting: Setting) -> lis
 
 
 def resting_notes(done: Run, targets: Iterable[str], count: int | None) -> list[str]:
-    """A sentence for each target that rests. `count`: how many cases the run was to have, where
-    that is known."""
+    """A sentence for each resting target. `count`: the run's intended number of cases, if known."""
     ran = sum(done.cases.values())
     notes = []
     for name, case in done.resting.items():

@@ -24,30 +24,30 @@ from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
 
 CASE = "minkref:case"  # the step before any target: the case is made
 CASE_SECONDS = 60.0
-JUDGING_SECONDS = 120.0  # for what is said of one answer
+JUDGING_SECONDS = 120.0  # for judging one answer
 JUDGE_SECONDS = 600.0  # for one judge on one case: slow by design
 
 
 @dataclass
 class Job:
-    """One case for a worker. `lost` holds the targets that took a worker down with them before,
-    `overdue` those that were out of time once; a second time counts."""
+    """A case for a worker. `lost` holds targets that took down a worker before, `overdue` targets
+    that ran out of time once; a second time counts."""
 
     number: int
     name: CaseName
-    learning: bool = False  # whether it is asked what the case shows that is new
-    generated: bool = False  # one of many: where no target takes it, it is left out
-    resting: frozenset[str] = frozenset()  # targets that are not asked
+    learning: bool = False  # whether to look for new findings in the case
+    generated: bool = False  # may be left out if no target takes it
+    resting: frozenset[str] = frozenset()  # targets not to ask
     lost: dict[str, Outcome] = field(default_factory=dict)
     overdue: set[str] = field(default_factory=set)
 
 
 @dataclass
 class CaseResult:
-    """The result of a worker on one case. Sets are texts, and only there if something is amiss.
-    `absent` says why there is no such case, `untaken` why no target takes the case. `coverage`:
-    what the case shows, without what is amiss. `needs`: the capabilities that the case asks for,
-    if a target declares some."""
+    """A worker's result for one case. Sets are texts, and only there if something is amiss.
+    `absent` says why the case does not exist, `untaken` why no target takes it. `coverage`: the
+    case's features, without faults. `needs`: the capabilities that the case asks for, if a target
+    declares some."""
 
     number: int
     name: CaseName
@@ -75,14 +75,14 @@ class CaseResult:
 
     @property
     def path(self) -> str | None:
-        """The question of a case about a path, where something is amiss. Its `scale` means nothing:
-        it asks about many."""
+        """Returns the question of a path case, if something is amiss. Its `scale` means nothing:
+        the question covers many."""
         return self.literal if self.literal is not None and is_path(self.literal) else None
 
 
 def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
-    """The loop of a worker. Before each step it says which target is about to run, and how long it
-    may, so that the parent knows whose fault the death of this process is."""
+    """A worker's loop. Before each step it announces the target and its time limit, so that the
+    parent knows whose fault this process's death is."""
     child.begin()
     _limit_memory(limits.bytes + limits.judging_bytes)
     made: dict[str, Target | Check] = {}
@@ -153,7 +153,7 @@ class _Work:
         return target
 
     def _rule(self, case: Case, name: str) -> Outcome:
-        """The reference before one judge."""
+        """Puts the reference before one judge."""
         if name in self.job.lost:
             return self.job.lost[name]
         self.pipe.send(("begin", name, load_limit(self.limits)))
@@ -198,8 +198,8 @@ def is_check(name: str) -> bool:
 
 
 def wall_clock_limit(name: str, limits: Limits) -> float:
-    """Seconds after which the parent ends a worker that is still at `name`. The children of the
-    CGAL oracle, adapters and functions have their own, tighter clock."""
+    """Returns the seconds after which the parent ends a worker still at `name`. Child processes of
+    the CGAL oracle, adapters and functions have their own, tighter clock."""
     if name == CASE:
         return CASE_SECONDS
     if name.startswith(JUDGING):

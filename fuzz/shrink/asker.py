@@ -13,7 +13,7 @@ from minkref.fuzz.verdicts.verdict import Outcome
 
 
 class Asker:
-    """Asks one target about one case after the other, in a process that may die."""
+    """Asks one target about one case after another, in a process that may die."""
 
     def __init__(self, target: str, limits: Limits) -> None:
         self.target = target
@@ -27,7 +27,7 @@ class Asker:
             yield job
 
     def ask(self, text: str) -> tuple[CaseResult, Outcome | None]:
-        """The result of the case, and the outcome of the target."""
+        """Returns the case's result, and the target's outcome."""
         self._next = Job(self._number, CaseName(text, "shrinking"))
         self._number += 1
         result = next(self._results)
@@ -45,8 +45,8 @@ class Asker:
 
 
 def same_fault(first: Outcome, second: Outcome | None) -> bool:
-    """The verdict, its reasons and the signal are the same. In space, where the reasons depend on
-    how much is known of the sum, the side of the witness in their place."""
+    """Whether verdict, reasons and signal agree. In space, where the reasons depend on the
+    knowledge of the sum, the witness's side replaces them."""
     if second is None or second.verdict is not (first.was or first.verdict):
         return False
     if first.witness and second.witness and len(first.witness.point) == 3:

@@ -17,8 +17,8 @@ from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 @dataclass(frozen=True)
 class SmallFinding:
-    """The shrunk case as a text that names it, and what is said of the target there. `stable`:
-    asked again, the target showed the fault again."""
+    """The shrunk case as a text that names it, and the target's outcome there. `stable`: asked
+    again, the target showed the fault again."""
 
     literal: str
     result: CaseResult
@@ -26,7 +26,7 @@ class SmallFinding:
     calls: int
     complete: bool
     stable: bool
-    seconds: float | None = None  # of a time-out: the limit of the calls that made it small
+    seconds: float | None = None  # for a time-out: the limit of the calls that made it small
 
 
 BRIEF = (0.25, 1.0)  # seconds

@@ -1,4 +1,4 @@
-"""The findings of a run by kind, each kind shown by shrunk cases that differ."""
+"""A run's findings by kind, each kind shown by different shrunk cases."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 from minkref.output.signals import Ended
 
-EXAMPLES = 3  # findings of a kind that are shrunk; of a known fault one
+EXAMPLES = 3  # findings shrunk per kind; one for a known fault
 CALLS_FOR_KNOWN = 150
-CALLS_FOR_MEMORY = 60  # of a target that takes all the memory that it may have
-CALLS_FOR_TIME_OUT = 12  # of a target that does not answer, each as long as `brief` says
+CALLS_FOR_MEMORY = 60  # for a target that exhausts its memory
+CALLS_FOR_TIME_OUT = 12  # for a target that does not answer, each as long as `brief` says
 
 
 @dataclass
 class Group:
-    """All findings of one target, verdict and reasons. `example` is the smallest, `small` what it
-    and others shrink to, without doubles. `also`: reasons of other findings that shrink to the
+    """All findings for one target, verdict and reasons. `example` is the smallest, `small` holds
+    the shrunk findings, without repetition. `also`: reasons of other findings that shrink to the
     same."""
 
     example: Finding
     count: int
-    unshrunk: str = ""  # why a finding could not be shrunk, where we failed
+    unshrunk: str = ""  # why our shrinking failed
     small: list[SmallFinding] = field(default_factory=list)
     also: list[str] = field(default_factory=list)
 
@@ -44,9 +44,9 @@ def shrunk_groups(
     most_calls: int = MOST_CALLS,
     progress: Callable[[str], None] = lambda _: None,
 ) -> list[Group]:
-    """Shrinks the smallest findings of each kind. Deterministic: bounded by calls, not by time.
-    A failure of ours leaves a finding as it is, and the group says so; a signal leaves all other
-    findings, and the run says so."""
+    """Shrinks the smallest findings of each kind. Deterministic: bounded by calls, not by time. Our
+    own failure leaves a finding unshrunk, and the group says so; a signal leaves all other findings
+    unshrunk, and the run says so."""
     groups = groups_of(run)
     if run.ended is not None or run.failed is not None:
         return groups
@@ -82,7 +82,7 @@ def _shrink_all(
 
 
 def _bounds(outcome: Outcome, most_calls: int) -> tuple[int, int]:
-    """Calls for one finding, and how many findings: fewer where calls are slow by their nature."""
+    """Bounds the calls for one finding, and the number of findings: fewer for slow calls."""
     faults = (outcome.verdict, outcome.was)
     if Verdict.TIMED_OUT in faults:
         return min(most_calls, CALLS_FOR_TIME_OUT), 1
@@ -94,7 +94,8 @@ def _bounds(outcome: Outcome, most_calls: int) -> tuple[int, int]:
 
 
 def _merged(groups: list[Group]) -> list[Group]:
-    """Groups of one target and verdict that shrink to a common case have one cause."""
+    """Merges groups with the same target and verdict that shrink to a common case: they have one
+    cause."""
     kept: list[Group] = []
     for group in groups:
         literals = {small.literal for small in group.small}

@@ -33,9 +33,8 @@ def shrink(
     most_calls: int = MOST_CALLS,
 ) -> Shrunk[T]:
     """Greedy: takes the first of `smaller(case)` for which `still` holds, the boldest steps first,
-    and begins again from it, until none does. A step is taken only if it makes `case.size` less, so
-    that it ends. Candidates that were refused before are not tried again. `still` is called at
-    most `most_calls` times."""
+    and begins again from there, until none does. Steps must make `case.size` less, so shrinking
+    ends. Refused candidates are not tried again. Calls `still` at most `most_calls` times."""
     refused: set[tuple[object, ...]] = set()
     calls = 0
     while True:

@@ -1,1 +1,1 @@
-"""Sums of polyhedra that others made, verified in plain fractions."""
+"""Foreign sums of polyhedra, verified in plain fractions."""

@@ -16,7 +16,7 @@ from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict
 
 @dataclass
 class SpaceAsking(Asking):
-    """Each answer is held against what is known of the sum."""
+    """Compares each answer with known facts about the sum."""
 
     def outcomes(self, names: list[str]) -> list[Outcome]:
         outcomes = []
@@ -28,7 +28,7 @@ class SpaceAsking(Asking):
         return outcomes
 
     def _outcome(self, case: SpaceCase, name: str, fresh: bool = False) -> Outcome:
-        """By `update` where the case asks for that, and no `fresh` sum is wanted."""
+        """Asks by `update` if the case wants an update, unless `fresh`."""
         target, before = self.target(name), case.before
         if before is None or fresh:
             answer = self._in_time(name, lambda: target.sum(case))
@@ -41,8 +41,8 @@ class SpaceAsking(Asking):
         return judge_in_space(case, name, answer)
 
     def _once_more(self, case: SpaceCase, outcome: Outcome) -> Outcome:
-        """A wrong answer, and some of the right ones, are asked for again; of a wrong sum by
-        `update`, whether the fresh one is wrong as well."""
+        """Repeats the question after a wrong answer, and after some right answers; after a wrong
+        sum by `update`, asks for a fresh sum, to see whether it is wrong as well."""
         name, wrong = outcome.target, outcome.verdict is Verdict.WRONG
         if name.startswith(REFERENCE) or not is_asked_again(case, outcome):
             return outcome

@@ -1,4 +1,4 @@
-"""Triangles of a result that lie in the boundary of the sum."""
+"""Triangles of a result that lie within the sum's boundary."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from minkref.fuzz.space.sum_faces import SumFaces
 def boundary_test(
     pair: SpacePair, surface: Surface, faces: SumFaces | None
 ) -> Callable[[int], bool]:
-    """Whether a triangle, by its number, lies in the boundary of the sum; for cells and prisms, in
-    planes where that may be. `faces` are those of an exact sum."""
+    """Returns a test whether a triangle, by its number, lies within the sum's boundary; for cells
+    and prisms, within planes that may hold boundary. `faces` belong to an exact sum."""
     if faces is not None:
         return lambda number: faces.hold(surface.triangles[number])
     if pair.truth is Truth.CELLS:
@@ -41,8 +41,8 @@ def _is_upright_or_level(n: Whole) -> bool:
 
 
 def _on_hull(surface: Surface, hull: Polyhedron) -> Callable[[int], bool]:
-    """The triangle lies in a face of the hull: its corners are in the hull, and all of them in one
-    plane of it."""
+    """Returns a test whether the triangle lies within a face of the hull: the hull contains its
+    corners, and one of the hull's planes holds them all."""
     planes = []
     for face in hull.faces:
         a, b, c = (hull.wholes[index] for index in face[:3])
@@ -55,7 +55,7 @@ def _on_hull(surface: Surface, hull: Polyhedron) -> Callable[[int], bool]:
     sets: dict[Whole, frozenset[int] | None] = {}
 
     def of_corner(corner: Whole) -> frozenset[int] | None:
-        """The planes that hold it; None outside of the hull."""
+        """The planes that hold a corner; None outside the hull."""
         if corner not in sets:
             sides = [dot(n, corner) * hull.denominator - height for n, height in planes]
             inside = max(sides) <= 0

@@ -1,4 +1,4 @@
-"""Boxes along the axes, and a tree of them."""
+"""Boxes along the axes, and a box tree."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def boxes_meet(a: Box, b: Box) -> bool:
 
 
 def box_pairs(first: list[Box], second: list[Box], reach: int) -> Iterator[tuple[int, int]]:
-    """Pairs of boxes that meet once those of `first` have grown by `reach` on all sides."""
+    """Yields pairs of boxes that meet after those of `first` grow by `reach` on all sides."""
     if not first or not second:
         return
     rows = list(zip(*second, strict=True))
@@ -56,7 +56,7 @@ def box_pairs(first: list[Box], second: list[Box], reach: int) -> Iterator[tuple
 
 
 class BoxTree:
-    """`meeting` gives the numbers of the boxes that meet one, in order."""
+    """`meeting` returns the numbers of boxes that meet a box, in order."""
 
     def __init__(self, boxes: Sequence[Box]) -> None:
         self._boxes = boxes

@@ -29,7 +29,7 @@ from minkref.fuzz.verdicts.verdict import Witness
 
 OTHER_FACTORS = (Fraction(1, 2), Fraction(3, 4), Fraction(1), Fraction(3, 2), Fraction(4))
 MOST_GRID = 24  # cells across, for a literal to be looked at as a polycube
-MOST_IN_SUM = 500_000  # cells that the sum of two polycubes is made of, before cells are not taken
+MOST_IN_SUM = 500_000  # most cells in the sum of two polycubes; beyond, cells are not used
 LAWS_IN_SPACE = (
     "translate-P",
     "translate-Q",
@@ -47,9 +47,9 @@ def _same(result: Polyhedron) -> Polyhedron:
 
 @dataclass
 class SpaceCase:
-    """`pair` is what the verdict is about. A target is asked for `asked`, which differs where a
-    law has changed it, and `back` takes its result to a result for `pair`; where there is `before`
-    it is asked by `update`."""
+    """The verdict is about `pair`. A target is asked for `asked`, which differs after a change by a
+    law, and `back` takes the target's result to a result for `pair`; with `before`, the target is
+    asked by `update`."""
 
     name: CaseName
     pair: SpacePair
@@ -59,7 +59,7 @@ class SpaceCase:
     position: str = "given"
     P_name: str = "P"
     Q_name: str = "Q"
-    before: SpaceCase | None = None  # at another scale, from which this one is reached by `update`
+    before: SpaceCase | None = None  # at another scale, from which `update` reaches this case
 
     dimension = 3
     exchange = IN_SPACE
@@ -67,7 +67,8 @@ class SpaceCase:
 
     @staticmethod
     def of(name: CaseName, operands: list[Any], scale: Any, where: str) -> SpaceCase:
-        """The case of two sets in space as JSON values. Refuses values that are no polyhedra."""
+        """Makes a case from two sets in space as JSON values. Refuses values that are no
+        polyhedra."""
         mend = 'write {"vertices": [[x, y, z], ...], "faces": [[i, j, k, ...], ...]}'
         solids = []
         for value in operands:
@@ -86,14 +87,14 @@ class SpaceCase:
         return SpaceCase(name, pair, pair, "named")
 
     def under(self, law: str, name: CaseName) -> SpaceCase:
-        """The case changed by a law. NoCase where it says nothing here."""
+        """Changes the case by a law. NoCase if the law does not apply."""
         for changed in transformed_pairs(self.pair):
             if changed.name == law:
                 return replace(self, name=name, asked=changed.pair, back=changed.back)
         raise NoCase(f"the law {law} says nothing of this case in space")
 
     def updated(self, name: CaseName) -> SpaceCase:
-        """The case by `update` from another scale: uniform, or by three factors, as its own is."""
+        """The case by `update` from another scale: uniform, or by three factors, like its own."""
         dice = random.Random(f"minkref update {name.text}")
         scale = other = self.asked.scale
         while other == scale:
@@ -156,7 +157,7 @@ class SpaceCase:
 
     @cached_property
     def sent(self) -> list[Fraction]:
-        """All coordinates that an implementation is sent: of P, too."""
+        """All coordinates sent to an implementation, including P's."""
         return [number for vertex in self.asked.P.vertices for number in vertex] + self.coordinates
 
     @cached_property
@@ -169,7 +170,7 @@ class SpaceCase:
 
     @property
     def literal(self) -> str:
-        """The pair itself as a text that names it, on one line."""
+        """Writes the pair as a text that names it, on one line."""
         value = {
             "P": self.pair.P.document(),
             "Q": self.pair.Q.document(),
@@ -178,14 +179,14 @@ class SpaceCase:
         return json.dumps(value, separators=(",", ":"))
 
     def some_point(self) -> Witness:
-        """A point of the sum: that of two vertices."""
+        """Decides a point of the sum: the sum of two vertices."""
         p, q = self.pair.P.scaled(self.pair.scale).vertices[0], self.pair.Q.vertices[0]
         return decided(self.pair, (p[0] + q[0], p[1] + q[1], p[2] + q[2]))
 
 
 def known_pair(P: Polyhedron, Q: Polyhedron, scale: Scale) -> SpacePair:
-    """The pair with what is known of its sum: of convex operands the hull, of polycubes the cells,
-    of others the exact sum."""
+    """Returns the pair with the known facts about its sum: for convex operands the hull, for
+    polycubes the cells, for others the exact sum."""
     if is_convex(P) and is_convex(Q):
         return SpacePair(P, Q, scale, "named", Truth.HULL)
     if not any(solid.is_thin or _extent(solid) > MOST_GRID for solid in (P, Q)):
@@ -211,8 +212,8 @@ def _extent(solid: Polyhedron) -> Fraction:
 
 
 def _topology(solid: Polyhedron) -> set[str]:
-    """`holes` where a shell has a tunnel or is a cavity, `components` where there are several
-    outer shells."""
+    """Returns `holes` if a shell has a tunnel or is a cavity, `components` if several outer shells
+    exist."""
     shells = solid.shells
     edges = {frozenset((f[k - 1], f[k])) for f in solid.faces for k in range(len(f))}
     used = {vertex for face in solid.faces for vertex in face}

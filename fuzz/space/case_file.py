@@ -19,7 +19,7 @@ MEND = 'write "scales": [["1", "2", "3/5"], ...] in a case of dimension 3'
 
 
 def is_in_space(value: Any) -> bool:
-    """Whether a JSON value is meant as a case in space."""
+    """Whether a JSON value looks like a case in space."""
     return (
         isinstance(value, dict)
         and value.get("schema") == "case-v1"
@@ -28,8 +28,8 @@ def is_in_space(value: Any) -> bool:
 
 
 def scalings_in(value: dict[str, Any], where: str) -> list[str]:
-    """Those at which the case is asked for, each `SX,SY,SZ` in lowest terms, or `S` where they are
-    the same. Refuses what is no list of them."""
+    """Returns the scalings at which the case asks, each `SX,SY,SZ` in lowest terms, or `S` for
+    equal factors. Refuses anything but a list of them."""
     scales = value.get("scales")
     if not isinstance(scales, list) or not scales:
         raise Refusal("a case in space has no scales", where, MEND, "missing-member")
@@ -49,7 +49,7 @@ def _scaling(value: Any, where: str) -> str:
 
 
 def read_space_case(name: CaseName, path: Path, scale: str) -> SpaceCase:
-    """At one scaling. Refuses an operand that is missing, or no polyhedron."""
+    """Reads the case at one scaling. Refuses an operand that is missing, or no polyhedron."""
     value = json.loads(text_of_file(path, str(path), MEND), parse_float=str)
     operands = []
     for part in "PQ":

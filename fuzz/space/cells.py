@@ -1,4 +1,4 @@
-"""Polycubes: sets of integer cells, their surface, and the sum of two of them as cells."""
+"""Polycubes: sets of integer cells, their surface, and the sum of two polycubes as cells."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from minkref.fuzz.geometry.space import Point, Scale, Whole, factors
 Cell = tuple[int, int, int]  # the cube from here to here + (1, 1, 1)
 Cells = Set[Cell]
 
-# For each neighbour the side that faces it, counter-clockwise seen from there.
+# For each neighbour the side that faces it, counter-clockwise seen from the neighbour.
 _SIDES: tuple[tuple[Cell, tuple[Cell, ...]], ...] = (
     ((-1, 0, 0), ((0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0))),
     ((1, 0, 0), ((1, 0, 0), (1, 1, 0), (1, 1, 1), (1, 0, 1))),
@@ -41,8 +41,8 @@ class CellSum:
 
 
 def surface_of(cells: Cells) -> Polyhedron:
-    """The boundary in unit squares. Cells that touch along an edge or at a corner only make a
-    surface that touches itself there."""
+    """Returns the boundary in unit squares. If cells touch only along an edge or at a corner, the
+    surface touches itself there."""
     names: dict[Whole, int] = {}
     faces = []
     for x, y, z in sorted(cells):
@@ -57,7 +57,7 @@ def surface_of(cells: Cells) -> Polyhedron:
 
 
 def cells_of(polyhedron: Polyhedron) -> frozenset[Cell]:
-    """The cells whose surface this is. ValueError where it is not that of a set of cells."""
+    """Returns the cells bounded by this surface. ValueError if no set of cells has this surface."""
     from minkref.fuzz.space.membership import Surface
 
     for face in polyhedron.faces:
@@ -73,8 +73,8 @@ def cells_of(polyhedron: Polyhedron) -> frozenset[Cell]:
 
 
 def is_manifold(cells: Cells) -> bool:
-    """The surface is a 2-manifold: around every corner of the grid the cells hang together by
-    sides, and so do the empty ones. Not of an empty set."""
+    """Whether the surface is a 2-manifold: around every grid corner sides connect the full cells,
+    and also the empty cells. False for an empty set."""
     corners = {(x + a, y + b, z + c) for x, y, z in cells for a, b, c in product((0, 1), repeat=3)}
     for x, y, z in corners:
         around = {(x - a, y - b, z - c) for a, b, c in product((0, 1), repeat=3)}
@@ -101,7 +101,7 @@ def sum_of_cells(P: Cells, Q: Cells, scale: Scale) -> CellSum:
 
 
 def parts(cells: Cells) -> list[set[Cell]]:
-    """The sets of cells that hang together by sides, in ascending order of their least cells."""
+    """Returns the sets of cells connected by sides, ascending by their least cells."""
     left = set(cells)
     found = []
     for cell in sorted(cells):

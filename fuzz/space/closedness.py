@@ -1,4 +1,4 @@
-"""Whether the faces of a result close up, however they are cut and numbered."""
+"""Whether a result's faces close up, however they are cut and numbered."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ Line = tuple[Whole, Whole]
 
 
 def open_edge(polyhedron: Polyhedron) -> Point | None:
-    """The middle of a stretch along which faces run more often one way than the other; None where
-    the surface is closed. Vertices count as one where their coordinates are the same, and an edge
-    may be cut into several on one of its sides. O(n log n) for n edges."""
+    """Returns the middle of a stretch along which faces run more often one way than the other; None
+    for a closed surface. Vertices with equal coordinates count as one, and an edge may be cut into
+    several on one of its sides. O(n log n) for n edges."""
     found = open_stretch(polyhedron.wholes, polyhedron.faces)
     if found is None:
         return None
@@ -26,7 +26,7 @@ def open_edge(polyhedron: Polyhedron) -> Point | None:
 
 
 def open_stretch(points: Sequence[Whole], faces: Iterable[Face]) -> tuple[Whole, Whole] | None:
-    """The ends of such a stretch of some faces, whose vertices are named."""
+    """Returns the ends of such a stretch for some faces, given by vertex numbers."""
     flow: Counter[tuple[Whole, Whole]] = Counter()
     for face in faces:
         for i, j in zip(face, face[1:] + face[:1], strict=True):

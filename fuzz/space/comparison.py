@@ -23,9 +23,9 @@ from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 
 Rating = Literal["pass", "pass-within", "wrong", "undecided"]
-MOST_PIECES = 60_000  # into which triangles off the boundary of the sum are cut by each other
-MOST_MIDDLES = 6  # places inside a hull of which one is off the surface of the result
-MOST_CELLS = 200_000  # of the grid, whose centres are asked
+MOST_PIECES = 60_000  # most pieces of triangles off the sum's boundary, cut by each other
+MOST_MIDDLES = 6  # most places tried inside a hull, for one off the result's surface
+MOST_CELLS = 200_000  # most grid cells whose centres are tested
 
 
 @dataclass(frozen=True)
@@ -44,12 +44,12 @@ class Comparison:
 def compare(
     pair: SpacePair, result: Polyhedron, exact: bool = True, tolerance: Fraction = Fraction(0)
 ) -> Comparison:
-    """The result stands for the points of positive winding number, regularised; a vertex that no
-    face names does not matter, nor do faces that cancel. An `exact` one has to be the sum R; else
-    it has to hold all points whose cube of half side `tolerance` is in R, and none whose cube is
-    clear of R. Every `wrong` has a witness that `holds`; with a tolerance it holds with that, but
-    for a surface that is not closed: there the point shows where. ValueError for a negative
-    tolerance."""
+    """Compares a result with the sum. The result stands for the points with positive winding
+    number, regularised; unnamed vertices do not matter, nor do cancelling faces. An `exact` result
+    has to equal the sum R; else it has to contain all points whose cube with half side `tolerance`
+    lies within R, and none whose cube is clear of R. Every `wrong` has a witness that `holds`; with
+    a tolerance it holds with the tolerance, except for a surface that is not closed: there the
+    point shows where. ValueError for a negative tolerance."""
     if tolerance < 0:
         raise ValueError("the tolerance is negative")
     whole = result.without_unused_vertices()
@@ -81,7 +81,7 @@ def compare(
 
 
 def _malformed(pair: SpacePair, result: Polyhedron, exact: bool) -> Comparison | None:
-    """A surface that is not closed, or for exact results a face that is not planar."""
+    """Finds an open surface, or in exact results a face that is not planar."""
     where, message = open_edge(result), "the surface is not closed"
     if where is None and exact:
         bent = result.bent_face()
@@ -96,8 +96,8 @@ def _malformed(pair: SpacePair, result: Polyhedron, exact: bool) -> Comparison |
 
 
 def _examine(search: FaultSearch, exact: bool) -> tuple[bool, str]:
-    """Tests points until both kinds of faults are found, or all are tested. True where the result
-    is proven to be the sum; else why not."""
+    """Tests points until both kinds of faults are found, or all points are tested. True if the
+    result is proven to equal the sum; else the reason."""
     pair = search.pair
     proven, message = False, ""
     if pair.truth is Truth.CELLS:
@@ -123,7 +123,7 @@ def _examine(search: FaultSearch, exact: bool) -> tuple[bool, str]:
 
 
 def _test_cells(search: FaultSearch) -> str:
-    """Tests the centre of every cell. Says why not, where that says too little."""
+    """Tests every cell's centre. Returns a reason if this says too little."""
     known = search.pair.cell_sum
     if not search.surface.triangles:
         low, high = (Fraction(0),) * 3, (Fraction(0),) * 3
@@ -154,7 +154,7 @@ def _test_cells(search: FaultSearch) -> str:
 
 
 def _test_sections(search: FaultSearch) -> str:
-    """Tests points of the cross-sections that differ. Says why not, where that says too little."""
+    """Tests points where cross-sections differ. Returns a reason if this says too little."""
     prism, surface = search.pair.prism_sum, search.surface
     try:
         sections, complete = cross_sections(prism, surface)
@@ -170,10 +170,9 @@ def _test_sections(search: FaultSearch) -> str:
 
 
 def _prove(search: FaultSearch, exact: bool) -> tuple[bool, str]:
-    """Where all triangles that bound the result lie in the boundary of the sum, or for cells and
-    prisms in planes that part space into cells of which each was tested, the result is the sum;
-    of an exact sum every connected part beside the faces is tested. The other triangles are tested
-    on both sides."""
+    """Proves the result equal to the sum, if all triangles that bound the result lie within the
+    sum's boundary, or for cells and prisms in planes that cut space into cells, each tested; for an
+    exact sum, tests every connected part beside the faces. Tests other triangles on both sides."""
     surface, faces = search.surface, None
     if search.pair.judged_by is Truth.SUM:
         faces = SumFaces(search.pair.exact.polyhedron, surface.denominator)
@@ -199,7 +198,7 @@ def _prove(search: FaultSearch, exact: bool) -> tuple[bool, str]:
     if changed:
         return False, "a face off the boundary of the sum bounds the result"
     if stray and search.pair.truth is Truth.CELLS:
-        # A centre may have been on one of the stray triangles.
+        # A stray triangle may contain a centre.
         return _stray_cells(search), "a stray face passes through the centre of a cell"
     if search.pair.truth is Truth.HULL:
         vertices = search.pair.hull.vertices
@@ -208,7 +207,8 @@ def _prove(search: FaultSearch, exact: bool) -> tuple[bool, str]:
 
 
 def _middle_is_inside(search: FaultSearch, vertices: tuple[Point, ...]) -> bool:
-    """Tests one place inside of the hull: of some with unlike weights the first off the surface."""
+    """Tests one place inside the hull: the first off the surface among several with unlike
+    weights."""
     for power in range(MOST_MIDDLES):
         weights = [Fraction(1 + ((k + 1) ** power) % 97) for k in range(len(vertices))]
         total = sum(weights, Fraction(0))
@@ -224,7 +224,7 @@ def _middle_is_inside(search: FaultSearch, vertices: tuple[Point, ...]) -> bool:
 
 
 def _stray_cells(search: FaultSearch) -> bool:
-    """Every cell has a place that is not on the surface and where the result is right."""
+    """Finds, in every cell, a place off the surface, and tests the result there."""
     known = search.pair.cell_sum
     a, b, c = known.unit
     low, high = search.result.box

@@ -34,7 +34,7 @@ CONVEX_DECLARATIONS = {
 
 @dataclass
 class ConvexReferenceTarget:
-    """`route` is one of CONVEX_ROUTES."""
+    """`route` is a key of CONVEX_ROUTES."""
 
     name: str
     route: str
@@ -54,14 +54,14 @@ class ConvexReferenceTarget:
         return self._guarded(case, compute)
 
     def updated_sum(self, before: AnyCase, case: AnyCase) -> Answer:
-        """The sum at the scaling of `case`, updated from that of `before`."""
+        """The sum at the scaling of `case`, updated from the scaling of `before`."""
         if self.route != DYNAMIC:
             return skipped("does not declare update", self.declaration)
 
         return self._updated(case, before.asked.scale if isinstance(before, SpaceCase) else None)
 
     def _updated(self, case: AnyCase, start: Scale | None) -> Answer:
-        """Without a scaling to start at from one that is another than that of the case."""
+        """Without `start`, starts at a scaling that differs from the case's."""
 
         def step(solid: SpaceCase) -> Polyhedron:
             to = scaling_of(solid.asked.scale)
@@ -82,7 +82,7 @@ class ConvexReferenceTarget:
             solid = compute(case)
         except MemoryError as error:
             return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
-        except Exception as error:  # noqa: BLE001 a fault of the target, whatever it is
+        except Exception as error:  # any exception is the target's fault
             return Answer(verdict=Verdict.ERRORED, message=message_of(error))
         seconds = time.perf_counter() - start
         return Answer(solid=solid, seconds=seconds, declaration=self.declaration)

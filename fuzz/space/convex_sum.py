@@ -1,4 +1,4 @@
-"""Sums of convex polyhedra by the reference, in the types of this room."""
+"""Sums of convex polyhedra by the reference, in this room's types."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Scale, factors
 from minkref.fuzz.space.hull import sum_of_convex
 
-MOST_BY_HULL = 400  # sums of two vertices, up to which the hull in plain fractions is quick
+MOST_BY_HULL = 400  # vertex sums, up to which the hull in plain fractions is quick
 
 
 def true_sum(P: Polyhedron, Q: Polyhedron, scale: Scale) -> Polyhedron:
-    """sP + Q of convex operands: of small ones the hull of all sums of two vertices, which shares
-    nothing with the reference, of larger ones by it."""
+    """Returns sP + Q for convex operands: for small operands the hull of all vertex sums, which
+    shares nothing with the reference, for larger operands the reference's sum."""
     if len(P.vertices) * len(Q.vertices) <= MOST_BY_HULL:
         return sum_of_convex(P, Q, scale)
     return reference_sum(P, Q, scale)
 
 
 def reference_sum(P: Polyhedron, Q: Polyhedron, scale: Scale) -> Polyhedron:
-    """By the reference. One of the operands may be a point or a segment."""
+    """Sums by the reference. One operand may be a point or a segment."""
     if P.is_thin:
         return reference_sum(Q, P.scaled(scale), Fraction(1))
     scaling = scaling_of(scale)
@@ -35,7 +35,7 @@ def reference_sum(P: Polyhedron, Q: Polyhedron, scale: Scale) -> Polyhedron:
 
 
 def body_of(polyhedron: Polyhedron) -> _core.ConvexPolyhedron:
-    """Raises _core.BadInput where it is not convex."""
+    """Converts a polyhedron. Raises _core.BadInput if not convex."""
     points = [(str(x), str(y), str(z)) for x, y, z in polyhedron.vertices]
     return _core.ConvexPolyhedron(_core.Polyhedron(points, [list(f) for f in polyhedron.faces]))
 

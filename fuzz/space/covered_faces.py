@@ -1,5 +1,5 @@
-"""Faces of a result that lie inside its other shells: where convex bodies overlap or abut, as in a
-sum that is made of sums of convex pieces."""
+"""Faces of a result that lie inside its other shells: where convex bodies overlap or abut, as when
+sums of convex pieces make up a sum."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.shells import shells_of
 from minkref.fuzz.space.sides import both_sides
 
-MOST_OTHERS = 1000  # triangles of shells that are not convex
+MOST_OTHERS = 1000  # triangles on shells that are not convex
 Triple = tuple[int, int, int]
 
 
 @dataclass(frozen=True)
 class Shell:
-    """A convex one, that runs around its inside counter-clockwise."""
+    """A convex shell whose faces run counter-clockwise around its inside."""
 
     planes: list[Plane]
     corners: list[Whole]
@@ -42,9 +42,9 @@ class Shell:
 
 
 class CoveredFaces:
-    """`left` says what the convex shells of the result leave of a triangle as a face between
-    winding number 0 and 1: polygons. Where the winding number of the other shells is somewhere
-    negative, or they have too many triangles to tell, all is left."""
+    """`left` returns the parts of a triangle that the result's convex shells leave as a face
+    between winding number 0 and 1: polygons. If the winding number of the other shells is somewhere
+    negative, or they have too many triangles to tell, the whole triangle is left."""
 
     def __init__(self, result: Polyhedron) -> None:
         groups = shells_of(result)
@@ -65,8 +65,8 @@ class CoveredFaces:
     def _beside(
         self, result: Polyhedron, triples: list[list[Triple]], others: list[list[Triple]]
     ) -> dict[int, Shell]:
-        """Convex shells, beside which the winding number of the rest is nowhere negative: the
-        others may be cavities, in one of these or in several, which then belong to the rest."""
+        """Convex shells such that the winding number of the rest is nowhere negative: the other
+        shells may be cavities, in one convex shell or in several, which then belong to the rest."""
         together = [[t for own in others for t in own]] if others else []
         for cavities in (together, others) if self._convex else ():
             around = self._around(cavities)
@@ -76,7 +76,7 @@ class CoveredFaces:
         return {}
 
     def _around(self, groups: Sequence[Sequence[Triple]]) -> list[int]:
-        """For each group of triangles the largest convex shell around it, each for one only."""
+        """For each group of triangles, the largest convex shell around it, used only once."""
         found: list[int] = []
         for triples in groups:
             points = {self._points[k] for triple in triples for k in triple}
@@ -90,8 +90,8 @@ class CoveredFaces:
         return found
 
     def left(self, triple: Triple) -> list[Polygon]:
-        """In parts of the unit, as many as the denominator of the result, whose vertices are
-        named."""
+        """Returns the parts of a triangle, given by vertex numbers; coordinates count parts of the
+        unit, as many as the result's denominator."""
         i, j, k = triple
         triangle = (self._points[i], self._points[j], self._points[k])
         n, own = normal(*triangle), self._own.get(triple)
@@ -108,8 +108,8 @@ class CoveredFaces:
 
 
 def _is_beside(shell: Shell, triangle: Triangle, n: Whole) -> bool:
-    """A plane of the shell, or that of the triangle with normal `n`, shows that the shell holds no
-    inside point of the triangle, nor its inside from above."""
+    """Whether a plane of the shell, or the triangle's plane with normal `n`, shows that the shell
+    holds no inside point of the triangle, nor its inside from above."""
     for m, d in shell.planes:
         if all(dot(m, corner) >= d for corner in triangle):
             return any(dot(m, corner) > d for corner in triangle) or dot(m, n) > 0
@@ -138,7 +138,8 @@ def _less(part: Polygon, shell: Shell, n: Whole, covered_below: bool) -> list[Po
 
 
 def _convex_shell(triples: Sequence[Triple], points: Sequence[Whole]) -> Shell | None:
-    """The shell of a closed surface; None if it is flat, not convex, or runs the other way."""
+    """Returns the shell of a closed surface; None if flat, not convex, or with faces that run the
+    other way."""
     planes: set[Plane] = set()
     corners: set[Whole] = set()
     for i, j, k in triples:
@@ -153,14 +154,14 @@ def _convex_shell(triples: Sequence[Triple], points: Sequence[Whole]) -> Shell |
 
 
 def _is_flat(planes: set[Plane]) -> bool:
-    """All planes are the two sides of one."""
+    """Whether all planes are two sides of the same plane."""
     (first, _), *rest = planes
     return all(cross(first, n) == (0, 0, 0) for n, _ in rest)
 
 
 def _never_negative(result: Polyhedron, triples: Sequence[Triple]) -> bool:
-    """The winding number of these triangles is nowhere less than 0: on neither side of any piece
-    of them."""
+    """Whether the winding number of these triangles is nowhere less than 0: on neither side of any
+    piece."""
     if len(triples) > MOST_OTHERS:
         return False
     if not triples:

@@ -1,4 +1,4 @@
-"""Horizontal cross-sections of a result, compared with the region of a prism in the plane."""
+"""Horizontal cross-sections of a result, compared with a prism's region in the plane."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ Sections = dict[Fraction, Region]
 
 
 def differing_points(prism: Prism, sections: Sections, tolerance: Fraction) -> Iterator[Point]:
-    """A point where a cross-section has something that the prism has not, and one the other way
-    round. With a tolerance also such points beyond a border of that width."""
+    """Yields a point that a cross-section has but the prism has not, and a point for the reverse.
+    With a tolerance, also such points beyond a border as wide as the tolerance."""
     for z, section in sections.items():
         there, right = section.set, _at(prism, z)
         if there == right:
@@ -38,14 +38,14 @@ def differing_points(prism: Prism, sections: Sections, tolerance: Fraction) -> I
 
 
 def sections_agree(prism: Prism, sections: Sections) -> bool:
-    """Where all triangles of the result are upright or level, and no section was left out, this
-    says that the result is the prism."""
+    """Whether all sections agree. If the result has only upright or level triangles, and no section
+    was left out, the result then equals the prism."""
     return all(section.set == _at(prism, z) for z, section in sections.items())
 
 
 def cross_sections(prism: Prism, surface: Surface) -> tuple[Sections, bool]:
-    """Between each two consecutive heights of vertices of both, and whether that is all of them;
-    of more than MOST_LEVELS some are left out. Raises ValueError where the surface is not
+    """Returns sections between consecutive heights of vertices from both, and whether they are
+    complete; beyond MOST_LEVELS some are left out. Raises ValueError if the surface is not
     closed."""
     heights = {prism.low, prism.high}
     for triangle in surface.triangles:
@@ -60,8 +60,8 @@ def _at(prism: Prism, z: Fraction) -> _core.PolygonSet:
 
 
 def cross_section(surface: Surface, z: Fraction) -> Region:
-    """The points of positive winding number at this height, which is that of no vertex. Raises
-    ValueError where the surface is not closed."""
+    """Returns the points with positive winding number at this height, which no vertex has. Raises
+    ValueError if the surface is not closed."""
     onward: dict[Flat, list[Flat]] = {}
     level = z * surface.denominator
     for triangle, n in zip(surface.triangles, surface.normals, strict=True):

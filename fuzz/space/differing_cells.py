@@ -1,4 +1,4 @@
-"""How a claimed set of cells differs from the true one, in the words of the verdict."""
+"""How a claimed set of cells differs from the true set, in a verdict's words."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from minkref.fuzz.verdicts.verdict import Reason
 
 
 def cell_reasons(truth: Cells, claim: Cells, found: Iterable[Reason]) -> list[Reason]:
-    """Names lost and invented cavities and components; MISSING and EXTRA of `found` are left out
-    where these explain all of the difference."""
+    """Names lost and invented cavities and components; omits MISSING and EXTRA in `found` if these
+    explain the whole difference."""
     surplus, absent = set(claim) - set(truth), set(truth) - set(claim)
     reasons: list[Reason] = []
     if Reason.EXTRA in found:

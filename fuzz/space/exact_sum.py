@@ -29,14 +29,14 @@ from minkref.oracle.slow.space.exposed import (
 
 EDGES, DEFINITION = "edges", "definition"
 ROUTES = {EDGES: _core.edge_sum_in_space, DEFINITION: _core.definition_sum_in_space}
-MOST_TRIANGLES = 200_000  # of P times those of Q
+MOST_TRIANGLES = 200_000  # triangles in P times triangles in Q
 SECONDS = 20.0
 REFUSALS = (_core.BadInput, RuntimeError, MemoryError)
 
 
 @dataclass(frozen=True)
 class ExactSum:
-    """As a polyhedron whose faces are trapezoids, with disjoint insides."""
+    """A polyhedron with trapezoids as faces, their insides disjoint."""
 
     polyhedron: Polyhedron
 
@@ -50,8 +50,8 @@ class ExactSum:
 
 
 def exact_sum(P: Polyhedron, Q: Polyhedron, scale: Scale, route: str) -> ExactSum | str:
-    """sP + Q, or a sentence that says why there is none. Operands that cross themselves have none;
-    one may be a point or a segment."""
+    """Returns sP + Q, or a sentence why none exists. Operands that cross themselves have none; one
+    may be a point or a segment."""
     count = max(1, len(P.triangles)) * max(1, len(Q.triangles))
     if count > MOST_TRIANGLES:
         return f"{count:,} pairs of triangles, more than {MOST_TRIANGLES:,}"
@@ -65,8 +65,8 @@ def exact_sum(P: Polyhedron, Q: Polyhedron, scale: Scale, route: str) -> ExactSu
 
 
 def exposed_sum(P: Polyhedron, Q: Polyhedron, scale: Scale, route: str) -> Exposed:
-    """By a route of the reference. Raises what it raises: _core.BadInput for operands that are not
-    valid, _core.LimitExceeded."""
+    """Sums by a route of the reference. Raises its exceptions: _core.BadInput for invalid operands,
+    _core.LimitExceeded."""
     operands = [core_polyhedron(solid) for solid in (P, Q)]
     for solid, operand in zip((P, Q), operands, strict=True):
         if not solid.is_thin:
@@ -81,7 +81,7 @@ def core_polyhedron(solid: Polyhedron) -> _core.Polyhedron:
 
 
 def polyhedron_of_planes(exposed: Exposed) -> Polyhedron:
-    """The surface of a set given by canonical regions, in trapezoids."""
+    """Converts a set given by canonical regions to a surface of trapezoids."""
     names: dict[Point, int] = {}
     faces: list[Face] = []
     for plane, polygons in exposed.planes.items():
@@ -101,7 +101,7 @@ class OutOfTime(Exception):
 @contextmanager
 def _limited(seconds: float) -> Iterator[None]:
     """Raises OutOfTime after so many seconds, in the main thread, where signals arrive; elsewhere
-    the number of triangles alone is a limit. A timer that runs already is left alone."""
+    only the number of triangles sets a limit. Leaves a running timer alone."""
     if threading.current_thread() is not threading.main_thread() or any(
         signal.getitimer(signal.ITIMER_REAL)
     ):

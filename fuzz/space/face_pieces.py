@@ -1,4 +1,4 @@
-"""A face cut into convex pieces by the triangles that it meets."""
+"""A face cut into convex pieces by the triangles that meet the face."""
 
 from __future__ import annotations
 
@@ -27,9 +27,10 @@ def heights(polygon: Polygon, plane: Plane) -> list[int]:
 
 
 def pieces(polygons: list[Polygon], n: Whole, others: Iterable[Triangle]) -> list[Polygon]:
-    """Convex polygons that cover those, which lie in one plane with normal `n` and all run the same
-    way around it; no triangle of `others` divides the inside of one, and those in its plane hold
-    all of it or nothing of its inside. Exact; a triangle cuts only the pieces that it meets."""
+    """Cuts polygons, which lie in one plane with normal `n` and all run the same way around `n`,
+    into convex pieces: no triangle of `others` divides a piece's inside, and triangles in their
+    plane hold a whole piece or nothing of its inside. Exact; a triangle cuts only pieces that it
+    meets."""
     if polygons and _turn(polygons[0], n) < 0:
         n = (-n[0], -n[1], -n[2])
     parts = polygons
@@ -41,7 +42,7 @@ def pieces(polygons: list[Polygon], n: Whole, others: Iterable[Triangle]) -> lis
 
 
 def inside(polygon: Polygon, unit: int = 1) -> Point:
-    """The middle of the corners, which are in parts of a unit, so many of them."""
+    """Returns the middle of the corners, which count parts of a unit, `unit` parts each."""
     points = [(Fraction(x, w), Fraction(y, w), Fraction(z, w)) for x, y, z, w in polygon]
     x, y, z = middle(points)
     return (x / unit, y / unit, z / unit)
@@ -49,14 +50,14 @@ def inside(polygon: Polygon, unit: int = 1) -> Point:
 
 @dataclass(frozen=True)
 class Cut:
-    """A segment in the plane of a face, in another plane through it."""
+    """A segment in a face's plane, in another plane through the segment."""
 
     plane: Plane
     ends: tuple[Corner, Corner]
 
 
 def _cuts(n: Whole, origin: Corner, other: Triangle) -> list[Cut]:
-    """Where a triangle meets the plane: its sides, or where it passes through or stands on it."""
+    """Cuts where a triangle meets the plane: its sides, or its intersection with the plane."""
     level = n[0] * origin[0] + n[1] * origin[1] + n[2] * origin[2]
     sides = [dot(n, corner) * origin[3] - level for corner in other]
     if not any(sides):
@@ -78,15 +79,15 @@ def _cuts(n: Whole, origin: Corner, other: Triangle) -> list[Cut]:
 
 
 def _split(polygon: Polygon, n: Whole, cut: Cut) -> list[Polygon]:
-    """Along the line of a cut that meets its inside."""
+    """Splits a polygon along the line of a cut that meets its inside."""
     if not _meets(polygon, n, cut):
         return [polygon]
     return list(halves(polygon, heights(polygon, cut.plane)))
 
 
 def _meets(polygon: Polygon, n: Whole, cut: Cut) -> bool:
-    """The cut passes through the inside: neither its line nor a side of the polygon, which runs
-    counter-clockwise, has one on the one side and all of the other on the other."""
+    """Whether the cut passes through the inside: neither the cut's line nor a side of the polygon,
+    which runs counter-clockwise, separates the cut from the polygon."""
     sides = heights(polygon, cut.plane)
     if min(sides) >= 0 or max(sides) <= 0:
         return False
@@ -100,7 +101,7 @@ def _meets(polygon: Polygon, n: Whole, cut: Cut) -> bool:
 
 
 def _turn(polygon: Polygon, n: Whole) -> int:
-    """Positive where it runs counter-clockwise; 0 where it has no area."""
+    """Positive for a counter-clockwise polygon; 0 without area."""
     steps = [_step(polygon[0], corner) for corner in polygon[1:]]
     turns = (dot(n, cross(a, b)) for a, b in pairwise(steps))
     return next(filter(None, turns), 0)
@@ -129,7 +130,7 @@ def halves(polygon: Polygon, sides: Sequence[int]) -> tuple[Polygon, Polygon]:
 
 
 def _between(a: Corner, of_a: int, b: Corner, of_b: int) -> Corner:
-    """Where the segment passes through a plane at these distances from its ends."""
+    """The point at which a segment crosses a plane, given the distances of its ends."""
     x, y, z, w = (of_b * p + of_a * q for p, q in zip(a, b, strict=True))
     divisor = gcd(x, y, z, w)
     return (x // divisor, y // divisor, z // divisor, w // divisor)

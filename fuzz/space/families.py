@@ -1,4 +1,4 @@
-"""The families of generated pairs in space by name, in the order of a run."""
+"""The families of generated pairs in space by name, in a run's order."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ GROWING = {
     "space-torus": "polygonal tori",
     "space-star": "star-shaped polyhedra",
 }
-# By the name of a family of general pairs; some have another name here, as theirs is taken.
+# By the name of a family of general pairs; some have another name here, since theirs is taken.
 GENERAL = {
     "mixed": ("space-mixed", "any two solids, one of them under a matrix of its own"),
     "parallel": ("space-parallel", "any two solids with many faces parallel to axes"),
@@ -48,8 +48,8 @@ _OF_GENERAL = {name: family for family, (name, _) in GENERAL.items()}
 
 
 def drawn_pair(family: str, seed: int, index: int) -> SpacePair:
-    """Pair `index` of one of SPACE_FAMILIES; depends on nothing but the arguments. NoCase where a
-    family has an end."""
+    """Draws pair `index` of a family in SPACE_FAMILIES, from the arguments alone. NoCase beyond the
+    end of a family."""
     if family == FOUND:
         return found_pair(index)
     if family not in _OF_GENERAL:

@@ -1,4 +1,4 @@
-"""One result before one pair: points at which it is wrong, each proven by a witness."""
+"""One result before one pair: points where it is wrong, each proven by a witness."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from minkref.fuzz.verdicts.verdict import Reason, Witness
 
 @dataclass
 class FaultSearch:
-    """With a tolerance only points count whose whole cube of that half side is in the sum, or
-    outside of it. `refuted` says that a witness did not stand its check: the fault is ours."""
+    """With a tolerance, only points count whose whole cube with this half side lies inside the sum,
+    or outside. `refuted` says that a witness failed its check: the fault is ours."""
 
     pair: SpacePair
     whole: Polyhedron  # the result with pairs of faces that cancel
@@ -34,8 +34,8 @@ class FaultSearch:
         self.known = known_sum(self.pair)
 
     def test(self, x: Point) -> Reason | None:
-        """MISSING or EXTRA where that is found for the first time; None where the result is right
-        at the point, or nothing can be said."""
+        """Returns MISSING or EXTRA at its first discovery; None if the result is right at the
+        point, or nothing can be said."""
         self.points += 1
         winding = self.surface.winding(x)
         if winding is None:
@@ -46,8 +46,8 @@ class FaultSearch:
         return self._extra(x) if winding > 0 else self._missing(x)
 
     def test_inside(self, p: Point, q: Point) -> Reason | None:
-        """The same for scale p + q of points of the operands: the cube around scale p lies in sP,
-        or the one around q in Q."""
+        """Tests scale p + q for points of the operands with a cube around scale p in sP, or around
+        q in Q."""
         self.points += 1
         s = self.pair.meeting.scale
         x = (s[0] * p[0] + q[0], s[1] * p[1] + q[1], s[2] * p[2] + q[2])

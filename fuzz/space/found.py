@@ -1,5 +1,5 @@
-"""Pairs in space on which `minkref verify` has found libraries wrong, with their story
-(degeneracies/found_in_space.json): asked of every target first, small as they are."""
+"""Pairs in space on which `minkref verify` found libraries wrong, with their story
+(degeneracies/found_in_space.json): every target gets them first, since they are small."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ FILE = Path(__file__).parents[2] / "degeneracies" / "found_in_space.json"
 
 @dataclass(frozen=True)
 class FoundInSpace:
-    """`witness` is one of the fault of the first of the victims."""
+    """`witness` proves the first victim's fault."""
 
     title: str
     victims: tuple[str, ...]

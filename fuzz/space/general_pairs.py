@@ -1,7 +1,6 @@
 """Seeded pairs of polyhedra of any shape with some 8 to 30 faces each, half of them degenerate:
-what fits has no clearance, faces are parallel or in one plane, operands are equal or opposite.
-
-Every operand is a closed 2-manifold that does not cross itself, of one component or two.
+exact fits, faces that are parallel or coplanar, operands that are equal or opposite. Every operand
+is a closed 2-manifold that does not cross itself, with one component or two.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ SCALES = tuple(Fraction(text) for text in ("1", "1", "1", "2", "1/2", "3/2", "2/
 
 @dataclass(frozen=True)
 class CellPair:
-    """P and Q are these cells under the matrix."""
+    """P and Q as these cells under the matrix."""
 
     P: frozenset[Cell]
     Q: frozenset[Cell]
@@ -33,7 +32,7 @@ class CellPair:
 
 @dataclass(frozen=True)
 class GeneralPair:
-    """sP + Q. `parts` are the components of P where there are two."""
+    """sP + Q. `parts`: the components of P, if two."""
 
     name: str
     P: Polyhedron
@@ -54,7 +53,7 @@ def general_pair(seed: int, index: int) -> GeneralPair:
 
 
 def pair_of_family(family: str, seed: int, index: int) -> GeneralPair:
-    """Pair `index` of one family."""
+    """Draws pair `index` of a family."""
     name = f"{family}:{seed}:{index}"
     dice = random.Random(f"minkref general {name}")
     if family in OF_PARTS:
@@ -75,13 +74,13 @@ def _whole(dice: random.Random, most: int) -> Fraction:
 
 
 def _mixed(dice: random.Random) -> Drawn:
-    """Any two, one of them under a matrix of its own: little is parallel."""
+    """Any two solids, one under a separate matrix: little is parallel."""
     P, Q = any_solid(dice), any_solid(dice)
     return mapped(random_matrix(dice, 2), P), Q, dice.choice(SCALES)
 
 
 def _parallel(dice: random.Random) -> Drawn:
-    """Any two as they are: many faces are parallel to axes."""
+    """Any two solids, unmapped: many faces are parallel to axes."""
     return any_solid(dice), any_solid(dice), dice.choice(SCALES)
 
 
@@ -92,8 +91,8 @@ def _same(dice: random.Random) -> Drawn:
 
 
 def _fitted(dice: random.Random, sizes: list[int]) -> tuple[Polyhedron, Fraction]:
-    """A box, and the scale at which it has these sizes; now and then it is a little smaller or
-    larger along an axis."""
+    """A box, and the scale at which it has these sizes; sometimes a little smaller or larger along
+    an axis."""
     scale = dice.choice(SCALES)
     if dice.random() < 0.25:
         sizes[dice.randrange(3)] += dice.choice((-1, 1))
@@ -109,7 +108,7 @@ def _slot(dice: random.Random) -> Drawn:
 
 
 def _ring_and_bar(dice: random.Random) -> Drawn:
-    """A bar that fills the hole of a ring, across one way or both."""
+    """A bar that fills a ring's hole, across one way or both."""
     width, depth = dice.randint(1, 4), dice.randint(1, 4)
     ring = machined.square_ring(width, depth, walls(dice), dice.randint(1, 3))
     other = dice.choice((depth, dice.randint(1, depth)))
@@ -131,7 +130,7 @@ def _cup_and_lid(dice: random.Random) -> Drawn:
 
 
 def _cavity(dice: random.Random) -> Drawn:
-    """A cavity, and what fills it (turned about, so that it fits), or a smaller one of its form."""
+    """A cavity, and its filling (turned about, to fit), or a smaller body with the same form."""
     hollow, filling = assembled.hollow_box(dice, 3)
     factor = dice.choice((Fraction(1), Fraction(1, 2), Fraction(3, 4), Fraction(3, 2)))
     return filling.reflected(ORIGIN).scaled(1 / factor), hollow, factor * dice.choice((1, factor))
@@ -221,7 +220,7 @@ def _polycubes(dice: random.Random, name: str) -> GeneralPair:
 
 
 def _apart(dice: random.Random, name: str) -> GeneralPair:
-    """Two components at a distance, and a body that bridges it, by nothing now and then."""
+    """Two components at a distance, and a body that bridges this distance, sometimes only just."""
     axis, gap = dice.randrange(3), dice.randint(1, 3)
     one = any_of_one(dice)
     both = assembled.side_by_side(one, any_of_one(dice), axis, Fraction(gap), ORIGIN)

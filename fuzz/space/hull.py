@@ -1,4 +1,4 @@
-"""The exact convex hull of points in space, its coplanar triangles merged to faces."""
+"""The exact convex hull of points in space, with coplanar triangles merged to faces."""
 
 from __future__ import annotations
 
@@ -25,8 +25,9 @@ Triple = tuple[int, int, int]
 
 
 def convex_hull(points: Iterable[Point]) -> Polyhedron:
-    """Vertices are the extreme points, in ascending order. Duplicates, collinear and coplanar
-    points are legal; ValueError where all lie in one plane. Incremental: O(n f) for f faces."""
+    """Returns the hull, its vertices the extreme points in ascending order. Duplicates, collinear
+    and coplanar points are legal; ValueError if all are coplanar. Incremental: O(n f) for f
+    faces."""
     given = sorted(set(points))
     denominator = denominator_of(given)
     wholes = [whole(point, denominator) for point in given]
@@ -40,7 +41,7 @@ def convex_hull(points: Iterable[Point]) -> Polyhedron:
 
 
 def sum_of_convex(P: Polyhedron, Q: Polyhedron, scale: Scale) -> Polyhedron:
-    """sP + Q of convex operands: the hull of all sums of two vertices."""
+    """Returns sP + Q for convex operands: the hull of all vertex sums."""
     a, b, c = factors(scale)
     return convex_hull(
         (a * p[0] + q[0], b * p[1] + q[1], c * p[2] + q[2]) for p in P.vertices for q in Q.vertices
@@ -48,7 +49,7 @@ def sum_of_convex(P: Polyhedron, Q: Polyhedron, scale: Scale) -> Polyhedron:
 
 
 def is_convex(polyhedron: Polyhedron) -> bool:
-    """No vertex lies outside of the plane of a face."""
+    """Whether no vertex lies outside a face's plane."""
     points = polyhedron.wholes
     for i, j, k in polyhedron.triangles:
         n = normal(points[i], points[j], points[k])
@@ -59,8 +60,8 @@ def is_convex(polyhedron: Polyhedron) -> bool:
 
 
 def _triangles(points: list[Whole]) -> list[Triple]:
-    """A hull in triangles. A new point replaces all triangles that it sees or that lie in a plane
-    with it, provided that it sees one; then none of the new ones is without area."""
+    """Returns a triangulated hull. A new point that sees some triangle replaces all triangles that
+    it sees or that are coplanar with it; then every new triangle has area."""
     start = _start(points)
     planes: dict[Triple, tuple[Whole, int]] = {}
 
@@ -96,7 +97,7 @@ def _triangles(points: list[Whole]) -> list[Triple]:
 
 
 def _start(points: list[Whole]) -> tuple[int, int, int, int]:
-    """Four points that are in no plane. ValueError where there are none."""
+    """Finds four points that are not coplanar, or raises ValueError."""
     count = len(points)
     flat = ValueError("the points have no convex hull with volume: they lie in one plane")
     if count < 4:

@@ -16,8 +16,8 @@ BY_EDGES = f"minkref:{EDGES}"
 
 
 def judge_in_space(case: SpaceCase, name: str, answer: Answer) -> Outcome:
-    """Against the exact sum, or points of it where that is beyond a limit; the route that gives the
-    exact sum, against the other."""
+    """Judges against the exact sum, or against its points beyond a limit; the route that computes
+    the exact sum, against the other route."""
     if answer.verdict is Verdict.WRONG:
         witness = case.some_point()
         return Outcome(

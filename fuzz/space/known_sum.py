@@ -15,7 +15,7 @@ from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.prism import Prism
 
-MOST_CELLS = 4096  # of a cube that is looked at cell by cell
+MOST_CELLS = 4096  # most cells per cube in a cell-by-cell search
 
 
 class KnownSum(Protocol):
@@ -23,10 +23,10 @@ class KnownSum(Protocol):
         """The point lies in the closed sum."""
 
     def may_cover(self, point: Point, distance: Fraction) -> bool:
-        """False: the cube of half side `distance` around the point is surely not all in the sum."""
+        """False: the sum surely does not contain the whole cube with half side `distance`."""
 
     def clear_of(self, point: Point, distance: Fraction) -> bool:
-        """True: no point of the cube is in the sum."""
+        """True: the sum contains no point of the cube."""
 
 
 def known_sum(pair: SpacePair) -> KnownSum:
@@ -63,7 +63,7 @@ class KnownCells:
         return 0 < len(cells) and not any(cell in self._sum.cells for cell in cells)
 
     def _touched(self, point: Point, distance: Fraction) -> list[tuple[int, int, int]]:
-        """The cells that the closed cube meets; none where they are too many."""
+        """Returns the cells that the closed cube meets; empty if too many."""
         ranges = []
         for number, unit in zip(point, self._sum.unit, strict=True):
             first = -(-(number - distance) // unit) - 1
@@ -74,7 +74,7 @@ class KnownCells:
 
 
 class KnownHull:
-    """`clear_of` is False for some cubes near an edge or corner that are clear."""
+    """`clear_of` is False for some clear cubes near an edge or corner."""
 
     def __init__(self, hull: Polyhedron) -> None:
         self._unit = hull.denominator
@@ -109,8 +109,8 @@ class KnownHull:
 
 
 class KnownSurface:
-    """By the surface of the sum, exact but for cubes that touch it: they neither may be covered nor
-    are clear."""
+    """Answers by the sum's surface, exactly except for cubes that touch it: these are neither
+    coverable nor clear."""
 
     def __init__(self, surface: Surface) -> None:
         self._surface = surface
@@ -150,7 +150,7 @@ class KnownPrism(KnownPoints):
         return self._prism.contains(point)
 
     def may_cover(self, point: Point, distance: Fraction) -> bool:
-        """All corners of the cube are in the prism."""
+        """Whether the prism contains all corners of the cube."""
         return all(
             self._prism.contains(
                 (point[0] + a * distance, point[1] + b * distance, point[2] + c * distance)

@@ -1,7 +1,7 @@
 """Seeded pairs of polyhedra of any shape with 100 to 500 triangles each, knots, gears, brackets,
-tori, clutches, blocks with a cavity: some with many parallel faces, some with none.
+tori, clutches, blocks with a cavity: some with many parallel faces, some without.
 
-Every operand is a closed 2-manifold that does not cross itself. The origin is inside of Q.
+Every operand is a closed 2-manifold that does not cross itself. Q contains the origin inside.
 """
 
 from __future__ import annotations

@@ -18,8 +18,8 @@ FACTOR = Fraction(5, 3)
 
 @dataclass(frozen=True)
 class TransformedPair:
-    """`back` takes the sum of `pair` to the sum of the pair that it was made from, so that the
-    result for one can be held against what is known of the other."""
+    """`back` takes the sum of `pair` to the sum of the original pair, so that known facts about one
+    can test a result for the other."""
 
     name: str
     pair: SpacePair
@@ -27,9 +27,9 @@ class TransformedPair:
 
 
 def transformed_pairs(pair: SpacePair) -> list[TransformedPair]:
-    """All laws that apply: translations, homogeneity, refinement, the rotation that takes x to y
-    to z, a quarter turn about z; and for the scale 1 the swap of the operands. Only single
-    points are known of the new pairs."""
+    """Returns all laws that apply: translations, homogeneity, refinement, the rotation that takes x
+    to y to z, a quarter turn about z; and for the scale 1 the swap of operands. For new pairs only
+    single points are known."""
     s = factors(pair.scale)
     moved = (s[0] * SHIFT[0], s[1] * SHIFT[1], s[2] * SHIFT[2])
     plain = replace(
@@ -83,7 +83,7 @@ def transformed_pairs(pair: SpacePair) -> list[TransformedPair]:
 
 @dataclass(frozen=True)
 class Rotation:
-    """Coordinate k of the image is that number `axes[k]` of the point, times `signs[k]`."""
+    """The image's coordinate k equals the point's coordinate `axes[k]`, times `signs[k]`."""
 
     axes: tuple[int, int, int]
     signs: tuple[int, int, int] = (1, 1, 1)
@@ -128,8 +128,8 @@ def rotations() -> list[Rotation]:
 
 
 def refined(polyhedron: Polyhedron) -> Polyhedron:
-    """The same set: every edge gets a vertex in its middle, and every triangle of a face becomes
-    four in its plane. A face with straight corners, which triangles pass by, stays in one piece."""
+    """Refines the same set: every edge gets a vertex in its middle, and every triangle in a face
+    becomes four. A face with straight corners, which triangles pass by, stays whole."""
     vertices = list(polyhedron.vertices)
     names: dict[tuple[int, int], int] = {}
 

@@ -17,7 +17,7 @@ from minkref.fuzz.space.membership import Surface, in_triangle
 from minkref.fuzz.space.triangle_contact import Triangle, as_point, contact, farther_than
 
 Contact = Literal["empty", "touch", "overlap"]
-MOST_CORNERS = 40  # of sP cut with x - Q, that are mixed to find a place deep inside
+MOST_CORNERS = 40  # corners of sP cut with x - Q, mixed to find a place deep inside
 MIXTURES = 60
 
 
@@ -31,8 +31,8 @@ class Decision:
 
 
 class Meeting:
-    """Two polyhedra and a scale, for questions about many points. Each takes O(mn) comparisons of
-    boxes, and exact tests of the pairs of triangles that are left."""
+    """Two polyhedra and a scale, for questions about many points. Each question takes O(mn)
+    comparisons of boxes, and exact tests for the remaining pairs of triangles."""
 
     def __init__(self, P: Polyhedron, Q: Polyhedron, scale: Scale) -> None:
         self.scale = factors(scale)
@@ -43,7 +43,7 @@ class Meeting:
         self._a = _times(self.in_sP.triangles, self.denominator // self.sP.denominator)
         self._b = _times(self.in_Q.triangles, self.denominator // Q.denominator)
         self._normals_a = [normal(*triangle) for triangle in self._a]
-        # Normals of the triangles of x - Q, which run the other way.
+        # Normals for triangles of x - Q, which run the other way.
         self._normals_b = [(-x, -y, -z) for x, y, z in (normal(*t) for t in self._b)]
         self._boxes_a = [box_of(triangle) for triangle in self._a]
         self._boxes_b = [box_of(triangle) for triangle in self._b]
@@ -55,13 +55,13 @@ class Meeting:
         return self.place(x) is not None
 
     def place(self, x: Point) -> Point | None:
-        """A common point of sP and x - Q; None where x lies outside of the closed sum."""
+        """Returns a common point of sP and x - Q; None if x lies outside the closed sum."""
         found = next(self._contacts(x), None)
         return self._nested(x) if found is None else found[0]
 
     def decide(self, x: Point) -> Decision:
-        """Where sP and x - Q only touch the answer takes longest: each of their triangles is cut
-        by those that it meets."""
+        """Decides how sP and x - Q meet. A mere touch takes longest: each triangle is cut by the
+        triangles that it meets."""
         found: Point | None = None
         for point, proper in self._contacts(x):
             found = found or point
@@ -73,7 +73,7 @@ class Meeting:
         return self.decision("overlap" if self._interiors_meet(x) else "touch", found, x)
 
     def apart(self, x: Point, distance: Fraction) -> bool:
-        """No point of the cube of half side `distance` around x lies in the sum."""
+        """Whether the sum contains no point of the cube with half side `distance` around x."""
         if distance == 0:
             return not self.meets(x)
         a, b, _, unit = self._placed(x, distance)
@@ -88,9 +88,9 @@ class Meeting:
         return self._nested(x) is None
 
     def deep(self, x: Point, distance: Fraction) -> Decision | None:
-        """p and q that prove that the cube of half side `distance` around x lies in the sum: the
-        cube around scale p lies in sP, or the one around q in Q. None where none was found, which
-        says nothing. The choice of places to try depends on nothing but the arguments."""
+        """Returns p and q that prove the cube with half side `distance` around x to lie in the sum:
+        the cube around scale p lies in sP, or the cube around q in Q. None if none was found, which
+        proves nothing. The arguments alone determine the places tried."""
         corners = self._common_corners(x)
         if not corners:
             return None
@@ -117,8 +117,8 @@ class Meeting:
     def _placed(
         self, x: Point, distance: Fraction = Fraction(0)
     ) -> tuple[list[Triangle], list[Triangle], int, int]:
-        """The triangles of sP and of x - Q times the last number, in integers; the number before
-        it is by how much the triangles of sP grew."""
+        """Returns the triangles of sP and of x - Q times the last number, in integers; the third
+        value is the factor by which the triangles of sP grew."""
         w = lcm(*((number * self.denominator).denominator for number in (*x, distance)))
         unit = self.denominator * w
         X, Y, Z = whole(x, unit)
@@ -134,8 +134,8 @@ class Meeting:
         return a, b, w, unit
 
     def _contacts(self, x: Point) -> Iterator[tuple[Point, bool]]:
-        """Common points of the surfaces of sP and x - Q, one for each pair of triangles that meet,
-        and whether they cross properly."""
+        """Yields common points of the surfaces of sP and x - Q, one for each pair of meeting
+        triangles, and whether the triangles cross properly."""
         a, b, w, unit = self._placed(x)
         X, Y, Z = whole(x, unit)
         boxes_a = self._boxes_a
@@ -153,7 +153,8 @@ class Meeting:
                 yield as_point(met[0], unit), met[1]
 
     def _nested(self, x: Point) -> Point | None:
-        """A point of sP and x - Q, if some shell of one has its first vertex in the other."""
+        """Returns a point of sP and x - Q, if a shell's first vertex lies inside the other
+        solid."""
         for vertex in self._shells_a:
             if self.in_Q.contains(_difference(x, vertex)):
                 return vertex
@@ -164,7 +165,7 @@ class Meeting:
         return None
 
     def _interiors_meet(self, x: Point) -> bool:
-        """The interiors meet iff a piece of the surface of one lies inside the other, or in its
+        """Whether the interiors meet: iff a surface piece of one lies inside the other, or on its
         surface with the same side outside."""
         a, b, _, unit = self._placed(x)
         for place, n in _all_pieces(a, self._normals_a, b):
@@ -182,7 +183,7 @@ class Meeting:
         return False
 
     def _common_corners(self, x: Point) -> list[Point]:
-        """Some points of sP and x - Q, most of them corners of their intersection."""
+        """Returns some points of sP and x - Q, mostly corners of their intersection."""
         found = dict.fromkeys(
             vertex for vertex in self.sP.vertices if self.in_Q.contains(_difference(x, vertex))
         )
@@ -204,8 +205,8 @@ def decide(P: Polyhedron, Q: Polyhedron, scale: Scale, x: Point) -> Decision:
 
 
 def cube_inside(surface: Surface, place: Point, distance: Fraction) -> bool:
-    """The cube of half side `distance` around the place lies in the inside. The place is in the
-    closed set."""
+    """Whether the inside contains the cube with half side `distance` around a place from the closed
+    set."""
     if surface.winding(place) is None:
         return False
     w = lcm(*((number * surface.denominator).denominator for number in (*place, distance)))
@@ -241,7 +242,7 @@ def _all_pieces(
 
 
 def _same_side(place: Point, n: Whole, others: list[Triangle], normals: list[Whole]) -> bool:
-    """Some triangle that holds the place, in the same plane, has its outside on the same side."""
+    """Whether some coplanar triangle that holds the place has its outside on the same side."""
     w = lcm(*(number.denominator for number in place))
     point = whole(place, w)
     for (a, b, c), m in zip(others, normals, strict=True):

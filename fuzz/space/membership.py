@@ -20,15 +20,15 @@ from minkref.fuzz.geometry.space import (
 from minkref.fuzz.space.boxes import Box, BoxTree, box_of
 
 MOST_COLUMNS = 64  # along one axis
-FEW = 64  # triangles whose planes are asked for
-NEAR = 64  # of the size of a surface: segments beside a place are no longer than one in so many
+FEW = 64  # up to so many triangles, all planes are tested
+NEAR = 64  # segments beside a place are at most the surface's size divided by this
 
 
 class Surface:
-    """The triangles of a polyhedron in columns along z, for many questions. A vertical ray upwards
-    counts them, moved by an infinitely small vector (e, e^2) in x and y, so that it meets no edge.
-    Floats only tell triangles apart whose box does not hold the point: rounding keeps the order of
-    numbers. Every other comparison is one of integers, over a denominator for each triangle."""
+    """A polyhedron's triangles in columns along z, for many questions. A vertical ray upwards
+    counts them, moved by an infinitely small vector (e, e^2) along x and y, so that it meets no
+    edge. Floats only exclude triangles whose box does not hold the point: rounding keeps the order
+    of numbers. Every other comparison uses integers, over a denominator for each triangle."""
 
     def __init__(self, polyhedron: Polyhedron) -> None:
         self._polyhedron = polyhedron
@@ -56,7 +56,7 @@ class Surface:
 
     @property
     def denominator(self) -> int:
-        """The denominator of `triangles` and `boxes`, which are integers."""
+        """The denominator for the integers in `triangles` and `boxes`."""
         return self._polyhedron.denominator
 
     @cached_property
@@ -77,7 +77,7 @@ class Surface:
         return BoxTree(self.boxes)
 
     def near(self, number: int) -> list[int]:
-        """The other triangles whose boxes meet that of this one."""
+        """Lists other triangles whose boxes meet this triangle's box."""
         return [k for k in self._tree.meeting(self.boxes[number]) if k != number]
 
     def _column(self, place: float, axis: int) -> int:
@@ -89,8 +89,8 @@ class Surface:
         return int((place - low) / (high - low) * self._sides)
 
     def winding(self, point: Point) -> int | None:
-        """The winding number around the point; None where it lies on the surface. Linear in the
-        triangles above and below the point."""
+        """The winding number around the point; None on the surface. Linear in the triangles above
+        and below the point."""
         v = lcm(*(number.denominator for number in point))
         x, y, z = whole(point, v)
         fx, fy, fz = (_float(number) for number in point)
@@ -113,14 +113,14 @@ class Surface:
         return total
 
     def contains(self, point: Point) -> bool:
-        """In the closed set of points of positive winding number, or anywhere on the surface."""
+        """Whether the winding number is positive, or the point lies on the surface."""
         winding = self.winding(point)
         return winding is None or winding > 0
 
     def clear_step(self, point: Point, direction: Point) -> Fraction | None:
-        """A power of two t so that the segments from the point to point + t direction and to
-        point - t direction meet no triangle but in the point itself: no plane of those whose box
-        meets the box of both. None where the direction runs along such a plane that holds the
+        """A power of two t such that the segments from the point to point + t direction and to
+        point - t direction meet no triangle except at the point itself: no plane of triangles whose
+        boxes meet the box of both. None if the direction runs along such a plane through the
         point."""
         v = lcm(*(number.denominator for number in point))
         x, y, z = whole(point, v)
@@ -145,8 +145,8 @@ class Surface:
         return Fraction(1, 1 << -least)
 
     def _reached(self, point: Point, direction: Point) -> tuple[Sequence[int], int]:
-        """Triangles whose box meets that of the two segments, and the power of two at which these
-        were asked for, so that they may be few."""
+        """Returns triangles whose boxes meet the box of both segments, and the power of two used
+        for these segments, to keep the triangles few."""
         if len(self._corners) <= FEW:
             return range(len(self._corners)), 0
         unit = self.denominator

@@ -1,4 +1,4 @@
-"""A pair of operands in space, and what is known of its sum."""
+"""A pair of operands in space, with known facts about its sum."""
 
 from __future__ import annotations
 
@@ -17,17 +17,16 @@ from minkref.fuzz.space.thin_meeting import ThinMeeting
 
 
 class Truth(StrEnum):
-    CELLS = "cells"  # both are polycubes: the cells of the sum
-    HULL = "hull"  # both are convex: the hull of all sums of two vertices
+    CELLS = "cells"  # both are polycubes: the sum's cells
+    HULL = "hull"  # both are convex: the hull of all vertex sums
     PRISM = "prism"  # both are prisms over the same plane: the sum in the plane
-    SUM = "sum"  # any shape: the exact sum by the reference, where no limit is in its way
-    POINTS = "points"  # of each single point, whether it lies in the sum
+    SUM = "sum"  # any shape: the reference's exact sum, unless a limit prevents it
+    POINTS = "points"  # single points, each inside or outside the sum
 
 
 @dataclass(frozen=True)
 class SpacePair:
-    """sP + Q. The cells or prisms are there where the truth needs them; `route` gives the exact
-    sum."""
+    """sP + Q. Cells or prisms are present if the truth needs them; `route` gives the exact sum."""
 
     P: Polyhedron
     Q: Polyhedron
@@ -60,23 +59,23 @@ class SpacePair:
 
     @cached_property
     def exact_sum(self) -> ExactSum | str:
-        """Or why there is none."""
+        """Returns the exact sum, or the reason for its absence."""
         return exact_sum(self.P, self.Q, self.scale, self.route)
 
     @property
     def exact(self) -> ExactSum:
-        """Where `judged_by` says that it is there."""
+        """Returns the exact sum, if `judged_by` says that it exists."""
         assert not isinstance(self.exact_sum, str), self.exact_sum
         return self.exact_sum
 
     @cached_property
     def judged_by(self) -> Truth:
-        """`truth`, or single points where there is no exact sum."""
+        """Returns `truth`, or single points without an exact sum."""
         return Truth.POINTS if self.absence else self.truth
 
     @property
     def absence(self) -> str | None:
-        """Why there is no exact sum where there should be one."""
+        """Returns the reason if an expected exact sum is missing."""
         found = self.exact_sum if self.truth is Truth.SUM else None
         return found if isinstance(found, str) else None
 

@@ -1,4 +1,4 @@
-"""Seeded pairs in space, by family; small ones first."""
+"""Seeded pairs in space, by family; small pairs first."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ SCALES = ("1", "1", "1", "2", "1/2", "3/2", "2/3")
 
 
 def space_pair(family: str, seed: int, index: int) -> SpacePair:
-    """Pair `index` of a family; depends on nothing but the arguments. KeyError for a family that
-    is not in FAMILIES."""
+    """Draws pair `index` of a family, from the arguments alone. KeyError for a family missing from
+    FAMILIES."""
     dice = random.Random(f"minkref space {family} {seed} {index}")
     step = min(STEPS, index // GROWTH)
     scale = Fraction(dice.choice(SCALES)) if index >= GROWTH else Fraction(1)
@@ -61,7 +61,7 @@ def _polycube(dice: random.Random, step: int, scale: Scale) -> SpacePair:
 def _hollow(dice: random.Random, step: int, scale: Fraction) -> SpacePair:
     P = hollow_box(dice, 3 + step // 2)
     Q = _moved(dice, random_polycube(dice, dice.randint(1, 1 + step // 2)), 1)
-    if dice.random() < 0.7:  # a cavity of one cell is still one of the sum
+    if dice.random() < 0.7:  # a one-cell cavity survives in the sum
         scale *= 2
     return pair_of_cells("hollow", P, Q, scale)
 

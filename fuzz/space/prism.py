@@ -1,4 +1,4 @@
-"""Prisms over polygons with holes. Their sum is the prism over the sum in the plane."""
+"""Prisms over polygons with holes. Their sum equals the prism over the plane sum."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ class Prism:
         )
 
     def polyhedron(self) -> Polyhedron:
-        """Rings of the region must not touch. The lid of a polygon without holes is one face, that
-        of one with holes is cut into triangles."""
+        """The prism's surface. The region's rings must not touch. A polygon without holes has one
+        face as its lid, a polygon with holes has triangles."""
         vertices: list[Point] = []
         faces: list[Face] = []
         for outer, holes in self.polygons:
@@ -68,7 +68,7 @@ class Prism:
 
 
 def sum_of_prisms(P: Prism, Q: Prism, scale: Scale) -> Prism:
-    """sP + Q; its region is in canonical form."""
+    """Returns sP + Q, with its region in canonical form."""
     a, b, c = factors(scale)
     scaled = set_of(mapped(shape_of(P.region), lambda p: (a * p[0], b * p[1])))
     region = _core.minkowski_sum(scaled, Q.region, "1").region
@@ -76,7 +76,7 @@ def sum_of_prisms(P: Prism, Q: Prism, scale: Scale) -> Prism:
 
 
 def _side(ring: Ring, point: Point) -> int:
-    """1 inside of the simple ring, 0 on it, -1 outside."""
+    """1 inside the simple ring, 0 on the ring, -1 outside."""
     x, y = point[0], point[1]
     inside = False
     for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1], strict=True):
@@ -89,8 +89,8 @@ def _side(ring: Ring, point: Point) -> int:
 
 
 def _lid(outer: Ring, holes: list[Ring]) -> list[Face]:
-    """Triangles of the polygon, as positions in the list of all its corners. Each hole is joined
-    to the rest by a bridge that meets no ring on its way."""
+    """Returns triangles of the polygon, as positions in the list of all corners. Bridges that meet
+    no ring on their way join holes to the rest."""
     unit = lcm(*(n.denominator for ring in (outer, *holes) for corner in ring for n in corner))
     corners: list[Corner] = [
         (int(x * unit), int(y * unit)) for ring in (outer, *holes) for x, y in ring

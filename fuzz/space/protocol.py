@@ -13,7 +13,7 @@ from minkref.fuzz.targets.numbers import MOST_VERTICES, Unreadable, double, list
 
 
 def sent_solid(text: str, declaration: Declaration) -> Any:
-    """The JSON value of a set as the target wants it. OverflowError beyond the range of doubles."""
+    """The JSON value of a set in the target's form. OverflowError beyond the range of doubles."""
     value = json.loads(text)
     if declaration.numbers == "text":
         return value
@@ -28,7 +28,7 @@ def sent_scale(text: str) -> str | list[str]:
 
 
 def solid_answer(value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
-    """The polyhedron that `vertices` and `faces` of an answer give. Raises Unreadable."""
+    """Returns the polyhedron given by an answer's `vertices` and `faces`. Raises Unreadable."""
     vertices = []
     for vertex in list_in(value, "vertices"):
         if not isinstance(vertex, list) or len(vertex) != 3:
@@ -52,7 +52,7 @@ def solid_answer(value: dict[str, Any], declaration: Declaration, seconds: float
 
 
 class SpaceExchange:
-    """How cases in space are sent, and answers to them read."""
+    """Sends cases in space, and reads answers."""
 
     answer_is_no = "not a polyhedron"
 

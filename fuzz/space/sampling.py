@@ -1,4 +1,4 @@
-"""Points at which a result is compared with the sum where nothing better is known."""
+"""Points for comparing a result with the sum, if nothing better is known."""
 
 from __future__ import annotations
 
@@ -48,8 +48,8 @@ def sums_of_points(pair: SpacePair, distance: Fraction) -> Iterator[tuple[Point,
 def points_near(
     pair: SpacePair, result: Polyhedron, surface: Surface, distance: Fraction
 ) -> Iterator[Point]:
-    """In gaps of the operands, beside the faces of the result, at distances from `distance` on, and
-    in the box of both."""
+    """Yields points in the operands' gaps, beside the result's faces, at distances from `distance`
+    on, and in the box of both."""
     yield from _in_gaps(pair)
     dice = random.Random(f"points {pair.family} {len(result.vertices)} {len(result.faces)}")
     size = _size(result)
@@ -80,8 +80,8 @@ def points_near(
 
 
 def _in_gaps(pair: SpacePair) -> Iterator[Point]:
-    """Where cavities, tunnels and dents of the sum are, if it has any: halfway between two faces of
-    one operand with nothing of it between, beside the middle of the other."""
+    """Yields places likely inside cavities, tunnels and dents of the sum: halfway between two faces
+    of one operand with a free space between, beside the middle of the other."""
     dice = random.Random(f"gaps {pair.family} {len(pair.P.vertices)} {len(pair.Q.vertices)}")
     meeting = pair.meeting
     for surface, other in ((meeting.in_sP, pair.Q), (meeting.in_Q, meeting.sP)):
@@ -94,8 +94,8 @@ def _in_gaps(pair: SpacePair) -> Iterator[Point]:
 
 
 def _gap(surface: Surface, place: Point, n: Whole) -> Fraction | None:
-    """How far along the outer normal of a face the next face is, in lengths of `n`; None where
-    there is none."""
+    """The distance from a face to the next face along its outer normal, in lengths of `n`; None
+    without a next face."""
     unit = surface.denominator
     start = (place[0] * unit, place[1] * unit, place[2] * unit)
     nearest: Fraction | None = None

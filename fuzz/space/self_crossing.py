@@ -12,9 +12,9 @@ Edge = tuple[int, int]
 
 
 def self_crossing(surface: Polyhedron) -> tuple[Edge, Face] | None:
-    """An edge, by its vertices, and a face that have more in common than vertices of both, or the
-    edge as an edge of the face; None if there are none. For a surface without `fault`. Exact, in
-    integers."""
+    """Returns an edge, by its vertices, and a face that share more than common vertices, or than
+    the edge as an edge of the face; None without such a pair. For a surface without `fault`. Exact,
+    in integers."""
     points = surface.wholes
     faces = [(face, area_vector([points[k] for k in face])) for face in surface.faces]
     tree = BoxTree([box_of([points[k] for k in face]) for face in surface.faces])
@@ -40,7 +40,7 @@ def _cross(points: tuple[Whole, ...], edge: Edge, face: Face, n: Whole) -> bool:
         return _cross_in_plane(flattened(p, axis), flattened(q, axis), edge, face, ring)
     if (at_p == 0 and edge[0] in face) or (at_q == 0 and edge[1] in face):
         return False
-    # The point of the edge in the plane, times the difference of the heights.
+    # The edge's point in the plane, times the difference of the heights.
     times = at_p - at_q
     x, y, z = (at_p * v - at_q * u for u, v in zip(p, q, strict=True))
     return _holds([(times * u, times * v) for u, v in ring], flattened((x, y, z), axis))

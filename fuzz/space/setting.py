@@ -24,7 +24,7 @@ SOME_SCALING = "1"  # operands are read before a run, scalings when their turn c
 
 
 class Space(Setting):
-    """Polyhedra and scales of one factor or three."""
+    """Polyhedra, and scales with one factor or three."""
 
     name, where, dimension = "space", "in space", DIMENSION
     target = "minkref:convex"
@@ -74,7 +74,7 @@ class Space(Setting):
         return [factors if len(factors) == DIMENSION else factors * DIMENSION]
 
     def has_case_file(self, literal: str) -> bool:
-        """Only convex operands have one."""
+        """Only convex operands have a case file."""
         value = json.loads(literal)
         return all(is_convex(Polyhedron.from_document(value[name])) for name in "PQ")
 

@@ -11,9 +11,9 @@ Faces = tuple[Face, ...]
 
 
 def shells_of(surface: Polyhedron) -> list[Faces]:
-    """Groups of faces that hang together by the names of their vertices, if the groups close; other
-    faces hang together by edges along the same points, each edge with the last face before that
-    runs along the edge the other way. All faces that do not close even so are one piece."""
+    """Groups of faces connected by their vertices' names, if the groups close; edges along the same
+    points connect other faces, each edge with the last earlier face that runs along the edge the
+    other way. All faces that still do not close form one piece."""
     groups: dict[int, list[Face]] = {}
     for face, name in zip(surface.faces, surface.shells, strict=True):
         groups.setdefault(name, []).append(face)

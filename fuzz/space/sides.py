@@ -10,8 +10,8 @@ from minkref.fuzz.space.membership import Surface
 
 
 def both_sides(surface: Surface, place: Point, n: Whole) -> tuple[Point, Point]:
-    """Two points so near a place on a triangle with normal `n` that nothing of the surface lies
-    between: on its outer and on its inner side. Neither is on the surface."""
+    """Returns two points so near a place on a triangle with normal `n` that the surface has no
+    point between: outside and inside. Neither lies on the surface."""
     dice = random.Random(f"side {place}")
     length = max(abs(number) for number in n)
     spread = 0

@@ -1,4 +1,4 @@
-"""Places on the faces of a polyhedron, next to every connected part of what it parts."""
+"""Places on a polyhedron's faces, next to every connected part of space that the faces separate."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from minkref.oracle.slow.space.solid import plane_of
 
 Flat = tuple[Fraction, Fraction]
 Ring = list[Flat]
-FINENESS = 1 << 20  # a box is rounded to its multiples, which keeps the order of numbers
+FINENESS = 1 << 20  # boxes are rounded to multiples, which keeps the order of numbers
 
 
 def sites(solid: Polyhedron) -> Iterator[tuple[Whole, Point]]:
-    """The normal of a face and a place inside of it, one for each piece that the edges of other
-    faces cut it into. Faces are convex, with disjoint insides, and do not cross. Other faces touch
-    a piece at single points inside of it at most, so what is just above it is connected, and what
-    is below: every connected part of space without the faces is next to some piece."""
+    """Yields a face's normal and a place inside the face, one for each piece into which the edges
+    of other faces cut it. Faces are convex, with disjoint insides, and do not cross. Other faces
+    touch a piece at most at single points inside it, so the space just above it is connected, and
+    the space below: every connected part of space without the faces lies next to some piece."""
     rings = [[solid.vertices[k] for k in face] for face in solid.faces]
     boxes = [_box(ring) for ring in rings]
     tree = BoxTree(boxes)
@@ -59,7 +59,7 @@ def _area(ring: Ring) -> Fraction:
 
 
 def _split(ring: Ring, a: Flat, b: Flat) -> list[Ring]:
-    """A convex ring cut along the line of a segment that passes through its inside."""
+    """Cuts a convex ring along the line of a segment that passes through its inside."""
     start, end = Fraction(0), Fraction(1)
     for u, v in zip(ring, ring[1:] + ring[:1], strict=True):
         at_a, at_b = _turn(u, v, a), _turn(u, v, b)

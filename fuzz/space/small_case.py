@@ -1,4 +1,4 @@
-"""Steps that make a case in space smaller."""
+"""Steps that make a space case smaller."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def _candidates(case: SolidCase) -> Iterator[SolidCase]:
 
 
 def _simpler_solids(solid: Polyhedron) -> Iterator[Polyhedron]:
-    """Its box, its hull, one of its shells alone."""
+    """Yields the solid's box, its hull, and single shells."""
     if solid.is_thin:
         if len(solid.vertices) == 2:
             yield from (Polyhedron((vertex,), ()) for vertex in solid.vertices)
@@ -97,7 +97,7 @@ def _simpler_solids(solid: Polyhedron) -> Iterator[Polyhedron]:
 
 
 def _fewer_cells(solid: Polyhedron) -> Iterator[Polyhedron]:
-    """A polycube with a half of its cells, or less one."""
+    """Yields a polycube with half the cells, or one cell less."""
     if solid.is_thin:
         return
     try:
@@ -127,7 +127,7 @@ def _fewer_cells(solid: Polyhedron) -> Iterator[Polyhedron]:
 
 
 def _closed(cell: Cell, axis: int, gone: int) -> Cell:
-    """The cell where a layer is taken out."""
+    """Moves a cell after a layer is taken out."""
     moved = list(cell)
     if cell[axis] > gone:
         moved[axis] -= 1
@@ -135,7 +135,7 @@ def _closed(cell: Cell, axis: int, gone: int) -> Cell:
 
 
 def _fewer_corners(solid: Polyhedron) -> Iterator[Polyhedron]:
-    """Hulls of the vertices of a convex solid, without one or without half of them."""
+    """Yields hulls of a convex solid's vertices, without one or without half."""
     if solid.is_thin or not is_convex(solid) or len(solid.vertices) <= 4:
         return
     vertices = solid.vertices
@@ -185,7 +185,7 @@ def _simpler_numbers(case: SolidCase) -> Iterator[SolidCase]:
 
 
 def _ranked(solid: Polyhedron) -> Polyhedron:
-    """Each coordinate by its place among the others, counted from the place of zero."""
+    """Replaces each coordinate by its rank, counted from zero's rank."""
     places = []
     for axis in range(3):
         values = sorted({vertex[axis] for vertex in solid.vertices})

@@ -1,4 +1,4 @@
-"""Smaller solids made of one of any shape: fewer shells, a convex piece, an edge drawn together."""
+"""Smaller solids from any solid: fewer shells, a convex piece, a contracted edge."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def fewer_shells(solid: Polyhedron) -> Iterator[Polyhedron]:
 
 
 def convex_parts(solid: Polyhedron) -> Iterator[Polyhedron]:
-    """Some of the convex pieces that it consists of."""
+    """Yields some convex pieces of the solid."""
     if solid.is_thin or is_convex(solid):
         return
     try:
@@ -55,8 +55,8 @@ def convex_parts(solid: Polyhedron) -> Iterator[Polyhedron]:
 
 
 def drawn_together(solid: Polyhedron) -> Iterator[Polyhedron]:
-    """One end of each edge moved to the other. A face that is no longer planar is cut into the
-    triangles that it was made of. The result may cross itself, or close no more."""
+    """Moves one end of each edge to the other. Faces that are no longer planar become the triangles
+    of their triangulation. The result may cross itself, or no longer close."""
     if solid.is_thin:
         return
     edges = {

@@ -30,7 +30,7 @@ SPACE_DECLARATIONS = {
 
 @dataclass
 class SpaceReferenceTarget:
-    """`route` is one of SPACE_ROUTES."""
+    """`route` is a key of SPACE_ROUTES."""
 
     name: str
     route: str
@@ -52,7 +52,7 @@ class SpaceReferenceTarget:
             return skipped(message_of(error), declared)
         except MemoryError as error:
             return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
-        except Exception as error:  # noqa: BLE001 a fault of the target, whatever it is
+        except Exception as error:  # any exception is the target's fault
             return Answer(verdict=Verdict.ERRORED, message=message_of(error))
         seconds = time.perf_counter() - start
         solid = polyhedron_of_planes(planes)

@@ -1,4 +1,4 @@
-"""Where the faces of a result bound it, although no face of the sum can lie there."""
+"""Where faces of a result bound it, although no face of the sum can lie there."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from minkref.fuzz.space.face_pieces import Polygon, Triangle, inside, pieces
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.sides import both_sides
 
-PLACES = 3  # tried in a piece of a face that bounds the set
-# The boundary of the sum may pass between the two points; then they are moved closer.
+PLACES = 3  # tried per piece of a face that bounds the set
+# The sum's boundary may pass between the two points; then they move closer.
 SHRINKS = (Fraction(1), Fraction(1, 1 << 8), Fraction(1, 1 << 24), Fraction(1, 1 << 60))
 
 
@@ -30,11 +30,11 @@ def changes(
     most: int,
     off_boundary: Callable[[Triangle, list[Polygon]], list[Polygon]] | None = None,
 ) -> Iterator[tuple[Point, Point]]:
-    """Pairs of points on both sides of these triangles of `result`, one in the set of positive
-    winding number and one not, some for each piece of a triangle that parts the set from the rest.
-    If there are none, none of the triangles bounds the set anywhere. `whole` is the result with
-    its opposite faces; `off_boundary` leaves of a triangle and parts of it what has to be looked
-    at. TooMany where that is more than `most` pieces."""
+    """Yields pairs of points on both sides of these triangles of `result`, one point in the set of
+    positive winding number and one outside, some for each piece of a triangle that separates the
+    set from the rest. Without pairs, no triangle bounds the set anywhere. `whole` is the result
+    with its opposite faces; `off_boundary` returns the parts of a triangle that need examination.
+    TooMany beyond `most` pieces."""
     covered = CoveredFaces(whole)
     left = {}
     for number in stray:
@@ -59,7 +59,7 @@ def changes(
                 place = inside(piece + [dice.choice(piece) for _ in range(2)], unit)
                 points = list(_change(surface, place, surface.normals[number]))
                 yield from points
-                if not points:  # nor at any other place of the piece
+                if not points:  # nor at another place in the piece
                     break
 
 

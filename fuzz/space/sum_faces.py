@@ -1,4 +1,4 @@
-"""Which part of a face lies in the boundary of an exact sum."""
+"""Finds the part of a face that lies within an exact sum's boundary."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from minkref.fuzz.space.face_pieces import Plane, Polygon, Triangle, halves, hei
 
 @dataclass(frozen=True)
 class Patch:
-    """A convex face of the sum in a plane of it: the points of the plane below all `sides`."""
+    """A convex face of the sum in its plane: the plane's points below all `sides`."""
 
     sides: tuple[Plane, ...]
 
 
 class SumFaces:
-    """`left` says what of polygons in one plane lies off the boundary of the sum. Lengths are in
-    parts of a unit, `unit` of them. Exact."""
+    """`left` returns the parts of coplanar polygons off the sum's boundary. Lengths count parts of
+    a unit, `unit` parts each. Exact."""
 
     def __init__(self, sum: Polyhedron, unit: int) -> None:
         self._unit = unit
@@ -39,7 +39,7 @@ class SumFaces:
             self._patches[n, offset].append(patch)
 
     def left(self, triangle: Triangle, parts: list[Polygon]) -> list[Polygon]:
-        """The pieces of `parts` off the boundary; the corners of the triangle are in the unit."""
+        """Returns the pieces of `parts` off the boundary; the triangle's corners use the unit."""
         n = primitive(normal(*triangle))
         offset = Fraction(dot(n, triangle[0]), self._unit)
         opposite = (-n[0], -n[1], -n[2])
@@ -50,7 +50,7 @@ class SumFaces:
         return parts
 
     def hold(self, triangle: Triangle) -> bool:
-        """All of the triangle lies in the boundary."""
+        """Whether the boundary contains the whole triangle."""
         return not self.left(triangle, [polygon_of(triangle)])
 
     def _at(self, n: Whole, offset: Fraction) -> list[Patch]:
@@ -64,7 +64,8 @@ class SumFaces:
         sides = []
         for a, b in zip(corners, corners[1:] + corners[:1], strict=True):
             outward = cross(minus(b, a), n)
-            # outward x = d for x in lengths of 1 / unit: both sides times what clears the units.
+            # outward x = d for x in lengths of 1 / unit: both sides times the factor that clears
+            # the units.
             m = (outward[0] * unit, outward[1] * unit, outward[2] * unit)
             sides.append((m, dot(outward, a) * self._unit))
         return n, Fraction(dot(n, corners[0]), unit), Patch(tuple(sides))

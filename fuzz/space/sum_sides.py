@@ -12,17 +12,17 @@ from minkref.fuzz.space.fault_search import FaultSearch
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.sides import both_sides
 
-MOST_FACES = 400  # of the sum, and triangles of a result, beside which a rounded one is tested
-BEYOND = Fraction(17, 16)  # of the tolerance: the least distance of such a test
+MOST_FACES = 400  # the sum's faces, or a result's triangles, tested beside
+BEYOND = Fraction(17, 16)  # times the tolerance: the least distance for such a test
 FARTHER = 16  # times the tolerance
-SHARE = Fraction(1, 4096)  # of the size of the sum
-NEAR_CORNER = 12  # weight of a corner, beside those of the others
+SHARE = Fraction(1, 4096)  # times the sum's size
+NEAR_CORNER = 12  # weight of a corner, beside the other corners
 
 
 def sides_agree(search: FaultSearch) -> bool:
-    """Next to every connected part of the inside and the outside of the sum the result is right.
-    Where no face bounds it off the boundary of the sum, it then is the sum. Points at which it is
-    wrong are tested."""
+    """Tests next to every connected part inside and outside the sum whether the result is right. If
+    so, and if no face bounds the result off the sum's boundary, the result equals the sum. Wrong
+    points are tested."""
     truth = search.pair.exact
     both = Surface(search.result.with_faces_of(truth.polyhedron))
     agree = True
@@ -38,8 +38,8 @@ def sides_agree(search: FaultSearch) -> bool:
 
 
 def beside_faces(search: FaultSearch) -> None:
-    """Tests points beyond the tolerance on both sides of the faces of the sum and of the result,
-    where the result and the sum differ, until it is found wrong."""
+    """Tests points beyond the tolerance on both sides of faces, from the sum and the result, where
+    the two differ, until the result is found wrong."""
     truth = search.pair.exact
     known, found = truth.surface, search.surface
     for point in chain(_beside(known, search.tolerance), _beside(found, search.tolerance)):
@@ -69,7 +69,7 @@ def _beside(surface: Surface, tolerance: Fraction) -> Iterator[Point]:
 
 
 def _places(triangle: Sequence[Whole], unit: int) -> list[Point]:
-    """Its middle, and places near its corners."""
+    """Returns the triangle's middle, and places near its corners."""
     corners: list[Point] = [
         (Fraction(x, unit), Fraction(y, unit), Fraction(z, unit)) for x, y, z in triangle
     ]

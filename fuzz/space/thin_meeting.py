@@ -1,4 +1,4 @@
-"""Whether a point lies in sP + Q where one of the two is a point or a segment."""
+"""Whether a point lies in sP + Q, if one operand is a point or a segment."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from minkref.fuzz.geometry.space import Point, Scale, Whole, denominator_of, dot
 from minkref.fuzz.space.meeting import Decision, Meeting, cube_inside
 from minkref.fuzz.space.triangle_contact import farther_than
 
-Probe = tuple[Point, Point]  # ends of a segment in the coordinates of the other operand
+Probe = tuple[Point, Point]  # ends of a segment in the other operand's coordinates
 SHARES = (Fraction(1, 2), Fraction(1, 4), Fraction(3, 4), Fraction(1, 16), Fraction(15, 16))
 
 
@@ -31,7 +31,7 @@ class ThinMeeting(Meeting):
         return None
 
     def decide(self, x: Point) -> Decision:
-        """There is no interior that two sets could share: they touch, or do not."""
+        """Decides between touching and not: without an interior, sets cannot overlap."""
         place = self.place(x)
         return Decision("empty") if place is None else self.decision("touch", place, x)
 
@@ -58,7 +58,7 @@ class ThinMeeting(Meeting):
         return None
 
     def _probe(self, x: Point) -> Probe:
-        """Where the other operand is met for the sum x."""
+        """Returns the places for meeting the other operand, for the sum x."""
         a, b = (
             (x[0] - end[0], x[1] - end[1], x[2] - end[2])
             for end in (self._flat.vertices[0], self._flat.vertices[-1])
@@ -66,7 +66,7 @@ class ThinMeeting(Meeting):
         return a, b
 
     def _in_sP(self, x: Point, place: Point) -> Point:
-        """The summand in sP of which the other is, or is not, this place."""
+        """Converts a place in the other operand to the summand in sP."""
         if self._flat is not self.sP:
             return place
         return (x[0] - place[0], x[1] - place[1], x[2] - place[2])

@@ -12,9 +12,10 @@ Side = tuple[Flat, Flat]  # from left to right
 
 
 def trapezoids(rings: Iterable[Ring]) -> list[Ring]:
-    """Convex polygons of three or four corners, counter-clockwise, that cover the inside of the
-    rings once: what an odd number of them surrounds. Rings may touch at points and do not cross.
-    Each trapezoid runs between two sides as far as nothing lies between them. O(n^2 log n)."""
+    """Returns counter-clockwise convex polygons with three or four corners that cover the inside of
+    the rings once: the points that an odd number of rings surround. Rings may touch at points but
+    do not cross. Each trapezoid extends between two sides until something lies between. O(n^2 log
+    n)."""
     sides = [
         (min(a, b), max(a, b))
         for ring in rings

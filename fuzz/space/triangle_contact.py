@@ -12,8 +12,8 @@ Contact = tuple[Whole, int]  # the point `first / second`
 
 
 def contact(s: Triangle, n: Whole, t: Triangle, m: Whole) -> tuple[Contact, bool] | None:
-    """A common point of two closed triangles with normals `n`, `m`, and whether an edge of one
-    passes properly through the inside of the other. None where they are apart."""
+    """Returns a common point of two closed triangles with normals `n`, `m`, and whether an edge of
+    one passes properly through the other's inside. None for disjoint triangles."""
     # For each corner, its side of the other plane.
     above_s = [dot(n, minus(corner, s[0])) for corner in t]
     if min(above_s) > 0 or max(above_s) < 0:
@@ -35,7 +35,8 @@ def contact(s: Triangle, n: Whole, t: Triangle, m: Whole) -> tuple[Contact, bool
 def _segment(
     a: Whole, b: Whole, above_a: int, above_b: int, t: Triangle, m: Whole
 ) -> tuple[Contact, bool] | None:
-    """A point of the segment in the triangle, and whether it crosses the inside properly."""
+    """Returns a common point of segment and triangle, and whether the segment crosses the inside
+    properly."""
     if (above_a > 0 and above_b > 0) or (above_a < 0 and above_b < 0):
         return None
     if above_a == 0 and above_b == 0:
@@ -54,12 +55,12 @@ def _segment(
 
 
 def _in_plane(a: Whole, b: Whole, t: Triangle, m: Whole) -> Contact | None:
-    """A common point of a segment and a triangle in one plane."""
+    """Returns a common point of a coplanar segment and triangle."""
     axis = longest_axis(m)
     sign = 1 if m[axis] > 0 else -1
     corners = [flattened(corner, axis) for corner in t]
     p, q = flattened(a, axis), flattened(b, axis)
-    # The part [low, high] of the segment that is on the inner side of every edge.
+    # The segment's part [low, high] on the inner side of every edge.
     low, high = Fraction(0), Fraction(1)
     for k in range(3):
         (ux, uy), (vx, vy) = corners[k - 1], corners[k]
@@ -79,9 +80,9 @@ def _in_plane(a: Whole, b: Whole, t: Triangle, m: Whole) -> Contact | None:
 
 
 def farther_than(s: Triangle, t: Triangle, distance: int) -> bool:
-    """No point of the closed triangle `s` and none of `t` differ by at most `distance` in every
-    coordinate. Exact: the sum of `s`, `-t` and a cube does not hold the origin, so one of the
-    normals of its facets tells them apart. The cube has to have a size."""
+    """Whether no point of the closed triangle `s` and no point of `t` differ by at most `distance`
+    in every coordinate. Exact: the sum of `s`, `-t` and a cube does not contain the origin, so a
+    facet normal separates them. The cube needs a positive size."""
     return any(_apart(axis, s, t, distance) for axis in _facet_normals(s, t))
 
 

@@ -1,7 +1,7 @@
-"""The check of a witness in space, from the definition of the sum alone.
+"""Checks a witness in space, from the definition of the sum alone.
 
-It works on whole faces, cuts nothing into triangles, and shares no code with what found the witness
-but the reading of a polyhedron.
+Works on whole faces, triangulates nothing, and shares no code with the search for the witness,
+except the reading of a polyhedron.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ Edge = tuple[Place, Place]
 
 @dataclass(frozen=True)
 class Face:
-    """A planar polygon, a normal, and its lowest and highest coordinates; or a point or a segment
-    that is an operand, as a ring of one or two."""
+    """A planar polygon, a normal, and its lowest and highest coordinates; or a point or segment as
+    an operand, as a ring with one or two points."""
 
     ring: list[Place]
     normal: Place
@@ -44,11 +44,11 @@ class Face:
 def holds(
     P: Polyhedron, Q: Polyhedron, scale: Scale, witness: Witness, tolerance: Fraction | None = None
 ) -> bool:
-    """True iff the witness proves what it says. Inside: scale p + q is the point, and with a
-    tolerance the cube of that half side around scale p lies in sP or the one around q in Q.
+    """True iff the witness proves its statement. Inside: scale p + q is the point, and with a
+    tolerance the cube with this half side around scale p lies in sP, or the cube around q in Q.
     Outside: sP and the set of all point - q have no two points that differ by at most the tolerance
-    in every coordinate. The tolerance is that of the witness unless one is given. O(mn) exact tests
-    of two faces, in integers but for points where faces meet lines."""
+    in every coordinate. The tolerance is the witness's unless given. O(mn) exact tests of face
+    pairs, in integers except for points where faces meet lines."""
     s = factors(scale)
     reach = Fraction(witness.tolerance) if tolerance is None else tolerance
     x = _point(witness.point)
@@ -100,8 +100,8 @@ def _faces(polyhedron: Polyhedron, points: Iterable[Point], unit: int) -> list[F
 
 
 def contains(faces: list[Face], point: Place) -> bool:
-    """The point lies in the closed set: on a face, or a ray from it meets an odd number of
-    faces. A ray that meets the rim of a face is drawn anew."""
+    """Whether the point lies in the closed set: on a face, or with an odd number of faces on a ray
+    from the point. A ray that meets a face's rim is drawn anew."""
     if any(
         max(face.high[k] for face in faces) < point[k]
         or min(face.low[k] for face in faces) > point[k]
@@ -121,7 +121,7 @@ def contains(faces: list[Face], point: Place) -> bool:
 
 
 def _ray_hits(face: Face, point: Place, ray: Place) -> bool | None:
-    """Whether the ray passes through the inside of the face; None where that is not clear."""
+    """Whether the ray passes through the face's inside; None if unclear."""
     along, height = _dot(face.normal, ray), _dot(face.normal, _minus(face.ring[0], point))
     if along == 0:
         return None
@@ -133,8 +133,8 @@ def _ray_hits(face: Face, point: Place, ray: Place) -> bool | None:
 
 
 def _near(first: list[Face], second: list[Face], t: int) -> bool:
-    """The closed sets hold two points that differ by at most t in every coordinate: two faces come
-    as near as that, or one set holds a vertex of the other."""
+    """Whether the closed sets have two points that differ by at most t in every coordinate: two
+    faces come as near, or one set holds a vertex of the other."""
     for f in first:
         for g in second:
             if all(f.low[k] - t <= g.high[k] and g.low[k] - t <= f.high[k] for k in range(3)):
@@ -146,8 +146,8 @@ def _near(first: list[Face], second: list[Face], t: int) -> bool:
 
 
 def _faces_near(f: Face, g: Face, t: int) -> bool:
-    """Two faces are nearest at a corner of one and a point of the other, or at two edges, unless
-    they meet: then an edge of one meets the other face."""
+    """Compares two faces: they are nearest at a corner of one and a point of the other, or at two
+    edges, unless they meet: then an edge of one meets the other face."""
     for one, other in ((f, g), (g, f)):
         if any(_box_meets(corner, t, other) for corner in one.ring):
             return True
@@ -157,8 +157,8 @@ def _faces_near(f: Face, g: Face, t: int) -> bool:
 
 
 def _edge_meets(a: Place, b: Place, face: Face) -> bool:
-    """The segment passes through the plane of the face within the face. One that lies in the plane
-    is left to the test of two edges and that of corners."""
+    """Whether the segment passes through the face's plane within the face. Segments in the plane
+    are left to the tests of edges and corners."""
     at_a = _dot(face.normal, _minus(a, face.ring[0]))
     at_b = _dot(face.normal, _minus(b, face.ring[0]))
     if at_a == at_b or (at_a > 0 and at_b > 0) or (at_a < 0 and at_b < 0):
@@ -167,8 +167,8 @@ def _edge_meets(a: Place, b: Place, face: Face) -> bool:
 
 
 def _box_meets(centre: Place, t: int, face: Face) -> bool:
-    """The closed cube of half side t meets the face: an edge of it, or else all of what the cube
-    has of its plane is in the face."""
+    """Whether the closed cube with half side t meets the face: an edge, or else the face contains
+    the cube's whole intersection with its plane."""
     if any(face.low[k] - t > centre[k] or face.high[k] + t < centre[k] for k in range(3)):
         return False
     if any(_edges_near((centre, centre), edge, t) for edge in face.edges):
@@ -186,7 +186,7 @@ def _box_meets(centre: Place, t: int, face: Face) -> bool:
 
 
 def _edges_near(e: Edge, f: Edge, t: int) -> bool:
-    """The parallelogram of all differences, cut to the cube of half side t, is not empty."""
+    """Whether the parallelogram of all differences meets the cube with half side t."""
     (a, b), (c, d) = e, f
     polygon = [_minus(a, c), _minus(b, c), _minus(b, d), _minus(a, d)]
     for axis in range(3):
@@ -221,7 +221,7 @@ def _in_face(face: Face, point: Place) -> bool:
 
 
 def _side(face: Face, point: Place) -> int:
-    """The side of a point in the plane of the face: 1 inside the face, 0 on its rim, -1 outside."""
+    """The side of a coplanar point: 1 inside the face, 0 on its rim, -1 outside."""
     lengths = [abs(number) for number in face.normal]
     axis = max((length, k) for k, length in enumerate(lengths))[1]
     u, v = (k for k in range(3) if k != axis)

@@ -1,1 +1,1 @@
-"""Targets that can be tested, and how each target is asked."""
+"""Targets to test, and how to ask each."""

@@ -44,7 +44,7 @@ class ProgramTarget:
         return self._guarded(case, lambda d: self._at(case, d, "at"))
 
     def declared(self) -> Declaration | Answer:
-        """The declaration of the target; else an answer that says why there is none."""
+        """Returns the target's declaration; else an answer that explains its absence."""
         try:
             return self._process.start()
         except Failure as failure:
@@ -152,8 +152,9 @@ class AdapterTarget(ProgramTarget):
         return 40_000
 
     def updated_sum(self, before: AnyCase, case: AnyCase) -> Answer:
-        """The sum by `update` from that of `before`, the same operands at another scale. In every
-        other case, by name, that is itself reached by `update`, from the sum of `case`."""
+        """The sum by `update` from the sum of `before`, with the same operands at another scale.
+        For every other case, by name, `before` is itself reached by `update`, from the sum of
+        `case`."""
 
         def ask(declaration: Declaration) -> Answer:
             lack = lacking(declaration, before)
@@ -178,8 +179,9 @@ class AdapterTarget(ProgramTarget):
         read: Callable[[dict[str, Any], Declaration], T],
         *more: str,
     ) -> tuple[T, Declaration] | Answer:
-        """The value that `read` makes of the answer to another verb, and the declaration; else why
-        there is none. `fields` of the request; `more` capabilities that the request takes."""
+        """Returns the value that `read` makes from the answer to another verb, and the declaration;
+        else an answer that explains its absence. `fields` for the request; `more` capabilities
+        needed."""
         found: list[T] = []
 
         def ask(declaration: Declaration) -> Answer:
@@ -198,7 +200,7 @@ class AdapterTarget(ProgramTarget):
 
 
 class Refused(Exception):
-    """The answer to `load`, which is no result."""
+    """The answer to `load`, if not a result."""
 
     def __init__(self, value: dict[str, Any]) -> None:
         super().__init__(json.dumps(value)[:200])

@@ -1,7 +1,6 @@
-"""A program that speaks the adapter protocol, in a process of its own with limits.
+"""A program that speaks the adapter protocol, in a separate process with limits.
 
-Whatever it does, hangs, crashes, writes garbage or too much, becomes a Failure, never an error of
-ours.
+If it hangs, crashes, writes garbage or too much, this becomes a Failure, never an error of ours.
 """
 
 from __future__ import annotations
@@ -28,13 +27,13 @@ from minkref.version import version
 PROTOCOLS = ("adapter-v1",)
 STATUSES = ("result", "skipped", "errored", "rejected")
 LONGEST_INTEGER = 100_000  # digits
-LOG_BYTES = 4096  # of the end of its standard error that are kept
+LOG_BYTES = 4096  # kept from the end of its standard error
 MEMORY_WORDS = ("bad_alloc", "memoryerror", "out of memory", "cannot allocate")
 STOP_SECONDS = 2.0
 
 
 class Failure(Exception):
-    """The outcome of a request that has no answer."""
+    """The outcome of an unanswered request."""
 
     def __init__(
         self, verdict: Verdict, message: str, signal_name: str | None = None, log: str = ""
@@ -93,8 +92,8 @@ class AdapterProcess:
         return self.declaration
 
     def ask(self, verb: str, seconds: float, **members: Any) -> dict[str, Any]:
-        """The answer to one request, its status checked. Raises Failure, and ends the program,
-        where there is none."""
+        """Returns the answer to one request, with its status checked. Without an answer, raises
+        Failure and ends the program."""
         self._sequence += 1
         request = {"seq": self._sequence, "verb": verb, **members}
         line = self._exchange(json.dumps(request).encode() + b"\n", seconds)
@@ -120,11 +119,11 @@ class AdapterProcess:
 
     @property
     def log(self) -> str:
-        """The end of what the program wrote to standard error."""
+        """The end of the program's standard error."""
         return _text(self._log)
 
     def close(self) -> None:
-        """Ends the program with all that it started."""
+        """Ends the program with all its descendants."""
         if self._program is not None and self._program.process.poll() is None:
             self._stop(self._program.process)
         self._end()
@@ -148,7 +147,7 @@ class AdapterProcess:
         deadline = time.monotonic() + seconds
         sent = logged = 0
         answer = bytearray(self._rest)
-        searched = 0  # bytes in which there is no end of a line
+        searched = 0  # bytes without a line's end
         if b"\n" in answer:
             raise self._fault("it wrote a line that nobody asked for", Verdict.ERRORED)
         open_ends = {process.stdout, process.stderr}
@@ -257,7 +256,7 @@ class AdapterProcess:
 
 
 def _parsed(line: bytes) -> Any:
-    """The JSON value. ValueError also for integers so long that reading them takes minutes."""
+    """Returns the JSON value. ValueError also for integers so long that reading takes minutes."""
     before = sys.get_int_max_str_digits()
     sys.set_int_max_str_digits(LONGEST_INTEGER)
     try:
@@ -276,7 +275,7 @@ def _short(value: Any) -> str:
 
 
 def named_command(name: str) -> list[str]:
-    """The command line of a TARGET that is a path with a slash in it, or `cmd:COMMAND`."""
+    """Returns the command line for a TARGET that is a path with a slash, or `cmd:COMMAND`."""
     import shlex
     import shutil
 
@@ -291,7 +290,7 @@ def named_command(name: str) -> list[str]:
         if not parts or shutil.which(parts[0]) is None:
             raise Refusal("there is no such program", name, "check the name and PATH")
         return parts
-    path = Path(name).absolute()  # of a name alone the system would search PATH
+    path = Path(name).absolute()  # for a bare name the system would search PATH
     if not path.is_file():
         raise Refusal("there is no such program", name, "check the path")
     if os.access(path, os.X_OK):

@@ -1,4 +1,4 @@
-"""The answer of a target to one case, and the time that the target may take."""
+"""A target's answer to one case, and the time limits for it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import Verdict
 
 JUDGING_BYTES = 2 << 30
-PROCESSES = 512  # of one program
+PROCESSES = 512  # per program
 LOAD_SECONDS = 60.0  # at least, for the import of a module or the start of a program
 REGIONS = Declaration("minkref")
 REFERENCE = "minkref:"  # and a route of our own
@@ -23,10 +23,10 @@ REFERENCE = "minkref:"  # and a route of our own
 
 @dataclass(frozen=True)
 class Limits:
-    """For one call of one target. `output`: bytes of an answer, and of its log. `processes`: of a
-    program of others, with their threads. `tries`: how often
-    one that does not answer is asked before it is said of it. `judging_bytes`: what a worker may
-    have beside, to make and judge a case."""
+    """For one call of one target. `output`: bytes for an answer, and for its log. `processes`: for
+    a foreign program, including threads. `tries`: how often an unresponsive target is asked before
+    the verdict says so. `judging_bytes`: a worker's additional memory for making and judging a
+    case."""
 
     seconds: float = 30.0
     bytes: int = 4 << 30
@@ -35,18 +35,18 @@ class Limits:
     processes: int = PROCESSES
     tries: int = 2
     judging_bytes: int = JUDGING_BYTES
-    isolation: Isolation | None = None  # of programs of others; without, the best there is
+    isolation: Isolation | None = None  # for foreign programs; None: the best available
 
     def document(self) -> dict[str, Any]:
-        """The limits that tell one run from another."""
+        """Returns the limits that distinguish runs."""
         walls = self.isolation and {"kind": self.isolation.kind, "passed": self.isolation.passed}
         return {**vars(self), "isolation": walls}
 
 
 @dataclass
 class Answer:
-    """The answer of a target: a region, in space a polyhedron, or a verdict that says why there is
-    none. WRONG without a region or polyhedron: the target called the operands invalid."""
+    """A target's answer: a region, in space a polyhedron, or a verdict that explains its absence.
+    WRONG without a region or polyhedron: the target called the operands invalid."""
 
     region: Region | None = None
     verdict: Verdict | None = None
@@ -59,8 +59,8 @@ class Answer:
 
 
 class Target(Protocol):
-    """`most_pairs`: m n above which a slow one skips a case (the option --size-limit replaces
-    it); None where it takes any size."""
+    """`most_pairs`: m n above which a slow target skips a case (the option --size-limit replaces
+    it); None for targets that take any size."""
 
     name: str
 
@@ -73,8 +73,7 @@ class Target(Protocol):
 
 
 def load_limit(limits: Limits) -> float:
-    """Seconds for the import of the module of a `py:` target, or the start of an adapter, which is
-    no call of it."""
+    """Seconds for importing a `py:` target's module, or starting an adapter, before any call."""
     return max(LOAD_SECONDS, limits.seconds)
 
 

@@ -1,4 +1,4 @@
-"""The targets asked about one case, and what is said of their answers."""
+"""Asks targets about one case, and judges their answers."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.targets.answer import Answer, Limits, Target
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
 
-ASKED_TWICE = 8  # one of so many right answers
-JUDGING = "judging "  # and a target: the step in which its answer is looked at
+ASKED_TWICE = 8  # repeats one right answer among so many
+JUDGING = "judging "  # followed by a target: the step that judges its answer
 
 
 @dataclass
 class Asking(ABC):
-    """`begin` is told what is about to run; `lost` has those that took a worker down before."""
+    """`begin` announces the next step; `lost` holds targets that took down a worker before."""
 
-    case: Any  # of the setting
+    case: Any  # from the setting
     target: Callable[[str], Target]
     begin: Callable[[str], None]
     lost: dict[str, Outcome]
@@ -29,14 +29,14 @@ class Asking(ABC):
 
     @abstractmethod
     def outcomes(self, names: list[str]) -> list[Outcome]:
-        """One for each target, and for each of our own routes that is refuted."""
+        """Returns one outcome for each target, and for each refuted route of ours."""
 
     def coverage(self) -> str | None:
-        """The coverage of a case, for which mutants are drawn; None if the case showed nothing."""
+        """Returns a case's coverage, for drawing mutants; None if the case showed nothing."""
         return None
 
     def expected(self, outcomes: list[Outcome]) -> str | None:
-        """The right answer, where there was one to hold others against."""
+        """Returns the right answer for comparison, if known."""
         return None
 
     def _in_time(self, name: str, ask: Callable[[], Answer]) -> Answer:
@@ -51,7 +51,7 @@ class Asking(ABC):
         self.begin(JUDGING + name)
 
     def _judgeable(self, name: str, answer: Answer) -> Answer:
-        """The answer; or, where a look at it took a worker down, that it is undecided."""
+        """Returns the answer; or an undecided answer, if judging it took down a worker."""
         lost = self.lost.get(JUDGING + name)
         if lost is None:
             return answer
@@ -59,7 +59,8 @@ class Asking(ABC):
 
 
 def is_asked_again(case: AnyCase, outcome: Outcome) -> bool:
-    """Whether it is looked at if the answer stays: always of a wrong one, at times of a right."""
+    """Whether to ask again for a stable answer: always after a wrong answer, sometimes after a
+    right one."""
     if outcome.verdict is Verdict.WRONG:
         return True
     return outcome.verdict in GOOD and zlib.crc32(case.name.text.encode()) % ASKED_TWICE == 0

@@ -1,4 +1,4 @@
-"""The declaration of a target, and the promises that follow from it."""
+"""A target's declaration, and the promises that follow."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 from minkref.fuzz.cases.grid import bits_of
 from minkref.fuzz.geometry.number_text import number_of
 
-# The trait of the cases that need each capability.
+# For each capability, the trait of cases that need it.
 CAPABILITIES = {
     "plane": "operands in the plane",
     "space": "operands in space",
@@ -44,7 +44,7 @@ FREE = "x-"  # members whose names begin so mean nothing to us
 
 
 class DeclarationError(ValueError):
-    """A declaration that is none."""
+    """An invalid declaration."""
 
 
 @dataclass(frozen=True)
@@ -60,8 +60,8 @@ class Declaration:
     relative: Fraction = Fraction(0)
     sum: str = "region"
     sets: str = "regularised"
-    bits: int | None = None  # of the integer grid on which it computes
-    unit: Fraction | None = None  # of the grid
+    bits: int | None = None  # of the target's integer grid
+    unit: Fraction | None = None  # the grid's
     largest: Fraction | None = None  # absolute value of a coordinate
     capabilities: frozenset[str] = PLANE
 
@@ -74,12 +74,12 @@ class Declaration:
         return self.sum == "boundary"
 
     def tolerance(self, magnitude: Fraction) -> Fraction:
-        """The half side of the square or cube by which a result may differ. `magnitude` is the
-        largest absolute value of a coordinate of sP plus that of Q."""
+        """The half side of the square or cube by which a result may differ. `magnitude` adds the
+        largest absolute coordinates of sP and of Q."""
         return Fraction(0) if self.exact else self.absolute + self.relative * magnitude
 
     def rounds(self, numbers: Callable[[], list[Fraction]]) -> str | None:
-        """Why the coordinates would be rounded on the way in; None if they would not."""
+        """Returns the reason for rounding coordinates on the way in; None without rounding."""
         if self.bits is not None:
             bits = bits_of(numbers())
             if bits is None or bits > self.bits:
@@ -91,12 +91,13 @@ class Declaration:
         return None
 
     def lacks(self, needs: frozenset[str]) -> list[str]:
-        """The needs of a case that the target does not take."""
+        """Returns the case's needs that the target lacks."""
         return sorted(needs - self.capabilities)
 
 
 def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
-    """Raises DeclarationError for what is none, a member of another name too."""
+    """Reads a declaration. Raises DeclarationError for anything else, also for an unknown
+    member."""
     _refuse_unknown("member", set(value) - OF_THE_ANSWER, MEMBERS)
     capabilities = value.get("capabilities", sorted(PLANE))
     if not isinstance(capabilities, list) or not all(isinstance(c, str) for c in capabilities):
@@ -132,7 +133,7 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
 
 
 def _refuse_unknown(what: str, given: set[str], known: frozenset[str]) -> None:
-    """Names the right word that is nearest."""
+    """Refuses unknown words, naming the nearest known word."""
     unknown = sorted(word for word in given - known if not word.startswith(FREE))
     if unknown:
         near = difflib.get_close_matches(unknown[0], sorted(known), n=1, cutoff=0.0)

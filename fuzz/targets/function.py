@@ -29,12 +29,12 @@ MENDS = {
 
 
 class FunctionTarget(ProgramTarget):
-    """A Python function takes sP and Q as dictionaries in the form of the canonical JSON (not
+    """A Python function takes sP and Q as dictionaries in the canonical JSON's form (not
     necessarily canonical), in space with `vertices` and `faces`, and returns their sum in the same
     form, its numbers as texts `n` or `n/d` or as int, its rings running either way. None says that
     the case is outside its capabilities, and ValueError that an operand is invalid. A dictionary
-    `minkref` among the function's attributes is its declaration, as the answer to `hello` of the
-    adapter protocol: with `"numbers": "double"` it takes and returns floats. C functions are in
+    `minkref` among the function's attributes is its declaration, as the answer to `hello` in the
+    adapter protocol: with `"numbers": "double"` it takes and returns floats. For C functions see
     fuzz/adapters/minkref_adapter.h."""
 
     def _read(
@@ -59,8 +59,8 @@ class FunctionTarget(ProgramTarget):
 
 
 def host_command(name: str) -> list[str]:
-    """The command line of the program that holds the function of this name. Refuses a name that
-    names none."""
+    """Returns the command line of the program that hosts the named function. Refuses a name without
+    a function."""
     kind, *parts = name.split(":")
     if len(parts) != 2 or not all(parts):
         what = "C" if kind == C else "Python"
@@ -70,8 +70,8 @@ def host_command(name: str) -> list[str]:
 
 
 def _packages(module: str) -> list[str]:
-    """Folders of the module's name in those that are searched, where the sandbox shows single files
-    only; as words of the command line they are shown."""
+    """Folders with the module's name inside searched folders whose files the sandbox shows only
+    singly; as words of the command line these folders are shown."""
     searched = [os.getcwd(), *os.environ.get("PYTHONPATH", "").split(os.pathsep)]
     found = [os.path.abspath(place) for place in searched if os.path.abspath(place) in EMPTIED]
     folders = [os.path.join(place, module.partition(".")[0]) for place in found]

@@ -11,16 +11,16 @@ from typing import Any
 from minkref.fuzz.geometry.number_text import GRAMMAR, LONGEST_NUMBER, is_number
 from minkref.fuzz.targets.declaration import Declaration
 
-MOST_VERTICES = 400_000  # of an answer: what can be compared in time
+MOST_VERTICES = 400_000  # per answer, comparable in time
 
 
 class Unreadable(ValueError):
-    """An answer that is none; says what is wrong with it."""
+    """An unreadable answer; the text says why."""
 
 
 def double(text: str) -> float:
-    """The nearest double. OverflowError where there is none, also where it would be zero and the
-    number is not."""
+    """Returns the nearest double. OverflowError without one, also for a nonzero number that would
+    become zero."""
     exact = Fraction(text)
     value = float(exact)
     if math.isinf(value) or (value == 0 and exact != 0):
@@ -67,7 +67,7 @@ def sent_number(number: Fraction, declaration: Declaration) -> str | float:
 
 
 def received_scale(value: Any, declaration: Declaration) -> Fraction:
-    """It may be a text where numbers are doubles, too."""
+    """Reads a scale, which may be a text also for targets with doubles."""
     if isinstance(value, str):
         declaration = replace(declaration, numbers="text")
     return Fraction(received(value, declaration))

@@ -1,1 +1,1 @@
-"""The verdict on one answer, and its reasons."""
+"""Verdicts on single answers, and their reasons."""

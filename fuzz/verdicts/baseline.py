@@ -1,4 +1,4 @@
-"""The baseline: known faults of known versions, each with its reason. A listed fault becomes
+"""The baseline: known faults in known versions, each with a reason. A listed fault becomes
 `known`."""
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ KINDS = tuple(str(kind) for kind in (*Reason, *BROKEN))
 
 @dataclass(frozen=True)
 class Entry:
-    """`target` and `version` may hold the wild cards of file names; `kind` is a reason of
-    `wrong`, or a verdict such as `crashed`."""
+    """`target` and `version` may contain file name wild cards; `kind` is a reason for `wrong`, or a
+    verdict such as `crashed`."""
 
     target: str
     version: str
@@ -42,7 +42,8 @@ class Baseline:
         ]
 
     def apply(self, outcome: Outcome, version: str | None) -> Outcome:
-        """`known` iff every kind of the outcome's fault is listed for its target and version."""
+        """Returns `known` iff every kind of the outcome's fault is listed for its target and
+        version."""
         if outcome.verdict in _NO_FAULT:
             return outcome
         reasons = [self._reason(outcome.target, version or "", kind) for kind in outcome.kinds]
@@ -56,8 +57,8 @@ class Baseline:
 
 
 def read_baseline(path: Path) -> Baseline:
-    """Refuses what is not `{"baseline": "baseline-v1", "entries": [...]}` with texts in all
-    fields, and no others."""
+    """Reads a baseline. Refuses anything except `{"baseline": "baseline-v1", "entries": [...]}`
+    with texts in all fields, and no others."""
     mend = 'write {"baseline": "baseline-v1", "entries": [{"target", "version", "kind", "reason"}]}'
     text = text_of_file(path, str(path), "check the path")
     try:
@@ -102,7 +103,7 @@ def _refuse_unknown(value: dict[str, Any], known: Sequence[str], where: str, pat
 def unused(
     baseline: Baseline, outcomes: Iterable[Outcome], versions: Mapping[str, str | None]
 ) -> list[str]:
-    """A sentence for each entry about a target of the run, in its version, that no outcome met."""
+    """A sentence for each entry about a target in this run, in its version, that no outcome met."""
     met = {(outcome.target, kind) for outcome in outcomes for kind in outcome.kinds}
     return [
         f"the baseline lists {entry.kind} of {target}, which this run did not meet"

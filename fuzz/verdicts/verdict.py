@@ -1,4 +1,4 @@
-"""The outcome of one target on one case: verdict, reasons, witness."""
+"""One target's outcome on one case: verdict, reasons, witness."""
 
 from __future__ import annotations
 
@@ -27,21 +27,21 @@ BROKEN = (Verdict.CRASHED, Verdict.TIMED_OUT, Verdict.OUT_OF_MEMORY, Verdict.ERR
 
 
 class Reason(StrEnum):
-    MISSING = "missing"  # a point of the sum is not in the result
-    EXTRA = "extra"  # a point of the result is not in the sum
-    HOLE_LOST = "hole-lost"  # a hole of the sum is filled
+    MISSING = "missing"  # the result lacks a point of the sum
+    EXTRA = "extra"  # the result has a point outside the sum
+    HOLE_LOST = "hole-lost"  # the result fills a hole of the sum
     HOLE_INVENTED = "hole-invented"  # the result has a hole inside the sum
-    COMPONENT = "component"  # a component of the sum is missing, or one is invented
+    COMPONENT = "component"  # a component of the sum is missing, or an extra component exists
     NOT_CLOSED = "not-closed"  # a ring whose vertices lie on one line
     SELF_INTERSECTING = "self-intersecting"  # rings overlap or cross; of CGAL: run the wrong way
     NOT_CANONICAL = "not-canonical"  # the right set, but not with the canonical rings
     EVENT_MISSED = "event-missed"
     EVENT_INVENTED = "event-invented"
     EVENT_MISPLACED = "event-misplaced"  # another change, another place, other features
-    STATE_DRIFT = "state-drift"  # a state reached by update is not the one that is there
+    STATE_DRIFT = "state-drift"  # an updated state differs from the true state
     NONDETERMINISTIC = "nondeterministic"  # another answer to the same question
-    ACCEPTED_INVALID = "accepted-invalid"  # a result for operands that are none
-    REJECTED_VALID = "rejected-valid"  # operands called invalid that are not
+    ACCEPTED_INVALID = "accepted-invalid"  # a result for invalid operands
+    REJECTED_VALID = "rejected-valid"  # valid operands called invalid
     PASSAGE_MISSED = "passage-missed"  # a tight passage
     PASSAGE_INVENTED = "passage-invented"
     COLLISION_MISSED = "collision-missed"  # a scale at which a part collides is called valid
@@ -51,17 +51,17 @@ class Reason(StrEnum):
 @dataclass(frozen=True)
 class Witness:
     """A point that a reader can check by hand. Inside: scale p + q = point, p in P, q in Q.
-    Outside: P scaled does not meet the set of all point - q. With a tolerance the whole square (in
-    space the cube) of that half side around the point lies inside, or outside."""
+    Outside: P scaled does not meet the set of all point - q. With a tolerance, the whole square (in
+    space the cube) with this half side around the point lies inside, or outside."""
 
     point: tuple[str, ...]
     in_truth: bool
     p: tuple[str, ...] | None = None
     q: tuple[str, ...] | None = None
-    scale: str | None = None  # where it is not that of the case
+    scale: str | None = None  # if it differs from the case's
     tolerance: str = "0"
-    boundary: bool = False  # p and q on the boundaries of P and Q: the sum of these is meant
-    contact: str | None = None  # of a path: the rule; `point` is a place on it, and point + s p = q
+    boundary: bool = False  # p and q lie on the boundaries of P and Q, whose sum is meant
+    contact: str | None = None  # for a path: the rule; `point` is on the path, point + s p = q
     on_path: tuple[str, str] | None = None  # the segment, and how far along it
     places: int | None = None  # at none of so many, which decide for all, the part collides
 
@@ -84,7 +84,7 @@ class Witness:
 
 @dataclass(frozen=True)
 class Outcome:
-    """One target on one case. `got` is its canonical result as JSON text where it is not a pass."""
+    """One target on one case. `got` holds its canonical result as JSON text, unless it passed."""
 
     target: str
     verdict: Verdict

@@ -1,8 +1,7 @@
-"""Events of two features by the formulas of the Appendix as they stand (Behar & Lien 2012), set up
-and solved over sums of square roots: each place I(s) is set equal to an end, two equations in one
-unknown, and a root of the one that is not a root of the other is none.
-
-How what is ambiguous is read stands in docs/disc.md, "Pair events".
+"""Events of two features by the Appendix's formulas as they stand (Behar & Lien 2012), set up and
+solved over sums of square roots: each place I(s) is equated to an end, giving two equations in one
+unknown, and only common roots count. docs/disc.md, "Pair events", says how ambiguous formulas are
+read.
 """
 
 from __future__ import annotations
@@ -38,7 +37,7 @@ def printed_events(a: Feature, b: Feature, r: Rational) -> Told:
 
 
 def _of_segments(a: Offset, b: Offset, r: Rational) -> Told:
-    """Parallel ones have no crossing that could be expressed in s."""
+    """Parallel segments have no crossing that could be expressed in s."""
     told: Told = {}
     if disc.cross(a.edge, b.edge) == 0:
         return told
@@ -121,7 +120,7 @@ def _crosses(place: Place, foot: Place, scale: Radical, tangent: Radical, r: Rat
 
 
 def _parameter(place: Place, edge: Offset, r: Rational, scale: Radical) -> Radical:
-    """0 at the start of an offset edge, 1 at its end."""
+    """Returns 0 at an offset edge's start, 1 at its end."""
     x, y = edge.edge
     off = _minus(place, moved_out(edge.p, edge, r, scale))
     return (off[0] * x + off[1] * y) / (x * x + y * y)

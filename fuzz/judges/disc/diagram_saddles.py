@@ -1,5 +1,5 @@
-"""Places right between two features that are nearest to each other, from the edges of an outer
-Voronoi diagram. All numbers are rational, and exact."""
+"""Places right between two features nearest to each other, from the edges of an outer Voronoi
+diagram. All numbers are rational and exact."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from minkref.fuzz.judges.disc.outline import Feature, Outline, Piece, Point
 
-NEAR = 1e-9  # of the size of the set: pieces that may be as near are looked at exactly
+NEAR = 1e-9  # times the set's size: closer candidates are compared exactly
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class Saddle:
 
 
 def saddles(outline: Outline, sides: Iterable[frozenset[Feature]]) -> list[Saddle]:
-    """Those as far from two features and no other, among pairs of features."""
+    """Finds places equally far from exactly two features, among pairs of features."""
     pairs = [tuple(pair) for pair in sides]
     beside: dict[Feature, set[Feature]] = {}
     for a, b in pairs:
@@ -62,7 +62,8 @@ def _between(line: Feature, vertex: Feature) -> tuple[Point, Fraction] | None:
 def _nearest(
     outline: Outline, place: tuple[Point, Fraction], pieces: Iterable[Piece]
 ) -> set[Feature]:
-    """The features among the pieces that are as near as `place` says; none where one is nearer."""
+    """Returns the features among the pieces at the distance in `place`; none if a piece lies
+    nearer."""
     (x, y), square = place
     u, v = float(x), float(y)
     reach = float(square) ** 0.5 + NEAR * outline.size
@@ -75,13 +76,13 @@ def _nearest(
                 return set()
             if own == square:
                 found.add(feature)
-    # Where a line goes on straight its vertex is nothing of its own.
+    # A vertex where a line goes straight on is no feature of its own.
     return {f for f in found if not found & set(outline.straight.get(f, []))}
 
 
 def _feet(piece: Piece, x: Fraction, y: Fraction) -> Iterator[tuple[Feature, Fraction]]:
-    """The nearest features of a piece, with squared distances. Right in front of an end these are
-    the end and the line, if the place is not behind the line."""
+    """Yields a piece's nearest features, with squared distances. Right in front of an end these are
+    the end and the line, unless the place lies behind the line."""
     dx, dy = piece.along
     (ax, ay), (bx, by) = piece.start, piece.end
     after_start = (x - ax) * dx + (y - ay) * dy

@@ -1,7 +1,7 @@
-"""Whether a place is a vertex of the outer Voronoi diagram, proven by intervals of sixty digits.
+"""Proves by intervals with sixty digits that a place is a vertex of the outer Voronoi diagram.
 
 Three features single out a place: a zero of three equations in its coordinates and its distance r.
-Krawczyk's test proves that a small box holds one zero. Then no edge may be nearer than r."""
+Krawczyk's test proves that a small box holds one zero. Then no edge may lie nearer than r."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from mpmath import iv, mp
 
 DIGITS = 60
 BOX = 1e-40  # half a side, of the size of the set and the radius
-NEAR = 1e-6  # of the radius: edges that are looked at exactly
-ROUNDED = 1e-13  # of the size: a distance in doubles
-APART = 1e-8  # of size and radius: how far the zero may be from the place
-STEPS = 12  # of Newton's iteration
+NEAR = 1e-6  # times the radius: closer edges are compared exactly
+ROUNDED = 1e-13  # times the size: rounding of a distance in doubles
+APART = 1e-8  # times size and radius: most distance between zero and place
+STEPS = 12  # in Newton's iteration
 Vector = list[Any]
 
 
@@ -99,7 +99,7 @@ def _is_on(vertex: Feature, line: Feature) -> bool:
 def _place(
     chosen: Sequence[Feature], spot: tuple[float, float], radius: float, half: float
 ) -> Vector | None:
-    """A box that is proven to hold one zero: x, y and r. None where that does not succeed."""
+    """A box proven to hold one zero: x, y and r. None if the proof fails."""
     at: Vector = [mp.mpf(spot[0]), mp.mpf(spot[1]), mp.mpf(radius)]
     inverse: list[Vector] = []
     for _ in range(STEPS):
@@ -127,7 +127,7 @@ def _place(
 
 
 def _inverse(rows: Sequence[Vector]) -> list[Vector]:
-    """Empty, of a matrix that has none."""
+    """Returns the inverse matrix, or an empty list."""
     a, b, c = rows
     over = [_crossed(b, c), _crossed(c, a), _crossed(a, b)]
     determinant = sum(a[k] * over[0][k] for k in range(3))
@@ -141,8 +141,8 @@ def _crossed(a: Vector, b: Vector) -> Vector:
 
 
 def _equations(chosen: Sequence[Feature], at: Vector, numbers: Any) -> tuple[Vector, list[Vector]]:
-    """Values and derivatives, zero where `at` is as far from all as its third member says. A line
-    and a vertex on it are as far right in front of the vertex."""
+    """Values and derivatives; values vanish where the third coordinate equals the distance to all
+    features. A line and a vertex on it are equally far right in front of the vertex."""
     x, y, r = at
     values, slopes = [], []
     lines = [feature for feature in chosen if feature[0] == "line"]
@@ -170,7 +170,7 @@ def _exact(value: Fraction | int, numbers: Any) -> Any:
 
 
 def _feet(piece: Piece, box: Vector) -> Iterator[tuple[Feature, Any]]:
-    """The features of a piece that may be nearest, with squared distances. Where the foot may be an
+    """Yields a piece's possibly nearest features, with squared distances. If the foot may be an
     end, these are the end and the line."""
     x, y, _ = box
     ax, ay = (_exact(c, iv) for c in piece.start)

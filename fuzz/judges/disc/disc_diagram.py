@@ -1,9 +1,9 @@
-"""Radii at which sums with a disc change, against the vertices of the outer Voronoi diagram as CGAL
-and Boost.Polygon find them: which there are, where, and as far from which features.
+"""Radii at which sums with a disc change, against the vertices of the outer Voronoi diagram from
+CGAL and Boost.Polygon: which vertices exist, their places and nearest features.
 
-`python -m minkref.fuzz.judges.disc.disc_diagram SEED COUNT` compares sets of the cells of a grid
-and of the families of generated pairs, prints the table as JSON and exits with 1 if there is a
-difference that no exact witness puts down to the judge."""
+`python -m minkref.fuzz.judges.disc.disc_diagram SEED COUNT` compares sets made of grid cells and
+from the families of generated pairs, prints the table as JSON and exits with 1 on a difference that
+no exact witness blames on the judge."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, DiagramAnswer, D
 from minkref.fuzz.judges.disc.outline import Feature, Outline
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 
-SECONDS = 60.0  # of one diagram
-SAME_PLACE = 1e-9  # of the size of the set, or of the radius: places that are one
-SAME_RADIUS = {CGAL: 1e-15, BOOST: 1e-9}  # beyond its bounds, of the radius
-LOST = {CGAL: 0.0, BOOST: 64 * 2.0**-53}  # of a coordinate: what a judge's place is rounded by
-PARTS = 4e-15  # of the size or the radius: places of CGAL that are parts of one
-DOUBLE = 2.0**-52  # of a coordinate: its rounding
+SECONDS = 60.0  # per diagram
+SAME_PLACE = 1e-9  # times the set's size or the radius: closer places are one
+SAME_RADIUS = {CGAL: 1e-15, BOOST: 1e-9}  # times the radius, beyond the bounds
+LOST = {CGAL: 0.0, BOOST: 64 * 2.0**-53}  # times a coordinate: rounding of a judge's place
+PARTS = 4e-15  # times size or radius: closer places of CGAL are parts of one
+DOUBLE = 2.0**-52  # times a coordinate: its rounding
 SETS = ("random", "holes", "collinear", "touching", "cells", "nested", "comb", "star", "rational")
-# The ruling of a witness that proves minkref right, by fault. In the fault `features` the
+# The ruling by which a witness proves minkref right, for each fault. In the fault `features` the
 # judge has some of the features, minkref all.
 RIGHT = {"dropped": Ruling.NONE, "invented": Ruling.VERTEX, "features": Ruling.VERTEX}
 
 
 @dataclass(frozen=True)
 class Event:
-    """A row of minkref's list. `features` are named, and the place is moved, as Outline does;
-    `slack` is the rounding of the place where it was given."""
+    """A row of minkref's list. `features` are named, and the place is moved, as by Outline; `slack`
+    is the place's rounding in its original coordinates."""
 
     kind: str
     x: float
@@ -55,7 +55,7 @@ class Event:
 @dataclass(frozen=True)
 class Difference:
     """`fault` is `dropped` (a vertex is no event), `invented` (an event is no vertex), `features`
-    (there are others), `radius` or `twice`."""
+    (features differ), `radius` or `twice`."""
 
     fault: str
     x: float
@@ -70,8 +70,8 @@ class Difference:
 
 @dataclass
 class Table:
-    """The result of a comparison. `differences` stand against minkref or are not settled; `refuted`
-    are differences in which an exact witness shows the judge to be wrong."""
+    """A comparison's result. `differences` speak against minkref or are unsettled; `refuted`:
+    differences in which an exact witness proves the judge wrong."""
 
     counts: Counter[str] = field(default_factory=Counter)
     unanswered: list[str] = field(default_factory=list)
@@ -88,7 +88,7 @@ class Table:
 
 
 def events_of(outline: Outline, rows: Sequence[Any]) -> list[Event]:
-    """Rows of `_core.DiagramEvents.rows`."""
+    """Converts rows from `_core.DiagramEvents.rows`."""
     found = []
     for kind, square, _, (low, high), place, names in rows:
         features = frozenset(_feature(outline, *name) for name in names)
@@ -143,7 +143,7 @@ def _difference(fault: str, vertex: Vertex) -> Difference:
 
 
 def _joined(outline: Outline, vertices: Sequence[Vertex]) -> list[Vertex]:
-    """Parts of one place with the features of all."""
+    """Joins parts of one place, with all their features."""
     found: list[Vertex] = []
     for vertex in vertices:
         same = PARTS * max(outline.size, vertex.radius)
@@ -157,7 +157,7 @@ def _joined(outline: Outline, vertices: Sequence[Vertex]) -> list[Vertex]:
 
 
 def _once(outline: Outline, events: Sequence[Event]) -> tuple[list[Event], list[Difference]]:
-    """Each event once, and those that are there again."""
+    """Separates first occurrences of events from repetitions."""
     known: dict[frozenset[Feature], list[Event]] = {}
     found, again = [], []
     for event in events:
@@ -173,8 +173,8 @@ def _once(outline: Outline, events: Sequence[Event]) -> tuple[list[Event], list[
 def saddle_differences(
     outline: Outline, events: Sequence[Event], answer: DiagramAnswer
 ) -> list[Difference]:
-    """Differences between minkref's events of two features and the saddles from the edges of a
-    judge's diagram. The saddles are exact, so that no witness is needed."""
+    """Differences between minkref's events with two features and saddles from the edges of a
+    judge's diagram. The saddles are exact, so no witness is needed."""
     wanted = {event.features: event for event in events if len(event.features) == 2}
     found = []
     for saddle in saddles(outline, answer.sides):
@@ -194,13 +194,13 @@ def saddle_differences(
 
 
 def _away(outline: Outline, event: Event, vertex: Vertex | Event) -> float:
-    """How far they are apart; from 1 on they are two places."""
+    """Returns their distance; from 1 on, the places differ."""
     same = SAME_PLACE * max(outline.size, event.high) + event.slack
     return math.dist((event.x, event.y), (vertex.x, vertex.y)) / same
 
 
 class DiagramComparison:
-    """Both judges, for many sets. Close it, or use it in a `with`."""
+    """Both judges, for many sets. Close it, or use `with`."""
 
     def __init__(self, judges: Sequence[str] = (CGAL, BOOST), seconds: float = SECONDS) -> None:
         self._open = ExitStack()
@@ -213,7 +213,7 @@ class DiagramComparison:
         self._open.close()
 
     def compare(self, name: str, P: _core.PolygonSet, rows: Sequence[Any], table: Table) -> None:
-        """The rows of P's events, and what each judge has."""
+        """Compares the rows of P's events with each judge's vertices."""
         outline = Outline.of(P)
         events = events_of(outline, rows)
         table.counts["sets"] += 1
@@ -230,14 +230,15 @@ class DiagramComparison:
             table.counts[f"straight, of {judge.judge}"] += answer.straight
             before = len(table.differences)
             for each in saddle_differences(outline, events, answer):
-                # The pair alone tells whether it is one: then the judge lacks the edge between.
+                # The pair alone decides whether a saddle exists: then the judge lacks the edge
+                # between.
                 is_right = each.fault == "invented" and bool(saddles(outline, [each.features]))
                 told = f"{name}, {judge.judge}: saddle {each}"
                 (table.refuted if is_right else table.differences).append(told)
             for each in differences(outline, events, answer, judge.judge):
                 ruling, why = settle(outline, each.features, (each.x, each.y), each.radius)
                 told = f"{name}, {judge.judge}: {each}: {why}"
-                # Parts of CGAL's that were joined are perhaps two places.
+                # Joined parts from CGAL may be two places.
                 is_joined = judge.judge == CGAL and len(each.features) > 3
                 is_right = ruling is RIGHT.get(each.fault)
                 if is_right and not (is_joined and each.fault == "dropped"):
@@ -259,7 +260,7 @@ def drawn_set(seed: int, number: int) -> tuple[str, _core.PolygonSet]:
 
 
 def first_operand(family: str, seed: int, number: int) -> tuple[str, _core.PolygonSet]:
-    """The first operand of a generated pair, with its name."""
+    """Returns a generated pair's first operand, with its name."""
     name = f"{family} {seed}:{number}"
     return name, _core.PolygonSet.from_json(FAMILIES[family].pair(seed, number).P)
 

@@ -131,7 +131,7 @@ def compare_one(drawn: Drawn, table: Table) -> None:
 
 
 def _faults_of_numbers(event: DiscEvent, radius: Any, place: tuple[float, float]) -> list[str]:
-    """The oracle's radius is that of the row, and its place near."""
+    """Checks that the oracle's radius equals the row's, and that its place lies near."""
     value, at = event.scale.value, event.at
     if value is None or at is None:
         raise AssertionError("a contact that meets has a radius")
@@ -144,7 +144,8 @@ def _faults_of_numbers(event: DiscEvent, radius: Any, place: tuple[float, float]
 
 
 def _faults_of_radius(value: Radical, radius: Any) -> list[str]:
-    """Its square is a root of the polynomial, and it is within the bounds."""
+    """Checks that the polynomial has the squared value as a root, and the bounds contain the
+    value."""
     _, polynomial, (low, high) = radius
     square, total = value * value, number(0)
     for coefficient in reversed(polynomial):
@@ -164,8 +165,8 @@ def _exact(value: float) -> Radical:
 def _faults_of_counts(
     change: str, shared: tuple[int, int, int], places: int, is_tangent: bool
 ) -> list[str]:
-    """At the radius there are as many points as there are places, and those that stay; of two that
-    begin at a tangent there is one."""
+    """Checks the number of common points at the radius: one per place, plus points that stay; two
+    points that begin at a tangent count once."""
     before, at, after = shared
     wanted = {
         "birth": after > before and (at >= after or (is_tangent and shared == (0, 1, 2))),

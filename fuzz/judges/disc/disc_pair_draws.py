@@ -1,5 +1,5 @@
-"""Random pairs of features of an offset polygon, edges and arcs about convex vertices, more than a
-third of them in a special position on purpose."""
+"""Random pairs of features of an offset polygon, edges and arcs around convex vertices, more than a
+third deliberately in special position."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Feature = tuple[Vector, ...]
 
 KINDS = ("edge, edge", "arc, edge", "arc, arc")
 SPECIAL = ("right angles", "parallel", "one line", "shared end", "end on end", "fives", "mirrored")
-# Directions of length 5: ends of these edges and arcs stay rational.
+# Directions with length 5: ends of such edges and arcs stay rational.
 FIVES = ((5, 0), (4, 3), (3, 4), (0, 5), (-3, 4), (-4, 3))
 
 
@@ -26,8 +26,8 @@ class Drawn:
 
 
 def draw(rng: random.Random, kind: str) -> Drawn:
-    """Two features of a kind. `relation` is `free` in three of five cases."""
-    known = SPECIAL if kind != "arc, edge" else SPECIAL[:-1]  # of two of one kind
+    """Draws two features of a kind. `relation` is `free` in three cases out of five."""
+    known = SPECIAL if kind != "arc, edge" else SPECIAL[:-1]  # for equal kinds
     relation = rng.choice(known) if rng.random() < 0.4 else "free"
     size = rng.choice([3, 8, 8, 1000]) if relation == "free" else rng.choice([2, 4, 8])
     first, second = kind.split(", ")
@@ -71,7 +71,7 @@ def _related(rng: random.Random, a: Feature, b: Feature, relation: str) -> Featu
     if relation == "shared end":
         corner, own = rng.choice(a), rng.randrange(len(b))
         return tuple(_add(x, _add(corner, b[own], -1)) for x in b)
-    if relation == "end on end":  # across from the first: what its ends come to at one radius
+    if relation == "end on end":  # across from the first, sharing its ends' place at one radius
         way = (d[1], -d[0])
         corner = _add(rng.choice(a), way, rng.choice([1, 2]))
         moved = _add(corner, rng.choice(b), -1)
@@ -96,7 +96,7 @@ def _is_right(feature: Feature) -> bool:
 
 
 def _faces(a: Feature, b: Feature) -> bool:
-    """Whether some point of the other is in front of an edge, or within the turn of an arc."""
+    """Whether some point of the other feature lies in front of an edge, or within an arc's turn."""
     ways = [_add(point, a[1], -1) for point in b]
     normals = [(y, -x) for x, y in (_add(q, p, -1) for p, q in pairwise(a))]
     if len(normals) == 1:
@@ -106,7 +106,7 @@ def _faces(a: Feature, b: Feature) -> bool:
 
 
 def _is_one_place(a: Feature, b: Feature) -> bool:
-    """About one vertex there is one arc at most."""
+    """Whether both are arcs around one vertex, which has at most one."""
     return len(a) == len(b) == 3 and a[1] == b[1]
 
 

@@ -31,7 +31,7 @@ class PolygonTable:
 
 
 def compare_polygons(seed: int, count: int) -> PolygonTable:
-    """`count` random polygons of one ring. The same seed and count give the same table."""
+    """Compares `count` random polygons with one ring. Equal seed and count give equal tables."""
     rng = random.Random(f"minkref disc pairs of polygons {seed}")
     table = PolygonTable()
     while table.polygons < count:
@@ -48,7 +48,7 @@ def compare_polygons(seed: int, count: int) -> PolygonTable:
 
 
 def _has_corners(ring: list[Corner]) -> bool:
-    """Counter-clockwise or not, none of them straight: the reference leaves those out."""
+    """Whether the ring turns at each corner; the reference leaves straight corners out."""
     around = [ring[-1], *ring, ring[0]]
     turns = [
         cross(minus(b, a), minus(c, b))

@@ -1,8 +1,9 @@
-"""Events of a disc before the judge of places (oracle/places): place, kind and features of each,
-what becomes of holes and components, and where; laws of sets that are written otherwise, or moved.
+"""Events of a disc before the judge of places (oracle/places): each event's place, kind and
+features, the changes of holes and components, and their places; laws for sets written differently,
+or moved.
 
-`python -m minkref.fuzz.judges.disc.disc_places SEED COUNT` compares sets of place_draws.py, prints
-the table as JSON and exits with 1 if there is a fault."""
+`python -m minkref.fuzz.judges.disc.disc_places SEED COUNT` compares sets from place_draws.py,
+prints the table as JSON and exits with 1 on a fault."""
 
 from __future__ import annotations
 
@@ -27,8 +28,8 @@ NEAR = 1e-9
 
 @dataclass
 class Table:
-    """`counts`: of sets by kind, of events by kind, of changes, and of sets with several events, or
-    several changes, at one radius."""
+    """`counts`: sets by kind, events by kind, changes, and sets with several events, or several
+    changes, at one radius."""
 
     counts: Counter[str] = field(default_factory=Counter)
     faults: list[str] = field(default_factory=list)
@@ -39,7 +40,7 @@ class Table:
 
 
 def rows_of(P: _core.PolygonSet) -> Rows:
-    """As `minkref events P disc` lists them, of both kinds."""
+    """Returns rows as `minkref events P disc` lists them, for both kinds."""
     index = _core.disc_index(P)
     every = [_row(*row) for row in index.rows(0, len(index.kinds()))]
     changes = []
@@ -70,7 +71,7 @@ def _row(
 
 
 def faults_of(shape: Shape, rows: Rows) -> list[str]:
-    """Faults that the judge finds in both lists."""
+    """Returns the judge's faults with both lists."""
     boundary = Boundary([
         [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in polygon] for polygon in shape
     ])  # fmt: skip
@@ -111,9 +112,9 @@ def count(name: str, rows: Rows, counts: Counter[str]) -> None:
 
 
 def law_faults(seed: int, number: int, shape: Shape, rows: Rows) -> list[str]:
-    """Faults against two laws. A set that is written otherwise has the same rows. A set that was
-    mirrored, turned or grown has the images of all events, and as many holes and components
-    change at each radius."""
+    """Faults against two laws. A set written differently has the same rows. A mirrored, turned or
+    enlarged set has the images of all events, and as many holes and components change at each
+    radius."""
     dice = random.Random(f"minkref places law {seed}:{number}")
     way, other, change = changed(dice, shape)
     there = rows_of(set_of(other))
@@ -122,7 +123,8 @@ def law_faults(seed: int, number: int, shape: Shape, rows: Rows) -> list[str]:
         wanted = _places(mine, shape, change, exact=way == "order")
         found = _places(theirs, other, lambda p: p, exact=way == "order")
         if what == "changes" and way != "order":
-            # Which of equal places is told, and which of equal holes keeps its name, is by x and y.
+            # Coordinates decide which of equal places is told, and which of equal holes keeps its
+            # name.
             wanted, found = _changes(mine, 3 if way == "larger" else 1), _changes(theirs, 1)
         if not _are_alike(wanted, found):
             faults.append(f"{way}: other {what}")
@@ -132,9 +134,9 @@ def law_faults(seed: int, number: int, shape: Shape, rows: Rows) -> list[str]:
 def _places(
     rows: list[Row], shape: Shape, change: Callable[[Point], Point], exact: bool
 ) -> list[Any]:
-    """Kind, place, features and changes. `exact`: edges by their ends, and rows as they come. Else
-    sorted, and edges by their lines: where two parts of an edge meet at the nearest point a mirror
-    image names the other one."""
+    """Kind, place, features and changes. `exact`: edges by their ends, and rows in their order.
+    Else sorted, and edges by their lines: if two parts of an edge meet at the nearest point, a
+    mirror image names the other part."""
     rings = [ring for polygon in shape for ring in polygon]
 
     def named(feature: Row) -> list[str]:
@@ -167,7 +169,7 @@ def _line(p: Point, q: Point) -> list[str]:
 
 
 def _changes(rows: list[Row], factor: int) -> list[Any]:
-    """How many there are of each, by radius."""
+    """Counts each kind of change, by radius."""
     found: dict[float, Counter[str]] = {}
     for row in rows:
         own = found.setdefault(round(factor * row["radius"]["low"], 6), Counter())

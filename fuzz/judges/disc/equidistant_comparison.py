@@ -29,13 +29,13 @@ KINDS = (
     "three points", "two points, line", "point, two lines", "three lines",
     "joint, point", "joint, line", "saddle, two points", "saddle, point, line",
 )  # fmt: skip
-SAME_PLACE = 1e-9  # of the distance from the origin and the radius
-MOST_SETS = 20_000  # until there is enough of each kind
+SAME_PLACE = 1e-9  # times the distance from the origin and the radius
+MOST_SETS = 20_000  # until each kind has enough cases
 
 
 @dataclass(frozen=True)
 class Choice:
-    """Features of an event that single out its place, in the order in which their kind asks."""
+    """Features of an event that single out its place, in the order that their kind asks for."""
 
     kind: str
     features: tuple[Feature, ...]
@@ -52,10 +52,10 @@ class Choice:
 
 @dataclass
 class Table:
-    """`counts` of cases by kind, `degenerate` those among them with a tie: more than three
-    features, parallel lines, or another event at the same radius. `no_place`: choices that single
-    out none, of events of more features; `not_told`: squared radii that are rational, of which
-    minkref has but a polynomial of a higher degree and bounds."""
+    """`counts`: cases by kind; `degenerate`: cases with a tie: more than three features, parallel
+    lines, or another event at the same radius. `no_place`: choices from events with more features
+    that single out no place; `not_told`: rational squared radii for which minkref only has a
+    polynomial with a higher degree, and bounds."""
 
     counts: Counter[str] = field(default_factory=Counter)
     degenerate: Counter[str] = field(default_factory=Counter)
@@ -67,8 +67,8 @@ class Table:
 
 
 def choices(features: Sequence[Feature]) -> Iterator[Choice]:
-    """All pairs of two features, or triples of more. Left out are triples that lie on one line or
-    end in one vertex, which single out no place."""
+    """Yields a pair of two features, or triples of more, except triples on one line or with a
+    common vertex, which single out no place."""
     if len(features) == 2:
         has_line = any(isinstance(feature, Offset) for feature in features)
         yield Choice(KINDS[6 + has_line], tuple(features))
@@ -101,7 +101,7 @@ def is_degenerate(choice: Choice, count: int, is_tied: bool) -> bool:
 
 
 def difference(choice: Choice, row: Any, outline: Outline) -> str | None:
-    """The difference from a row of minkref's list; None if there is none. Raises LookupError if the
+    """Returns the difference from a row of minkref's list, or None. Raises LookupError if the
     features single out no place."""
     _, square, coefficients, (low, high), at, _ = row
     place = outline.spot(*at)
@@ -181,7 +181,7 @@ def count_roots(polynomial: Sequence[Any], low: Any, high: Any) -> int:
 
 
 def features_of(outline: Outline, names: Sequence[tuple[str, str, str]]) -> list[Feature]:
-    """The features of a row, with the edges as they stand in the outline."""
+    """Returns a row's features, with edges as in the outline."""
     found: list[Feature] = []
     for kind, first, second in names:
         if kind == "vertex":

@@ -17,19 +17,19 @@ Curve = tuple[str, ...]
 Piece = dict[str, Any]
 Spot = tuple[float, float]
 Ring = tuple[Curve, ...]
-ALIKE = 1e-4  # of angles that are one
-SAME = 1e-10  # of the size of the set: places that are one
-NEAR = 1e-7  # of the size of the set: how far a line may be from the edge's that it is named by
+ALIKE = 1e-4  # closer angles are one
+SAME = 1e-10  # times the set's size: closer places are one
+NEAR = 1e-7  # times the set's size: most distance of a line from its edge
 
 
 @dataclass(frozen=True)
 class OffsetAnswer:
-    """`components`: outer ring and holes, in canonical order; None where there is no answer, and
-    `why` says what became of it. `seconds` are those of CGAL's functions alone."""
+    """`components`: outer ring and holes, in canonical order; None without an answer, and then
+    `why` gives the reason. `seconds` counts CGAL's functions only."""
 
     components: list[tuple[Ring, list[Ring]]] | None
     holes: int = 0
-    paths: tuple[tuple[Spot, ...], ...] = ()  # the rings as they came, by some points of each
+    paths: tuple[tuple[Spot, ...], ...] = ()  # some points on each original ring
     seconds: float | None = None
     why: str = ""
 
@@ -40,12 +40,12 @@ def executable() -> Path | None:
 
 
 def absence() -> str | None:
-    """Says what is missing, and the command that gets it."""
+    """Names the missing program, and the command that builds it."""
     return None if executable() else f"{PROGRAM} is not built: {BUILD_COMMAND}"
 
 
 class OffsetJudge:
-    """One child process for many offsets, started anew after one that took too long."""
+    """A child process for many offsets, restarted after taking too long."""
 
     def __init__(self, seconds: float) -> None:
         path = executable()
@@ -63,7 +63,7 @@ class OffsetJudge:
 
     def offset(self, P: dict[str, Any], radius: Fraction) -> OffsetAnswer:
         """The exact offset of polygons in canonical JSON. CGAL's lines have no rational equation:
-        a line is named by the nearby edge of P, moved outwards."""
+        the nearby edge of P, moved outwards, names a line."""
         if self._process is None:
             return OffsetAnswer(None, why=str(absence()))
         answer = self._process.ask({"P": P, "radius": str(radius)})
@@ -138,8 +138,8 @@ class _Lines:
 
 
 def _walks(pieces: list[Piece], near: float) -> list[list[Piece]]:
-    """CGAL's rings go through points in which components touch. Here each goes on with the piece
-    that bounds the same wedge of the interior, which is on the left."""
+    """CGAL's rings pass through points where components touch. Here each ring goes on with the
+    piece that bounds the same wedge of the interior, on the left."""
     starts: dict[tuple[int, int], list[int]] = {}
     size = 10 * near
     for k, piece in enumerate(pieces):
@@ -179,7 +179,7 @@ def _walks(pieces: list[Piece], near: float) -> list[list[Piece]]:
 
 
 def _direction(piece: Piece, end: int) -> float:
-    """Where it leaves (0) or arrives (3), as an angle."""
+    """The angle at which a piece leaves (0) or arrives (3)."""
     x0, y0, x1, y1 = piece["ends"]
     if not piece["arc"]:
         return math.atan2(y1 - y0, x1 - x0)
@@ -194,7 +194,7 @@ def _centre(piece: Piece) -> Spot:
 
 
 def _split(ring: list[Piece], near: float) -> list[list[Piece]]:
-    """The parts between two visits of one place."""
+    """Cuts a ring into the parts between two visits to one place."""
     rings, kept = [], list[Piece]()
     for piece in ring:
         kept.append(piece)
@@ -208,7 +208,7 @@ def _split(ring: list[Piece], near: float) -> list[list[Piece]]:
 
 
 def _components(rings: list[list[Piece]], lines: _Lines) -> list[tuple[Ring, list[Ring]]]:
-    """Rings by the way they turn; each hole in the smallest ring around it."""
+    """Sorts rings by their turning direction; each hole belongs to the smallest ring around it."""
     paths = [[spot for piece in ring for spot in _path(piece)] for ring in rings]
     areas = [_area(path) for path in paths]
     holes: dict[int, list[Ring]] = {k: [] for k, area in enumerate(areas) if area > 0}
@@ -227,7 +227,7 @@ def _order(ring: Ring) -> list[Any]:
 
 
 def _path(piece: Piece) -> list[Spot]:
-    """Some points of a piece, without its end."""
+    """Some points on a piece, without its end."""
     x0, y0, x1, y1 = piece["ends"]
     if not piece["arc"]:
         return [(x0, y0), ((x0 + x1) / 2, (y0 + y1) / 2)]
@@ -235,7 +235,7 @@ def _path(piece: Piece) -> list[Spot]:
 
 
 def spots_of_arc(start: Spot, end: Spot, centre: Spot) -> list[Spot]:
-    """Points of an arc that runs counter-clockwise, without its end."""
+    """Points on a counter-clockwise arc, without its end."""
     x, y = centre
     first = math.atan2(start[1] - y, start[0] - x)
     turn = (math.atan2(end[1] - y, end[0] - x) - first) % math.tau
@@ -277,7 +277,7 @@ def _key(curve: Curve) -> tuple[Any, ...]:
 
 
 def least(ring: Sequence[Curve]) -> Ring:
-    """From where on the list is the least."""
+    """Rotates the ring to its least starting point."""
     keys = [_key(curve) for curve in ring]
     start = min(range(len(ring)), key=lambda k: keys[k:] + keys[:k])
     return (*ring[start:], *ring[:start])

@@ -26,7 +26,7 @@ from minkref.fuzz.judges.disc.offset_cgal import (
     spots_of_arc,
 )
 
-SECONDS = 60.0  # of one offset by CGAL
+SECONDS = 60.0  # per offset by CGAL
 LARGEST = 5  # cells of a grid along an axis
 CRITICAL = [Fraction(k, 4) for k in (1, 2, 3, 4, 5, 6, 8, 10)]
 
@@ -38,12 +38,12 @@ class Table:
     counts: Counter[str] = field(default_factory=Counter)
     unanswered: list[str] = field(default_factory=list)
     differences: list[str] = field(default_factory=list)
-    refuted: list[str] = field(default_factory=list)  # answers of CGAL, by a point
+    refuted: list[str] = field(default_factory=list)  # answers of CGAL, refuted by a point
 
 
 def grid_set(dice: random.Random) -> _core.PolygonSet:
-    """Some cells of a grid, each whole or halved by a diagonal: sets that touch in points, straight
-    and facing edges, holes."""
+    """Some grid cells, each whole or halved by a diagonal: sets that touch at points, straight and
+    facing edges, holes."""
     size = dice.randint(2, LARGEST)
     outside = frame = _polygon([(-1, -1), (size + 1, -1), (size + 1, size + 1), (-1, size + 1)])
     for x in range(size):
@@ -82,7 +82,7 @@ def compare_one(
     answer = judge.offset(json.loads(P.canonical_json()), radius)
     try:
         found = _core.offset(P, str(radius**2))
-    except RuntimeError as error:  # a fault of ours: the set is valid
+    except RuntimeError as error:  # our fault: the set is valid
         table.differences.append(f"{where}: {error}")
         return 0.0, answer.seconds
     if answer.components is None:
@@ -107,8 +107,9 @@ def compare_one(
 def _witness(
     P: _core.PolygonSet, radius: Fraction, found: _core.Offset, answer: OffsetAnswer
 ) -> str | None:
-    """A point beside a curve of one of the two that CGAL has on the wrong side, by its exact
-    distance from P; None where there is none, or where our region has one on the wrong side."""
+    """Returns a point beside a curve of either region that CGAL puts on the wrong side, by its
+    exact distance from P; None without such a point, or if our region puts some point on the wrong
+    side."""
     rings = [ring for rings in found.drawn_rings() for ring in rings]
     ours = [[spot for piece in ring for spot in _spots(piece)] for ring in rings]
     edges = _edges(P)
@@ -134,7 +135,7 @@ def _is_inside(spot: Spot, rings: Sequence[Sequence[Spot]]) -> bool:
 
 
 def _spots(piece: tuple[str, float, float, float, float, float, float, float]) -> list[Spot]:
-    """Some points of a piece, without its end."""
+    """Some points on a piece, without its end."""
     kind, x0, y0, x1, y1, x, y, _ = piece
     if kind == "line":
         return [(x0, y0)]

@@ -23,7 +23,7 @@ FAR = Fraction(10**14, 3)
 SMALLEST_PARTS = (4, 8, 16)
 Move = Callable[[Fraction, Fraction], tuple[Fraction, Fraction]]
 
-# How a set is moved, and the square of how much it grows.
+# How a set is moved, and the squared growth factor.
 MOVES: dict[str, tuple[Move, int | Fraction]] = {
     "as drawn": (lambda x, y: (x, y), 1),
     "turned": (lambda x, y: (3 * x - 4 * y, 4 * x + 3 * y), 25),
@@ -42,7 +42,7 @@ class RouteTable:
 
 
 def compare_routes(seed: int, numbers: range, table: RouteTable) -> None:
-    """Sets by number, one in ten a point or a segment. The same numbers give the same sets and
+    """Compares sets by number, one in ten a point or a segment. Equal numbers give equal sets and
     radii."""
     for number in numbers:
         dice = random.Random(f"minkref disc routes {seed}:{number}")
@@ -57,7 +57,7 @@ def compare_routes(seed: int, numbers: range, table: RouteTable) -> None:
         where = f"{seed}:{number}, {name}, squared radius {square}"
         try:
             forms = [_core.offset(moved, str(square), 1, route) for route in ROUTES]
-        except RuntimeError as error:  # a fault of ours: the set is valid
+        except RuntimeError as error:  # our fault: the set is valid
             table.differences.append(f"{where}: {error}: {moved.canonical_json()}")
             continue
         table.counts.update(("compared", name, kind))
@@ -81,7 +81,7 @@ def _moved(P: _core.PolygonSet, move: Move) -> _core.PolygonSet:
 
 
 def _squared_radius(dice: random.Random) -> tuple[Fraction, str]:
-    """Half of a width of a grid, the root of a fraction of small numbers, or any fraction."""
+    """Half a grid width, the root of a fraction with small numbers, or any fraction."""
     draw = dice.random()
     if draw < 0.4:
         return dice.choice(CRITICAL) ** 2, "at halves of widths"

@@ -1,4 +1,5 @@
-"""Sums with a disc between those with polygons in and around it, by the routes of polygons."""
+"""Sums with a disc, enclosed between sums with inner and outer polygons, by the polygons'
+routes."""
 
 from __future__ import annotations
 
@@ -18,24 +19,24 @@ class Sandwich:
     """The faults, and whether the number of holes is the same for both polygons, and then for the
     disc too."""
 
-    corners: int  # of the polygon in the disc
+    corners: int  # the inner polygon's
     areas: tuple[Fraction, Fraction]
     same_holes: bool
     faults: list[str] = field(default_factory=list)
 
 
-FINER = (Fraction(1, 10**5), Fraction(3, 10**7))  # of the radius: 704 and 4,056 corners
+FINER = (Fraction(1, 10**5), Fraction(3, 10**7))  # times the radius: 704 and 4,056 corners
 
 
 def sandwich(
     P: _core.PolygonSet, squared_radius: Fraction, counts: tuple[int, int], area: Bounds,
     within: Fraction,
 ) -> Sandwich:  # fmt: skip
-    """`counts`: components and holes of the sum; `within`: how far the polygons may be from the
+    """`counts`: the sum's components and holes; `within`: most distance between polygons and
     circle, as a part of the radius. A larger set has the larger sum: areas grow, components only
-    join. Holes do both: where both polygons have another number of them than the disc, one may have
-    ended and one been born in between, so finer polygons are asked. A fault is what the finest
-    say."""
+    join. Holes may end or be born: if both polygons have another hole count than the disc, one may
+    have ended and one begun in between, so finer polygons are asked. Only disagreement by the
+    finest counts as a fault."""
     sys.set_int_max_str_digits(0)  # exact areas have as many digits as they need
     for fineness in (within, *(each for each in FINER if each < within)):
         found = _with_polygons(P, squared_radius, counts, area, fineness)

@@ -18,14 +18,14 @@ from minkref.fuzz.judges.line_process import LineProcess
 CGAL, BOOST = "CGAL", "Boost"
 _PROGRAMS = {CGAL: "minkref-cgal-diagram", BOOST: "minkref-boost-diagram"}
 _BUILD = {CGAL: BUILD_COMMAND, BOOST: BUILD_COMMAND.replace("minkref_cgal", _PROGRAMS[BOOST])}
-ROUNDED = 64 * 2.0**-53  # of a coordinate, by Boost
-LARGEST = 2**31 - 1  # of Boost's coordinates
+ROUNDED = 64 * 2.0**-53  # times a coordinate, by Boost
+LARGEST = 2**31 - 1  # largest coordinate for Boost
 
 
 @dataclass(frozen=True)
 class Vertex:
-    """Off the boundary and outside of the set. `features` are three or more, straight vertices of
-    the set replaced by the lines through them."""
+    """A vertex off the boundary and outside the set. `features`: three or more, with the set's
+    straight vertices replaced by the lines through them."""
 
     x: float
     y: float
@@ -35,9 +35,9 @@ class Vertex:
 
 @dataclass(frozen=True)
 class DiagramAnswer:
-    """`vertices` is None where there is no answer, and `why` says what became of it. `sides`: pairs
-    of features that an edge of the diagram lies between. `straight` counts vertices that a
-    straight vertex of the set makes; `seconds` are those of the library's functions alone."""
+    """`vertices` is None without an answer, and then `why` gives the reason. `sides`: pairs of
+    features on both sides of a diagram edge. `straight` counts vertices made by straight vertices
+    of the set; `seconds` counts the library's functions only."""
 
     vertices: list[Vertex] | None
     sides: frozenset[frozenset[Feature]] = frozenset()
@@ -53,14 +53,14 @@ def executable(judge: str) -> Path | None:
 
 
 def absence(judge: str) -> str | None:
-    """Says what is missing, and the command that gets it."""
+    """Names the missing program, and the command that builds it."""
     return None if executable(judge) else f"{_PROGRAMS[judge]} is not built: {_BUILD[judge]}"
 
 
 class DiagramJudge:
-    """CGAL or Boost, in a child process for many sets. Close it, or use it in a `with`. CGAL's
-    places are doubles next to exact ones; Boost's are doubles, most of them within 64 units in the
-    last place, and its coordinates are integers of 32 bits."""
+    """CGAL or Boost, in a child process for many sets. Close it, or use `with`. CGAL's places are
+    doubles next to exact places; Boost's are doubles, most within 64 units in the last place, and
+    Boost's coordinates are integers of 32 bits."""
 
     def __init__(self, judge: str, seconds: float) -> None:
         path = executable(judge)
@@ -117,7 +117,7 @@ def _outer(outline: Outline, judge: str, answer: dict[str, Any]) -> DiagramAnswe
 
 
 def _by_number(outline: Outline) -> Callable[[Sequence[int]], Feature]:
-    """A site of Boost's: an open segment, or one of its ends."""
+    """Names a site of Boost's: an open segment, or an end."""
 
     def feature(site: Sequence[int]) -> Feature:
         piece = outline.pieces[site[0]]
@@ -144,7 +144,7 @@ def _by_coordinates(outline: Outline) -> Callable[[Sequence[str]], Feature]:
 
 
 def _is_at_end(at: Sequence[float], ends: set[tuple[int, int]]) -> bool:
-    """Whether a vertex of Boost's lies at an end of segments, whose distance is zero."""
+    """Whether a vertex of Boost's lies at a segment end, with distance zero."""
     end = round(at[0]), round(at[1])
     return end in ends and math.dist(at, end) <= ROUNDED * max(1, *end)
 
@@ -152,8 +152,8 @@ def _is_at_end(at: Sequence[float], ends: set[tuple[int, int]]) -> bool:
 def _without_straight(
     outline: Outline, features: set[Feature], spot: tuple[float, float]
 ) -> frozenset[Feature]:
-    """A vertex of the set at which a line goes on straight is nothing of its own for places in
-    front of that line: these are in front of the vertex."""
+    """Replaces the set's straight vertices by the lines through them, for places in front of such a
+    line: there the vertex is no feature of its own."""
     kept = set()
     for feature in features:
         lines = [line for line in outline.straight.get(feature, []) if height(spot, line) > 0]

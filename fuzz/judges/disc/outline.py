@@ -1,5 +1,5 @@
-"""The boundary of a polygon set for judges of its outer Voronoi diagram, with features named as the
-curves of docs/disc.md are."""
+"""A polygon set's boundary for judges of its outer Voronoi diagram, with features named as
+docs/disc.md names curves."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Rings = Sequence[Sequence[tuple[Any, Any]]]
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """An edge, or a part of one between points at which other rings touch it."""
+    """An edge, or the part of an edge between points where other rings touch it."""
 
     start: Point
     end: Point
@@ -32,7 +32,7 @@ class Piece:
 
     @cached_property
     def rounded(self) -> tuple[float, float, float, float]:
-        """Start and direction in doubles."""
+        """Returns start and direction in doubles."""
         (x, y), (dx, dy) = map(float, self.start), map(float, self.along)
         return x, y, dx, dy
 
@@ -44,8 +44,8 @@ class Piece:
 
 
 class Outline:
-    """The boundary of a polygon set, which lies to the left of its edges, moved so that `origin`,
-    the lower left corner of its box, comes to (0, 0). Exact."""
+    """A polygon set's boundary, with the set on the left of its edges, moved so that `origin`, the
+    box's lower left corner, comes to (0, 0). Exact."""
 
     def __init__(self, rings: Rings) -> None:
         given = [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in rings]
@@ -59,7 +59,7 @@ class Outline:
 
     @classmethod
     def of(cls, P: Any) -> Self:
-        """The outline of a set of the extension module."""
+        """Returns the outline of a set from the extension module."""
         return cls([ring for polygon in P.rings() for ring in polygon])
 
     def _pieces(self) -> Iterator[Piece]:
@@ -72,7 +72,7 @@ class Outline:
                     yield Piece(a, b, line)
 
     def vertex(self, x: str, y: str) -> Feature:
-        """By its coordinates where it was given."""
+        """Names a vertex by its coordinates before the move."""
         return ("vertex", Fraction(x) - self.origin[0], Fraction(y) - self.origin[1])
 
     def spot(self, x: float, y: float) -> tuple[float, float]:
@@ -80,7 +80,7 @@ class Outline:
         return float(Fraction(x) - self.origin[0]), float(Fraction(y) - self.origin[1])
 
     def edge(self, ring: int, index: int) -> Feature:
-        """The line of an edge, by the number of its ring and of its first vertex."""
+        """Names an edge's line, by the numbers of the ring and of the edge's first vertex."""
         corners = self.rings[ring]
         return line_through(corners[index], corners[(index + 1) % len(corners)])
 
@@ -97,11 +97,11 @@ class Outline:
         return found
 
     def integers(self) -> list[list[int]]:
-        """The pieces, multiplied by `factor`."""
+        """Returns the pieces, multiplied by `factor`."""
         return [[int(c * self.factor) for c in (*piece.start, *piece.end)] for piece in self.pieces]
 
     def is_outside(self, x: float, y: float) -> bool:
-        """By the edges to the right. In doubles: for places that are off the boundary."""
+        """Tests with the edges to the right. In doubles: for places off the boundary."""
         inside = False
         for ax, ay, bx, by in self._bands.get(math.floor(y / self._band), ()):
             if (ay > y) != (by > y) and ax + (y - ay) / (by - ay) * (bx - ax) > x:
@@ -133,7 +133,7 @@ def line_through(start: Point, end: Point) -> Feature:
 
 
 def _between(corners: list[Point], start: Point, end: Point) -> list[Point]:
-    """Those on the open segment from start to end, in order."""
+    """Returns the corners on the open segment from start to end, in order."""
     along = end[0] - start[0], end[1] - start[1]
     square = along[0] ** 2 + along[1] ** 2
     low, high = min(start[0], end[0]), max(start[0], end[0])

@@ -19,7 +19,8 @@ Feature = Edge | Corner
 @dataclass(frozen=True)
 class Root:
     """The root of one condition, s > 0. `case`: once, always or never. `terms`: the scale is the
-    sum of c sqrt(m) over (m, c). `polynomial`: minimal for the scale, the highest power first."""
+    sum of c sqrt(m) over (m, c). `polynomial`: the scale's minimal polynomial, the highest power
+    first."""
 
     case: str
     terms: tuple[tuple[int, str], ...] = ()
@@ -72,13 +73,14 @@ def touches(first: Feature, second: Feature, radius: int) -> list[Touch]:
 
 
 def ring_touches(ring: Sequence[Vertex], radius: int) -> list[Touch]:
-    """Touches of all pairs of non-consecutive features of a polygon, ascending."""
+    """Returns touches between all pairs of non-consecutive features of a polygon, ascending."""
     found = disc_contact.polygon_events(ring, rational(radius))
     return [Touch(x.name, _root(x.scale), bool(x.meet)) for x in found]
 
 
 def greatest_degrees() -> dict[str, int]:
-    """Degree of the polynomial in s without lengths, for general data, by condition."""
+    """Returns, by condition, the degree of the polynomial in s without lengths, for general
+    data."""
     kept = solutions.all_solutions()
     return {
         name.removeprefix("disc "): int(found["degree"])

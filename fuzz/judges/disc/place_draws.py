@@ -1,5 +1,5 @@
-"""Sets for the judge of places (oracle/places): all edges have rational lengths. Half of the kinds
-are such that much happens at one radius."""
+"""Sets for the judge of places (oracle/places), with rational edge lengths. In half the kinds, many
+events share a radius."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def scattered(dice: Dice) -> Shape:
 
 
 def mirrored(dice: Dice) -> Shape:
-    """Boxes and their images in one axis or in both."""
+    """Boxes and their images in one or both axes."""
     own = _boxes(dice, dice.randint(2, 3), 6, 1)
     far = dice.randint(1, 3)
     shape: Shape = [[[(x + far, y + far) for x, y in ring]] for ring in own]
@@ -74,7 +74,7 @@ def comb(dice: Dice) -> Shape:
             wide = gap if dice.random() < 0.7 else dice.randint(1, 4)
             teeth += [(x, floor), (x + wide, floor)]
             x += wide
-    # Teeth run to the right: the set is below them.
+    # Teeth run to the right: the set lies below.
     ring = _turned_left([(0, 0), (x, 0), *reversed(teeth)])
     shape: Shape = [[ring]]
     if dice.random() < 0.6:
@@ -83,7 +83,7 @@ def comb(dice: Dice) -> Shape:
 
 
 def rooms(dice: Dice) -> Shape:
-    """A hole of rooms in a row, or around a block, with doors of few widths."""
+    """A hole with rooms in a row, or around a block, with doors of few widths."""
     door = Fraction(dice.randint(1, 2))
     x = 0
     low: Ring = []
@@ -104,7 +104,7 @@ def rooms(dice: Dice) -> Shape:
 
 
 def blocks(dice: Dice) -> Shape:
-    """In rows and columns, with streets of one width."""
+    """Blocks in rows and columns, with streets of equal width."""
     street, x = dice.randint(1, 3), 0
     found: list[Ring] = []
     rows = [dice.randint(1, 4) for _ in range(2)]
@@ -118,7 +118,7 @@ def blocks(dice: Dice) -> Shape:
 
 
 def cells(dice: Dice) -> Shape:
-    """Whole cells of a grid, which may touch in points; with straight vertices, perhaps."""
+    """Whole grid cells, which may touch at points; perhaps with straight vertices."""
     size = dice.randint(3, 5)
     outside = frame = _core_set([box(-1, -1, size + 2, size + 2)])
     for x in range(size):
@@ -165,7 +165,7 @@ def _with_straight(dice: Dice, ring: Ring) -> Ring:
 
 
 def turned(dice: Dice) -> Shape:
-    """One of the others, turned by an angle with rational sine and cosine."""
+    """Boxes, scattered parts or rooms, turned by an angle with rational sine and cosine."""
     a, b, c = dice.choice(TRIPLES)
     x, y = Fraction(a, c), Fraction(b, c)
     return mapped(dice.choice((boxes, scattered, rooms))(dice),
@@ -204,7 +204,7 @@ KINDS: dict[str, Callable[[Dice], Shape]] = {
 
 
 def drawn_set(seed: int, number: int) -> tuple[str, Shape]:
-    """A valid set of the kind of this number. The same numbers give the same."""
+    """Draws a valid set of the kind for this number. Equal numbers give equal sets."""
     kind = list(KINDS)[number % len(KINDS)]
     dice = Dice(f"minkref places {seed}:{number}")
     while True:
@@ -223,7 +223,7 @@ def set_of(shape: Shape) -> _core.PolygonSet:
 
 
 def changed(dice: Dice, shape: Shape) -> tuple[str, Shape, Callable[[Point], Point]]:
-    """The same set written in another way, or its image: what was done to points."""
+    """Writes the same set differently, or maps it; also returns the map of points."""
     way = dice.choice(("order", "mirrored", "turned", "larger"))
     changes: dict[str, Callable[[Point], Point]] = {
         "order": lambda p: p,

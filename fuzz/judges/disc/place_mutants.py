@@ -1,5 +1,5 @@
-"""Answers about a disc with one thing wrong, which the judge of places has to find. Each mutant
-changes the lists of `disc_places.rows_of`; None where there is nothing that it could change."""
+"""Wrong answers about a disc, for the judge of places to find. Each mutant changes one detail in
+the lists from `disc_places.rows_of`; None if nothing can be changed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _pairs_at_one_radius(rows: list[Row]) -> Iterator[tuple[Row, Row]]:
 
 
 def swapped_places(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None:
-    """Two events at one radius are listed at each other's place."""
+    """Lists two events at one radius at each other's place."""
     events, changes = deepcopy(rows)
     pairs = [(a, b) for a, b in _pairs_at_one_radius(events) if a["features"] != b["features"]]
     if not pairs:
@@ -35,7 +35,7 @@ def swapped_places(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None
 
 
 def place_off_by_units(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None:
-    """A coordinate is three doubles away from the right one."""
+    """Moves a coordinate by three doubles."""
     events, changes = deepcopy(rows)
     if not events:
         return None
@@ -45,7 +45,7 @@ def place_off_by_units(dice: random.Random, shape: Shape, rows: Rows) -> Rows | 
 
 
 def swapped_births(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None:
-    """Two holes that are born at one radius are listed at each other's event."""
+    """Lists two holes born at one radius at each other's event."""
     events, changes = deepcopy(rows)
     born = [row for row in changes if row["changes"]["born"]]
     pairs = list(_pairs_at_one_radius(born))
@@ -57,7 +57,7 @@ def swapped_births(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None
 
 
 def birth_elsewhere(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None:
-    """A hole is born at another event of its radius."""
+    """Gives a hole's birth to another event at its radius."""
     events, changes = deepcopy(rows)
     pairs = [
         (row, event) for row in changes if row["changes"]["born"] and not row["changes"]["joined"]
@@ -72,7 +72,7 @@ def birth_elsewhere(dice: random.Random, shape: Shape, rows: Rows) -> Rows | Non
 
 
 def first_edge_of_line(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None:
-    """An edge has the name of another one on its line."""
+    """Gives an edge the name of another edge on its line."""
     events, changes = deepcopy(rows)
     rings = [ring for polygon in shape for ring in polygon]
 
@@ -120,7 +120,7 @@ def feature_dropped(dice: random.Random, shape: Shape, rows: Rows) -> Rows | Non
 
 
 def other_hole_left(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None:
-    """A hole leaves another one than it does."""
+    """Names a wrong hole as the parent of a hole."""
     events, changes = deepcopy(rows)
     holes = 1 + max((h for row in changes for h in row["changes"]["ended"]), default=0)
     choices = [each for row in changes for each in row["changes"]["born"] if holes > 2]
@@ -141,7 +141,7 @@ def birth_dropped(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None:
 
 
 def join_elsewhere(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None:
-    """Components join at another event of the radius, which joins none."""
+    """Lets components join at another event at the radius, which joins none."""
     events, changes = deepcopy(rows)
     pairs = [
         (row, event) for row in changes if row["changes"]["joined"] and not row["changes"]["born"]

@@ -1,1 +1,1 @@
-"""Judges of parts on paths, and of traps."""
+"""Judges for parts on paths, and for traps."""

@@ -1,4 +1,4 @@
-"""Claims of certificates of paths and traps, held against what the reference finds afresh: it
+"""Claims in path and trap certificates, compared with fresh results from the reference, which
 shares nothing with the checkers."""
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class PathConfirmation:
         return all(self.holds(claim) for claim in claims)
 
     def holds(self, claim: dict[str, Any]) -> bool:
-        """Exactly, at all of its scales."""
+        """Decides exactly, at all scales of the claim."""
         contact, scales = claim["contact"], _told(claim["scales"])
         kind = claim["claim"]
         if kind in ("free", "hit", "valid"):

@@ -1,6 +1,6 @@
-"""Whether a part collides along a path at one scale, from the definition: the path is cut by all
-edges of one set at all vertices of the other, and each cut and each middle between two is decided
-as a point, by the slow engine or by pairs of triangles. It knows no event and no index."""
+"""Decides by definition whether a part collides along a path at one scale: all edges of one set at
+all vertices of the other cut the path, and each cut and each middle between two cuts is decided as
+a point, by the slow engine or by pairs of triangles. Knows no event and no index."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Located:
 
 
 class Collisions:
-    """Collisions of one part with one set of obstacles along one path."""
+    """Collisions of a part with a set of obstacles along a path."""
 
     def __init__(
         self, part: _core.PolygonSet, obstacles: _core.PolygonSet, path: Sequence[Point]
@@ -60,7 +60,8 @@ class Collisions:
         return any(decide(scale, place.point) in bad for place in self.located(scale))
 
     def located(self, scale: Fraction) -> Iterator[Located]:
-        """Places that decide for all of the path. Vertices first: most collisions show there."""
+        """Yields places that decide for the whole path. Vertices first: most collisions show
+        there."""
         last = len(self._path) - 1
         for k, point in enumerate(self._path):
             yield (
@@ -78,7 +79,7 @@ class Collisions:
                 yield Located(segment, t, (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])))
 
     def _edges(self, scale: Fraction) -> Iterator[tuple[Point, Point]]:
-        """Each edge of one set at each vertex of the other, as a segment of places of the part."""
+        """Yields each edge of one set at each vertex of the other, as a segment of part places."""
         for edges, vertices, own, other in (
             (self._obstacles, self._part, Fraction(1), -scale),
             (self._part, self._obstacles, -scale, Fraction(1)),
@@ -93,7 +94,7 @@ class Collisions:
 
 
 def _cuts(a: Point, b: Point, edges: Sequence[tuple[Point, Point]]) -> Iterator[Fraction]:
-    """Where edges meet the segment from a to b, as parts of it."""
+    """Yields parameters at which edges meet the segment from a to b."""
     wx, wy = b[0] - a[0], b[1] - a[1]
     length = wx * wx + wy * wy
     for (px, py), (qx, qy) in edges:

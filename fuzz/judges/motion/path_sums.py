@@ -1,7 +1,7 @@
-"""The largest scale of a path by sums at single scales: CGAL's sum of each obstacle and the turned
-part, the path held against each of them in plain fractions, and a bisection. It shares nothing with
-the reference. A bisection is right where smaller parts pass, too: for parts that are star-shaped
-about their origin."""
+"""The largest scale for a path by sums at single scales: CGAL's sum of each obstacle and the turned
+part, a test of the path against each sum in plain fractions, and a bisection. Shares nothing with
+the reference. Bisection is right if smaller parts pass, too: for parts star-shaped about their
+origin."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class NoSum(RuntimeError):
 
 @dataclass
 class PathBySums:
-    """`cgal_seconds`: of CGAL's function alone; `path_seconds`: of holding the path against its
+    """`cgal_seconds` counts CGAL's function only; `path_seconds` the tests of the path against its
     sums."""
 
     part: _core.PolygonSet
@@ -44,8 +44,8 @@ class PathBySums:
         self._each = [json.dumps({"polygons": [polygon]}) for polygon in polygons]
 
     def bracket(self, low: Fraction, high: Fraction, width: Fraction) -> tuple[Fraction, Fraction]:
-        """A valid scale and one that is not, no further apart than that, between two of which the
-        first is valid and the second is not. Raises NoSum."""
+        """Returns a valid scale and an invalid scale, at most `width` apart, from a bracket whose
+        low end is valid and whose high end is not. Raises NoSum."""
         while high - low > width:
             middle = (low + high) / 2
             if self.passes(middle):
@@ -55,8 +55,8 @@ class PathBySums:
         return low, high
 
     def passes(self, scale: Fraction) -> bool:
-        """Whether no place of the path is inside of a sum: contact is allowed. All sums are made,
-        as for a picture of the places; those of obstacles apart need not be united for that."""
+        """Whether no place on the path lies inside a sum: contact is allowed. Makes all sums, as
+        for a picture of the places; sums for separate obstacles need no union."""
         self.scales += 1
         turned = self.part.scaled(str(-scale)).to_json()
         passed = True
@@ -73,7 +73,7 @@ class PathBySums:
 
 
 def avoids(path: Sequence[Point], shape: Shape) -> bool:
-    """Whether no point of a polyline is in the interior of a set. Exact."""
+    """Whether no point on a polyline lies in a set's interior. Exact."""
     edges = [(a, b) for polygon in shape for ring in polygon for a, b in _sides(ring)]
     box = _box([a for a, _ in edges])
     places = [path[0], *path] if len(path) == 1 else list(path)
@@ -101,7 +101,7 @@ def _sides(ring: Sequence[Point]) -> list[tuple[Point, Point]]:
 
 
 def _meetings(a: Point, b: Point, c: Point, d: Point) -> set[Point]:
-    """Where two segments meet: a point, or the ends of what they share."""
+    """Points where two segments meet: one point, or the ends of their overlap."""
     found = {p for p in (c, d) if turn(a, b, p) == 0 and in_box(a, b, p)}
     if turn(a, b, c) * turn(a, b, d) < 0 and turn(c, d, a) * turn(c, d, b) < 0:
         found.add(crossing(a, b, c, d))

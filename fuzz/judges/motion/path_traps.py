@@ -18,8 +18,8 @@ MOST_TRIES = 40
 def enclosing_ring(
     part: _core.PolygonSet, assembly: _core.PolygonSet, at: Point, scale: Fraction
 ) -> list[Point] | None:
-    """A hole of the closed sum around a place outside of it: its ring belongs to the sum, and
-    leads around the place. None where no single ring does."""
+    """Returns a hole of the closed sum around an outside place: the hole's ring belongs to the sum,
+    and leads around the place. None if no single ring does."""
     turned = part.scaled("-1")
     region = _core.minkowski_sum(turned, assembly, str(scale), "definition").region
     for ring in fraction_rings(region.canonical_json()):
@@ -31,9 +31,9 @@ def enclosing_ring(
 def way_out(
     part: _core.PolygonSet, assembly: _core.PolygonSet, at: Point, scale: Fraction
 ) -> list[Point] | None:
-    """A polyline from the place to one beyond the box of the sum along which interiors never meet:
-    along vertices of the sum that see each other in doubles, and then proven as a whole, from the
-    definition. None where none was found."""
+    """A polyline from the place to a point beyond the sum's box, along which interiors never meet:
+    it follows vertices of the sum that see each other in doubles, and is then proven as a whole,
+    from the definition. None if none was found."""
     turned = part.scaled("-1")
     region = _core.minkowski_sum(turned, assembly, str(scale), "definition").region
     rings = fraction_rings(region.canonical_json())
@@ -81,7 +81,8 @@ def _shortest(
     walls: Sequence[tuple[Near, Near]],
     closed: set[tuple[int, int]],
 ) -> list[int] | None:
-    """From the first node to one of the last `goals`, through pairs that no wall is between."""
+    """The way from the first node to one of the last `goals`, through pairs with no wall
+    between."""
     near = [_near(p) for p in nodes]
     best, before, queue = {0: 0.0}, {0: 0}, [(0.0, 0)]
     done: set[int] = set()
@@ -126,7 +127,7 @@ def _doubled_area(ring: Sequence[Point]) -> Fraction:
 
 
 def _winding(ring: Sequence[Point], x: Point) -> int:
-    """How often a ring leads around a point that is not on it."""
+    """The winding number of a ring around a point off the ring."""
     number = 0
     for a, b in zip(ring, [*ring[1:], ring[0]], strict=True):
         if (a[1] <= x[1]) != (b[1] <= x[1]):

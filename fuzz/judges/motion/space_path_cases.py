@@ -1,4 +1,4 @@
-"""Random paths of a polyhedron among others, in space; a third of them degenerate."""
+"""Random paths for a polyhedron among others, in space; a third degenerate."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ WIDE = 20
 
 @dataclass(frozen=True)
 class SpacePathCase:
-    """`kind`: how the path is degenerate, "general" where it is not meant to be. Parts and
-    obstacles are a pair of `general_pairs.py`, half of which are degenerate by themselves."""
+    """`kind`: the path's degeneracy, "general" if none is intended. Parts and obstacles are a pair
+    from `general_pairs.py`, half already degenerate by themselves."""
 
     name: str
     part: Polyhedron
@@ -41,7 +41,7 @@ def space_path_case(seed: int, index: int) -> SpacePathCase:
     """The same one for the same numbers."""
     pair = general_pair(seed, index)
     dice = random.Random(f"minkref path {pair.name}")
-    kind = dice.choice(KINDS) if dice.random() < 1 / 3 else "general"  # the families are in turn
+    kind = dice.choice(KINDS) if dice.random() < 1 / 3 else "general"  # families take turns
     part, obstacles = pair.P, pair.Q
     if kind == "corridor":
         return _corridor(dice, pair.name, part, pair.scale)
@@ -69,8 +69,8 @@ def space_path_case(seed: int, index: int) -> SpacePathCase:
 
 
 def _corridor(dice: random.Random, name: str, part: Polyhedron, scale: Fraction) -> SpacePathCase:
-    """Two walls, and a way along them: contact on both sides at one scale. Where the part is on one
-    side of its origin, that scale alone is valid between others."""
+    """Two walls, and a way along them: contact on both sides at one scale. If the part lies on one
+    side of its origin, only this scale is valid in its neighbourhood."""
     axis = dice.randrange(3)
     part = part.translated(_along(axis, Fraction(dice.choice((0, 9, -9)))))
     heights = [scale * vertex[axis] for vertex in part.vertices]

@@ -1,5 +1,6 @@
-"""Whether a part collides on a path in space at one scale: by the static sum of the obstacles and
-the turned part, with its tight passages, or by the slow engine. Neither knows another scale."""
+"""Decides whether a part collides on a path in space at one scale: by the static sum of the
+obstacles and the turned part, with its tight passages, or by the slow engine. Neither knows another
+scale."""
 
 from __future__ import annotations
 
@@ -25,8 +26,8 @@ Face = tuple[Point, Fraction, list[list[Point]]]
 
 
 class StaticSum:
-    """The sum of the obstacles and -R at one scale. `contact`: allowed or forbidden; where it is
-    allowed, tight passages tell what the interiors leave out: not of operands of too many convex
+    """The sum of the obstacles and -R at one scale. `contact`: allowed or forbidden; if allowed,
+    tight passages tell the part that interiors leave out: not for operands with too many convex
     pieces (LimitExceeded)."""
 
     def __init__(self, case: SpacePathCase, scale: Fraction, contact: str) -> None:
@@ -43,7 +44,7 @@ class StaticSum:
             self._read_passages(turned, case.obstacles, scale)
 
     def meets(self, path: Sequence[Point]) -> bool:
-        """Whether a place of the path is in the sum of the interiors (contact allowed), or in the
+        """Whether a place on the path lies in the sum of interiors (contact allowed), or in the
         sum."""
         return any(self._meets_at(x) for x in self._places(path))
 
@@ -70,8 +71,8 @@ class StaticSum:
         return x in self._points or any(_is_between(a, b, x) for a, b in self._lines)
 
     def _places(self, path: Sequence[Point]) -> Iterator[Point]:
-        """The vertices, where anything of the sum begins or ends on the path, and a place between
-        any two of these."""
+        """Yields the vertices, places where a feature of the sum begins or ends on the path, and a
+        place between any two of them."""
         yield from path
         for a, b in pairwise(path):
             if a != b:
@@ -91,7 +92,7 @@ class _ThinOperand:
         self._faces = [_face_of([solid.vertices[k] for k in face]) for face in solid.faces]
 
     def overlaps(self, x: Point) -> bool:
-        """Whether the thin operand, without its ends, meets the inside where the part is at x."""
+        """Whether the thin operand, without its ends, meets the inside, with the part at x."""
         s = self._scale
         if self._is_part:
             ends = [_plus(x, end, s) for end in self._ends]
@@ -153,8 +154,8 @@ def _face_of(ring: list[Point]) -> Face:
 
 
 def by_slow_engine(case: SpacePathCase, scale: Fraction, contact: str) -> bool:
-    """Decides from the half-spaces of the sums of all pairs of convex pieces: each half-space
-    leaves an interval of a segment of the path. For two operands with a volume. Exact."""
+    """Decides from half-spaces for the sums of all pairs of convex pieces: each half-space leaves
+    an interval on a path segment. For two operands with a volume. Exact."""
     sum_ = SolidSum(_slow(case.part.reflected(ORIGIN)), _slow(case.obstacles), uniform(scale))
     path = case.path if len(case.path) > 1 else [*case.path, *case.path]
     return any(
@@ -198,7 +199,7 @@ def _times(factor: Fraction, a: Point) -> Point:
 
 
 def _part(a: Point, b: Point, p: Point) -> Fraction:
-    """How far along the way from a to b the point of the line is that is nearest to p."""
+    """Returns the parameter, between a and b, of the line's nearest point to p."""
     way = minus(b, a)
     return dot(minus(p, a), way) / dot(way, way)
 
@@ -209,8 +210,8 @@ def _is_between(a: Point, b: Point, p: Point) -> bool:
 
 
 def _where_lines_meet(a: Point, b: Point, p: Point, q: Point) -> Iterator[Fraction]:
-    """Parts of the segment from a to b: where it meets the line through p and q; where that is its
-    own line, p and q."""
+    """Yields parameters on the segment from a to b where it meets the line through p and q; for a
+    common line, the parameters of p and q."""
     way, other, between = minus(b, a), minus(q, p), minus(p, a)
     n = cross(way, other)
     if n == ORIGIN:

@@ -24,7 +24,7 @@ TURNS = tuple(
 
 @dataclass(frozen=True)
 class TrapCase:
-    """A part, what may hold it, and where its origin is."""
+    """A part, an assembly that may hold it, and the place of the part's origin."""
 
     name: str
     part: PolygonSet
@@ -49,8 +49,8 @@ class Room:
         return (self.size - door) * Fraction(self.dice.randint(0, 4), 4)
 
     def block(self, door: Ring) -> list[Ring]:
-        """The room in a block, its way out to the right through a door whose outline is given, from
-        the inner lower end to the outer lower one, and from the outer upper one back."""
+        """The room in a block, with its way out to the right through a door, given as an outline
+        from the inner lower end to the outer lower end, and from the outer upper end back."""
         half = len(door) // 2
         s, t = self.size, self.thick
         x = max(px for px, _ in door)
@@ -120,7 +120,7 @@ def _spikes(room: Room) -> list[Ring]:
 
 
 def _doors(room: Room) -> list[Ring]:
-    """Several that shut at one scale, each in a side of its own."""
+    """Several doors that shut at one scale, each in a different side."""
     return _walls(room, room.dice.sample(range(4), room.dice.randint(2, 4)), ())
 
 
@@ -136,7 +136,7 @@ def _walls(room: Room, doors: Sequence[int], spikes: Sequence[int]) -> list[Ring
     s, t = room.size, room.thick
     turns = ((1, 0), (0, 1), (-1, 0), (0, -1))
     rings: list[list[Place]] = []
-    inner: list[Place] = []  # of the wall that is being built
+    inner: list[Place] = []  # the current wall's corners
     outer: list[Place] = []
     first: tuple[list[Place], list[Place]] | None = None
     for side, (u, v) in enumerate(turns):
@@ -173,7 +173,7 @@ KINDS: dict[str, Callable[[Room], list[Ring]]] = {
 
 
 def trap_case(seed: int, index: int) -> TrapCase:
-    """The same one for the same numbers; one kind after the other."""
+    """Draws equal cases for equal numbers; one kind after another."""
     name = f"trap {seed}:{index}"
     dice = random.Random(name)
     kind = list(KINDS)[index % len(KINDS)]
@@ -193,7 +193,7 @@ def _drawn(dice: random.Random, name: str, kind: str) -> TrapCase:
     xs, ys = zip(*_points(part), strict=True)
     x, y = (-Fraction(min(cs) + max(cs), 2) for cs in (xs, ys))
     scale = dice.choice(SCALES)
-    if dice.random() < 0.5:  # its origin is not in the middle, perhaps outside
+    if dice.random() < 0.5:  # the origin lies off the middle, perhaps outside
         x, y = x + dice.randint(-2, 2), y + dice.randint(-2, 2)
     wide, high = (scale * max(max(cs) - min(cs), 1) for cs in (xs, ys))
     size = max(wide, high) * Fraction(dice.randint(5, 12), 4)
@@ -213,7 +213,7 @@ def _drawn(dice: random.Random, name: str, kind: str) -> TrapCase:
 
 
 def _once(ring: list[Place]) -> list[Place]:
-    """Without a vertex that is the one before it."""
+    """Drops vertices equal to the vertex before."""
     return [p for k, p in enumerate(ring) if p != ring[k - 1]]
 
 

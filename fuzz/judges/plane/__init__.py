@@ -1,1 +1,1 @@
-"""Judges of sums and events in the plane."""
+"""Judges for sums and events in the plane."""

@@ -1,5 +1,5 @@
-"""Claims of certificates put before routes that know nothing of proofs: the slow engine, and real
-roots counted by computer algebra."""
+"""Certificate claims before routes that know nothing of proofs: the slow engine, and real roots
+counted by computer algebra."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from minkref.certify.plane.moving_form import moving_form
 from minkref.exact import digest
 from minkref.oracle import slow
 
-SAMPLES = 3  # scales of an interval that are looked at
+SAMPLES = 3  # scales examined per interval
 Claim = dict[str, Any]
 
 
@@ -33,7 +33,8 @@ class Confirmation:
         return all(self.holds(claim, claims) for claim in claims)
 
     def holds(self, claim: Claim, claims: list[Claim]) -> bool:
-        """Whether a claim is true; of those that it refers to, only what it says with them."""
+        """Whether a claim is true; claims that it refers to count only through its own
+        statement."""
         if claim["claim"] == "event":
             claim = {**claim, "before": claims[claim["before"]], "after": claims[claim["after"]]}
         said = {name: claim[name] for name in claim if name not in ("step", "steps", "path", "at")}
@@ -74,7 +75,7 @@ class Confirmation:
         return len(counts) > 1 if claim["kind"] == "topology" else found.boundary_changes
 
     def _passage(self, claim: Claim) -> bool:
-        """The points are part of a piece that the slow engine has."""
+        """Whether the points form a part of a piece from the slow engine."""
         points = [(Fraction(x), Fraction(y)) for x, y in claim["points"]]
         pieces = slow.minkowski_sum(self.P, self.Q, Fraction(claim["scale"])).tight
         runs = [run for piece in pieces for run in (list(piece), list(piece)[::-1])]

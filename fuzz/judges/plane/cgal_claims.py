@@ -1,4 +1,4 @@
-"""Answers of CGAL's methods, judged by the slow engine alone."""
+"""Answers from CGAL's methods, judged by the slow engine alone."""
 
 from __future__ import annotations
 
@@ -15,8 +15,7 @@ SECONDS = 60.0
 
 
 class CgalClaims:
-    """One server for each target (`cgal-reduced-raw`: with every hole) that is found; for one
-    process."""
+    """One server for each target found (`cgal-reduced-raw`: with every hole); for one process."""
 
     def __init__(self, methods: Iterable[str]) -> None:
         self._oracles: dict[str, CgalOracle] = {}
@@ -28,9 +27,9 @@ class CgalClaims:
                 continue
 
     def against(self, case: Case) -> list[dict[str, Any]]:
-        """For each method its `outcome` on the sum at the scale of the case: `equal`, `different`
-        (with a point in the interior of the difference, and both sets), `no set`, or what became
-        of the call."""
+        """Returns for each method its `outcome` on the sum at the case's scale: `equal`,
+        `different` (with a point inside the difference, and both sets), `no set`, or the call's
+        status."""
         P, Q = slow_operands(case)
         scale = Fraction(case.scale)
         rows = []

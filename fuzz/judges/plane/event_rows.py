@@ -1,4 +1,4 @@
-"""Events of both sides as rows that can be compared."""
+"""Events from both sides as comparable rows."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from minkref.oracle.symbolic.moving import Point, point_text
 from minkref.oracle.symbolic.pairs import Event
 from minkref.oracle.symbolic.rational import text
 
-# minkref lists as triple events also those in which an end of a segment passes on a common line.
+# As triple events minkref also lists events where a segment's end passes on a common line.
 LISTED_AS = {"end": "triple"}
 Place = frozenset[tuple[str, ...]]
 """A point, or both ends of a segment in either order."""
@@ -50,7 +50,7 @@ def minkref_rows(events: Any, which: list[int]) -> Counter[Row]:
 
 
 def pair_search_rows(found: Any) -> Counter[Row]:
-    """Those of the search that knows pair and parallel events only."""
+    """Rows from the search that knows pair and parallel events only."""
     edges = [parents_of(row) for row in found.edges()]
     return Counter(
         (
@@ -65,8 +65,9 @@ def pair_search_rows(found: Any) -> Counter[Row]:
 
 
 def unmatched(mine: Counter[Row], theirs: Counter[Row]) -> tuple[list[Row], list[Row]]:
-    """Rows that only one side has. Where two segments pass each other in several places at one
-    scale, minkref lists one event, at one of them: it has to be one of ours, and listed once."""
+    """Rows that only one side has. If two segments pass each other in several places at one scale,
+    minkref lists one event, at one of these places: our rows have to contain this event, listed
+    once."""
     missing = list((theirs - mine).elements())
     named = Counter(row[:4] for row in theirs.elements())
     extra = [row for row in (mine - theirs).elements() if row[:4] not in named]

@@ -29,7 +29,7 @@ class IntervalTable:
 
 
 def compare_intervals(seed: int, count: int) -> IntervalTable:
-    """`count` pairs of each type, most of them in a special position on purpose."""
+    """Compares `count` pairs of each type, most deliberately in special position."""
     rng = random.Random(seed)
     table = IntervalTable(seed)
     asked: list[tuple[tuple[str, tuple[int, ...]], ...]] = []

@@ -1,5 +1,4 @@
-"""The array of events of the paper's program beside the exact one: what is missed and what is
-invented."""
+"""The event array of the paper's program beside the exact array: missed and invented events."""
 
 from __future__ import annotations
 
@@ -27,7 +26,7 @@ class Event:
 
 @dataclass(frozen=True)
 class Events:
-    """Events of all scales; the first of each kind is the event of the least scale."""
+    """Events at all scales; the first event of each kind has the least scale."""
 
     right: int
     misplaced: int  # the same edges begin or cease to meet, at another scale
@@ -35,8 +34,8 @@ class Events:
     invented: int
     first_missed: Event | None
     first_invented: Event | None
-    listed: list[tuple[Event, str | None]]  # with the exact scale, where there is such an event
-    missed_within: list[Event]  # of the window that is asked for, ascending
+    listed: list[tuple[Event, str | None]]  # with the exact scale, if such an event exists
+    missed_within: list[Event]  # within the requested window, ascending
     invented_within: list[Event]
 
 
@@ -50,11 +49,10 @@ def compare_events(
     window: tuple[Fraction, Fraction] | None = None,
     threads: int = 1,
 ) -> Events:
-    """The events of a program, in numbers of so many bits (None: exact ones), by their edges. A
-    scale is right if half of its digits are, or all of them in exact numbers. The first `most` are
-    listed, and the first `most` of a closed `window` that are missed and invented. `adjacent`: the
-    reading of the program, which says whether edges that share a vertex are asked. O(N^2) for N
-    edges."""
+    """The events of a program, in numbers of so many bits (None: exact numbers), by their edges. A
+    scale is right if half its digits are, or all in exact numbers. Lists the first `most` events,
+    and the first `most` missed and invented in a closed `window`. `adjacent`: the reading of the
+    program, which says whether edges that share a vertex are asked. O(N^2) for N edges."""
     exact = _core.PaperUpdate(P, Q, "1", "rational", CORRECTED | {"adjacent": adjacent}, threads)
     wanted, found = _by_pair(exact), _by_pair(program)
     edges = _core.reduced_convolution(P, Q)

@@ -1,4 +1,4 @@
-"""When two edges of a convolution meet, by the symbolic oracle."""
+"""Scales at which two edges of a convolution meet, by the symbolic oracle."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ Numbers = tuple[str, tuple[int, ...]]  # (kind, (px, py, qx, qy, dx, dy)): from 
 
 
 def contact_interval(a: Numbers, b: Numbers) -> Bounds:
-    """Its bounds, None for 0 and for no end; None where they never meet."""
+    """The interval's bounds, None for 0 and for no end; None if the edges never meet."""
     return contact_bounds(_segment(a), _segment(b))
 
 
 def contact_bounds(a: MovingSegment, b: MovingSegment) -> Bounds:
-    """Those of the scales at which two segments meet."""
+    """Bounds on the scales at which two segments meet."""
     found = contact_set(a, b)
     if found is None:
         return None

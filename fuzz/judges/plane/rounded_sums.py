@@ -10,11 +10,11 @@ from minkref import _core
 
 Point = tuple[Fraction, Fraction]
 Ring = list[Point]
-LARGEST = 10**6  # ulps beyond which rings are not the same; half of the digits, if these are fewer
+LARGEST = 10**6  # ulps beyond which rings differ; or half the digits, if fewer
 
 
 def significant_bits(arithmetic: str) -> int | None:
-    """Significant bits of the numbers of an arithmetic; None if the numbers are exact."""
+    """Returns the significant bits of an arithmetic's numbers; None for exact numbers."""
     if arithmetic.startswith("mpfr:"):
         return int(arithmetic.removeprefix("mpfr:"))
     return None if arithmetic == "rational" else 53
@@ -22,10 +22,10 @@ def significant_bits(arithmetic: str) -> int | None:
 
 @dataclass(frozen=True)
 class Comparison:
-    """`ulps`: the largest distance of a coordinate from the right one, in units in the last place
-    of the largest coordinate of the exact sum; None where the structure is another one. Then
-    `point` is one that only one of the two sets has, and `in_sum` tells which: it is decided by
-    pairs of triangles, from the definition. None where rings differ and the sets do not."""
+    """`ulps`: the largest error of a coordinate, in units in the last place of the exact sum's
+    largest coordinate; None if the structure differs. Then `point` belongs to only one set, and
+    `in_sum` tells which: pairs of triangles decide it, from the definition. None if rings differ
+    but the sets do not."""
 
     same_structure: bool
     ulps: Fraction | None = None
@@ -41,10 +41,10 @@ def compare(
     bits: int | None,
     exact: _core.Sum | None = None,
 ) -> Comparison:
-    """The sum `got` at this scale, in numbers of so many bits (None: exact ones, which must be
-    equal), beside the `exact` sum, which is computed where it is not given. The same structure is:
-    as many rings, and to each outer ring and each hole one with as many vertices, each near that of
-    the other."""
+    """Compares the sum `got` at this scale, in numbers of so many bits (None: exact numbers, which
+    must be equal), with the `exact` sum, which is computed unless given. Equal structure means:
+    equally many rings, and for each outer ring and each hole a counterpart with as many vertices,
+    each near its counterpart."""
     exact = exact or _core.minkowski_sum(P, Q, scale)
     if got.region == exact.region:
         return Comparison(True, Fraction(0))
@@ -62,8 +62,8 @@ def compare(
 def largest_difference(
     exact: _core.PolygonSet, got: _core.PolygonSet, bits: int
 ) -> Fraction | None:
-    """The largest difference of a coordinate from its like, in units in the last place; None if the
-    rings do not correspond."""
+    """The largest difference between corresponding coordinates, in units in the last place; None if
+    the rings do not correspond."""
     unit = _unit(exact, bits)
     most = unit * min(LARGEST, 2 ** (bits // 2))
     wanted, offered = _rings(exact), _rings(got)
@@ -87,7 +87,7 @@ def largest_difference(
 
 
 def _rings(region: _core.PolygonSet) -> list[tuple[bool, Ring]]:
-    """Each with whether it is an outer one."""
+    """Lists rings, each with a flag for outer rings."""
     return [(k == 0, ring) for polygon in region.rings() for k, ring in enumerate(polygon)]
 
 
@@ -100,7 +100,8 @@ def _unit(region: _core.PolygonSet, bits: int) -> Fraction:
 
 
 def last_place(largest: Fraction | int, bits: int) -> Fraction:
-    """The distance of neighbours among numbers of so many bits, at this one; at 0 as at 1."""
+    """The distance between neighbours among numbers of so many bits, at this number; at 0 as at
+    1."""
     largest = abs(Fraction(largest)) or Fraction(1)
     exponent = largest.numerator.bit_length() - largest.denominator.bit_length()
     if largest < Fraction(2) ** exponent:

@@ -45,15 +45,15 @@ class Event(NamedTuple):
 
 
 class Events(NamedTuple):
-    """Events of all scales, ascending; `before`: counts below the first, or everywhere."""
+    """Events at all scales, ascending; `before`: counts below the first event, or everywhere."""
 
     events: list[Event]
     before: Counts
 
 
 class SampledEvents(OracleServer):
-    """The judge oracle/sampled (its README.md). Limits for each call: `seconds` on the clock,
-    `bytes` of address space. OracleNotFoundError where it is not built."""
+    """The judge oracle/sampled (see its README.md). Limits for each call: `seconds` on the clock,
+    `bytes` of address space. OracleNotFoundError if not built."""
 
     def __init__(self, seconds: float = SECONDS, bytes: int = 4 << 30) -> None:
         super().__init__(find_executable(), seconds, bytes)
@@ -62,8 +62,8 @@ class SampledEvents(OracleServer):
         return self
 
     def events(self, case: Case) -> Events | str:
-        """All boundary events of a case; or why it has none that can be told. Exact. A millisecond
-        for ten vertices each. RuntimeError where the judge fails."""
+        """Returns all boundary events of a case; or the reason why none can be told. Exact. A
+        millisecond for ten vertices each. RuntimeError if the judge fails."""
         value = self.ask("sampled-events", {"P": case.P_json, "Q": case.Q_json})
         if value["status"] == "skipped":
             return str(value["reason"])
@@ -73,7 +73,7 @@ class SampledEvents(OracleServer):
 
 
 def find_executable() -> Path:
-    """OracleNotFoundError names the command that builds it."""
+    """Finds the judge; OracleNotFoundError names the command that builds it."""
     for folder in built_folders("sampled"):
         if (folder / EXECUTABLE).is_file():
             return folder / EXECUTABLE
@@ -151,7 +151,7 @@ def compare_states(ruling: Ruling, dynamic: _core.DynamicSum, truth: Events) -> 
         is_new = not told or list(told[-1][1:4]) != counts[:3] or counts[:2] != counts[3:]
         if begin is None:
             told.append(("0", *counts[:3]))
-        elif begin in scales or is_new:  # there are also states that are as the one before
+        elif begin in scales or is_new:  # some states equal the one before
             told.append((begin, *counts))
     ruling.compare(
         "from a scale on holes, components, vertices, and holes and components at it",

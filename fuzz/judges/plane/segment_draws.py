@@ -42,7 +42,7 @@ def draw_rows(rng: random.Random, kinds: str, size: int) -> tuple[list[Row], str
     rows = [(vector(rng, size), vector(rng, size), vector(rng, size, nonzero=True))]
     p, q, d = rows[0]
     if relation == "through a point":
-        # All middles come to one point at one scale.
+        # All middles reach one point at one scale.
         s, x = rng.randint(1, 3), vector(rng, size)
         for kind in kinds:
             p, d = vector(rng, size), vector(rng, size, nonzero=True)

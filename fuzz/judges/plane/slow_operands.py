@@ -1,4 +1,4 @@
-"""The operands of a case as the slow engine takes them."""
+"""A case's operands in the slow engine's form."""
 
 from __future__ import annotations
 

@@ -21,8 +21,8 @@ Point = tuple[Fraction, Fraction]
 
 
 def judge(case: Case) -> Ruling:
-    """Points on the boundary of the sum and random ones: whether sP and x - Q are disjoint, touch
-    or overlap; where they meet, p and q are checked in plain fractions."""
+    """Judges random points and points on the sum's boundary: whether sP and x - Q are disjoint,
+    touch or overlap; if they meet, plain fractions check p and q."""
     ruling = Ruling()
     P, Q = map(Pieces.of, slow_operands(case))
     for x in points_of(case):

@@ -91,7 +91,7 @@ def _linked(truth: slow.Topology) -> Counter[Change]:
 
 
 def _word(link: Link) -> str:
-    """Several that become several others merge if there are fewer above, else they split."""
+    """Several features that become several others merge if fewer exist above, else they split."""
     if link.change == "merge and split":
         return "merge" if len(link.below) > len(link.above) else "split"
     return link.change

@@ -1,1 +1,1 @@
-"""Judges of sums of polyhedra."""
+"""Judges for sums of polyhedra."""

@@ -1,5 +1,5 @@
-"""Claims of certificates of sums in space, put before the slow engine, which knows nothing of
-proofs and shares nothing with what made or checked them."""
+"""Certificate claims about sums in space, before the slow engine, which knows nothing of proofs and
+shares nothing with their producer or checker."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from minkref.oracle.slow.space.solid_whole import whole_sum
 
 @dataclass(frozen=True)
 class SolidFacts:
-    """The facts that a claim states of a sum."""
+    """The facts that a claim states about a sum."""
 
     planes: int
     polygons: int
@@ -55,7 +55,7 @@ class SolidConfirmation:
 
 
 def canonical_text(found: Exposed) -> str:
-    """The text of a sum in canonical form; a convex sum is written as a polyhedron."""
+    """Writes a sum in canonical form; a convex sum as a polyhedron."""
     corners = {
         lifted(point, plane)
         for plane, polygons in found.planes.items()

@@ -1,5 +1,5 @@
-"""The facets that a repair of a convex sum claims, beside the exact sum: whether they are its
-facets, and where they are not."""
+"""Compares the facets that a repair of a convex sum claims with the exact sum's facets, and finds
+where they differ."""
 
 from __future__ import annotations
 
@@ -14,22 +14,21 @@ from minkref.fuzz.judges.plane.rounded_sums import last_place
 
 Vector = tuple[Fraction, Fraction, Fraction]
 Pair = tuple[int, int]
-Claim = tuple[str, list[Pair]]  # fv, vf or ee; the ring, pairs of a vertex of P and one of Q
+Claim = tuple[str, list[Pair]]  # fv, vf or ee; the ring, pairs (vertex of P, vertex of Q)
 Scaling = tuple[str, str, str]
 NOT_SUPPORTING, OVERLAPPING, MISSING = "not-supporting", "overlapping", "missing"
 
 
 @dataclass(frozen=True)
 class ClaimComparison:
-    """`fault` is None where the claimed facets are those of the sum. Otherwise
-
-    - `not-supporting`: `vertex`, a vertex of P and one of Q, is a point of the sum above the plane
-      of the claimed facet `ring` of the kind `kind`;
+    """`fault` is None if the claimed facets equal the sum's. Otherwise
+    - `not-supporting`: `vertex`, a vertex of P and one of Q, gives a point of the sum above the
+      plane of the claimed facet `ring`, whose kind is `kind`;
     - `overlapping`: `ring` shares some area with another claimed facet;
-    - `missing`: a part of the facet of the sum with the corners `ring` is in no claimed facet.
+    - `missing`: no claimed facet covers a part of the sum's facet with the corners `ring`.
 
-    `ulps`: the largest distance of a coordinate from the right one, in units in the last place of
-    the largest coordinate of the exact sum."""
+    `ulps`: the largest error of a coordinate, in units in the last place of the exact sum's largest
+    coordinate."""
 
     fault: str | None
     kind: str | None = None
@@ -41,9 +40,9 @@ class ClaimComparison:
 def compare_claims(
     P: _core.ConvexPolyhedron, Q: _core.ConvexPolyhedron, scaling: Scaling, claims: Sequence[Claim]
 ) -> ClaimComparison:
-    """Exact, from the static route. The claimed facets are those of the sum iff each supports it,
-    no two share an area, and in each plane their area is that of the sum's facet. Facets without
-    area count for nothing. O(k (m + n))."""
+    """Exact, from the static route. The claimed facets equal the sum's iff each supports the sum,
+    no two share an area, and in each plane their area equals the area of the sum's facet. Facets
+    without area count for nothing. O(k (m + n))."""
     exact = _core.convex_sum(P, Q, scaling)
     first = _points(P.surface(), scaling)
     second = _points(Q.surface())
@@ -78,7 +77,7 @@ def largest_distance(
     repair: _core.PaperRepair,
     bits: int,
 ) -> Fraction:
-    """The largest error of a coordinate of a claimed corner, in units in the last place."""
+    """The largest coordinate error among claimed corners, in units in the last place."""
     first, second = _points(P.surface(), scaling), _points(Q.surface())
     pairs = sorted({pair for _, ring in repair.facets() for pair in ring})
     right = [_add(first[p], second[q]) for p, q in pairs]
@@ -162,8 +161,8 @@ def _farthest(points: Sequence[Vector], along: Vector) -> int:
 
 
 def _overlap(a: Sequence[Vector], b: Sequence[Vector], normal: Vector) -> bool:
-    """Whether two convex rings in one plane, both counter-clockwise seen against the normal, have
-    an area in common: whether no side of either has the other on its outer side."""
+    """Whether two convex rings in one plane, both counter-clockwise seen against the normal, share
+    an area: whether no side of either has the other ring on its outer side."""
     return not any(
         all(_dot(_cross(_minus(end, start), _minus(p, start)), normal) <= 0 for p in other)
         for ring, other in ((a, b), (b, a))

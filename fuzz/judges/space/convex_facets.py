@@ -12,6 +12,6 @@ Corner = Sequence[str]
 def convex_facets(
     P: Sequence[Corner], Q: Sequence[Corner], scaling: Corner
 ) -> set[tuple[frozenset[int], frozenset[int]]]:
-    """For each facet of S P + Q the vertices of P and of Q on it. Exact; for a handful of
+    """Returns, for each facet of S P + Q, the vertices of P and of Q on it. Exact; for a handful of
     vertices."""
     return convex.facets(P, Q, scaling)

@@ -1,7 +1,7 @@
-"""The arrangement of the facets of sP + Q at one scale, as what does not change while nothing
-happens: which facets meet, on which sides the ends of what they share are, in which order others
-cross it, and what three share of which two lie in one plane. Static, from the definition; for small
-operands."""
+"""The arrangement of the facets of sP + Q at one scale, by data that stay constant between events:
+which facets meet, on which sides the ends of their intersections lie, in which order other facets
+cross them, and the common parts of three facets with two in one plane. Static, from the definition;
+for small operands."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ Arrangement = dict[tuple[int, ...], Any]
 
 
 class MovingFacets:
-    """Which of some facets are parallel does not depend on the scale."""
+    """Facets with their parallel pairs, which do not depend on the scale."""
 
     def __init__(self, facets: Sequence[MovingFacet]) -> None:
         self.facets = facets
@@ -44,7 +44,7 @@ class MovingFacets:
         self.parallel = {(i, j) for i, j in self.pairs if planes_parallel(facets[i], facets[j])}
 
     def at(self, s: Rational) -> Arrangement:
-        """O(n^2) pairs, and for each facet all pairs of those that it meets."""
+        """O(n^2) pairs, and for each facet all pairs of facets that meet it."""
         corners = [facet.corners(s) for facet in self.facets]
         boxes = [_box(each) for each in corners]
         found: Arrangement = {}
@@ -88,8 +88,8 @@ class MovingFacets:
     def _crossings(
         self, i: int, j: int, segment: Segment3, segments: dict[int, dict[int, Segment3]]
     ) -> list[Any]:
-        """Other facets that share a point with both, and the ends of the segment, in their order
-        along it; those at one point together."""
+        """Other facets that share a point with both, and the segment's ends, in order along the
+        segment; elements at one point together."""
         direction = cross(self.facets[i].plane()[:3], self.facets[j].plane()[:3])
         at: dict[Rational, list[Any]] = defaultdict(list)
         for x in dict.fromkeys(segment):
@@ -111,7 +111,7 @@ def _apart(a: list[tuple[Rational, Rational]], b: list[tuple[Rational, Rational]
 
 
 def _sides(x: Vector, corners: Sequence[Vector]) -> tuple[int, ...]:
-    """Those on which the point is."""
+    """Returns the sides on which the point lies."""
     count = len(corners)
     return tuple(k for k in range(count) if on_segment(x, (corners[k], corners[(k + 1) % count])))
 
@@ -126,7 +126,8 @@ def _in_one_plane(f: Sequence[Vector], g: Sequence[Vector]) -> bool:
 
 
 def _of_parallel(f: Sequence[Vector], g: Sequence[Vector]) -> Any:
-    """Whether two facets in one plane share an area, and where corners of each are in the other."""
+    """Whether two facets in one plane share an area, and where each facet's corners lie in the
+    other."""
     places = [
         [_sides(x, other) if in_polygon(x, other) else None for x in own]
         for own, other in ((f, g), (g, f))
@@ -143,8 +144,8 @@ class Judged:
 def judge_list(
     pair: GeneralPair, window: tuple[str, str], most_facets: int, events: int
 ) -> Judged | None:
-    """The list of the reference against that of all pairs of facets, and arrangements around some
-    of its events. None where there are too many facets."""
+    """Compares the reference's list with the list from all pairs of facets, and arrangements around
+    some events in it. None if the facets are too many."""
     P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
     found = _core.space_events(P, Q, *window, concurrent=True)
     facets = dict(found.counts())["facets"]

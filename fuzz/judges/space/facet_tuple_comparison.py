@@ -1,10 +1,9 @@
 """The symbolic oracle against the reference's events of three and of four facets in space.
 
 compare(seed, quadruples) draws small polyhedra until enough quadruples of facets were seen, and
-says where the two differ: a third of them have an event of four, a third one of three, the rest is
-put together from facets that meet. Run it: `python -m
-minkref.fuzz.judges.space.facet_tuple_comparison SEED QUADRUPLES` prints the table as JSON and exits
-with 1 if there is a difference.
+reports where both differ: a third have an event of four, a third an event of three, and the rest
+combines facets that meet. Run it: `python -m minkref.fuzz.judges.space.facet_tuple_comparison SEED
+QUADRUPLES` prints the table as JSON and exits with 1 on a difference.
 """
 
 from __future__ import annotations
@@ -38,7 +37,7 @@ from minkref.oracle.symbolic.space.facet_tuples import (
 from minkref.oracle.symbolic.space.space_moving import MovingFacet
 
 MOST_FACETS = 1_000
-OF_EACH = 60  # quadruples of each origin that are taken from two polyhedra
+OF_EACH = 60  # most quadruples of each origin from two polyhedra
 Numbers = tuple[int, ...]
 Told = tuple[str, str, tuple[str, ...]]  # scale, change, place
 
@@ -73,7 +72,7 @@ def compare(seed: int, quadruples: int, first: int = 0, step: int = 1) -> Table:
 
 
 class _Listed:
-    """The events of the reference, by facets."""
+    """The reference's events, by facets."""
 
     def __init__(self, pair: GeneralPair) -> None:
         P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
@@ -115,7 +114,8 @@ def _compare_polyhedra(pair: GeneralPair, table: Table) -> None:
 
 
 def _drawn(dice: random.Random, listed: _Listed) -> Iterator[Numbers]:
-    """Those with events of four, some with events of three, and some facets of pairs that meet."""
+    """Yields quadruples with events of four, some with events of three, and some from pairs that
+    meet."""
     fours = [numbers for numbers in listed.of if len(numbers) == 4]
     yield from dice.sample(fours, min(OF_EACH, len(fours)))
     triples = [numbers for numbers in listed.of if len(numbers) == 3]
@@ -157,14 +157,14 @@ def _of_four(facets: list[MovingFacet]) -> list[TupleEvent]:
 
 
 def _told(event: TupleEvent) -> Told | None:
-    """If it is in the window."""
+    """Returns the event's row, if within the window."""
     if not rational(FROM) <= event.s <= rational(TO):
         return None
     return str(event.s), event.change, tuple(map(str, event.at))
 
 
 def _is_degenerate(listed: _Listed, numbers: Numbers) -> bool:
-    """Facets that share corners at all scales or are parallel, or normals in one plane."""
+    """Whether facets share corners at all scales or are parallel, or their normals are coplanar."""
     corners = [set(zip(*listed.found.facet(number)[1:], strict=True)) for number in numbers]
     facets = [listed.facet(number) for number in numbers]
     return any(a & b for a, b in combinations(corners, 2)) or parallel_among(facets)

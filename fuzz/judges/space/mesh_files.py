@@ -1,5 +1,5 @@
-"""Meshes as another program reads them: from the definitions of OFF, OBJ and PLY alone, and what is
-wrong with them as closed surfaces of triangles. Shares no code with our readers and writers."""
+"""Meshes as another program reads them, from the definitions of OFF, OBJ and PLY alone, and their
+faults as closed triangle surfaces. Shares no code with our readers and writers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Mesh = tuple[list[Point], list[list[int]]]
 
 
 def read_as_written(text: str, form: str) -> Mesh:
-    """Vertices, each the exact numbers of its text, and faces by their numbers from 0."""
+    """Returns the vertices, with the text's exact numbers, and faces as vertex numbers from 0."""
     rows = [line.split() for line in text.splitlines()]
     if form == "obj":
         points = [_point(row[1:4]) for row in rows if row and row[0] == "v"]
@@ -35,8 +35,8 @@ def read_as_written(text: str, form: str) -> Mesh:
 
 
 def faults_of(mesh: Mesh) -> list[str]:
-    """In words, none for a closed manifold surface of triangles with area, edge by edge and fan by
-    fan by the numbers of vertices alone."""
+    """Faults in words: none for a closed manifold triangle surface with area, tested edge by edge
+    and fan by fan on vertex numbers alone."""
     points, faces = mesh
     found = []
     if any(len(face) != 3 for face in faces):
@@ -59,7 +59,7 @@ def faults_of(mesh: Mesh) -> list[str]:
 
 
 def sextuple_volume(mesh: Mesh) -> Fraction:
-    """Six times what the surface encloses, its faces cut into fans."""
+    """Returns six times the enclosed volume, from faces cut into fans."""
     points, faces = mesh
     total = Fraction(0)
     for face in faces:
@@ -95,7 +95,7 @@ def _area(a: Point, b: Point, c: Point) -> Point:
 
 
 def _links(faces: list[list[int]]) -> dict[int, dict[int, int]]:
-    """For each vertex, from each of its neighbours to the next one around it."""
+    """Maps, for each vertex, each neighbour to the next neighbour around the vertex."""
     links: dict[int, dict[int, int]] = defaultdict(dict)
     for face in faces:
         for k, v in enumerate(face):

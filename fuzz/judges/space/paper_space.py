@@ -18,8 +18,8 @@ from minkref.oracle.symbolic.space.space_moving import (
 
 Place = tuple[Fraction, Fraction, Fraction]
 Vertex = tuple[Place, Place]  # p, q: the point s p + q
-Edge = tuple[str, Vertex, Vertex]  # its kind, S, T or D (a diagonal of a parallelogram); its ends
-Facet = tuple[str, Sequence[Place], Sequence[Place]]  # fv, vf or ee; corners of P, of Q
+Edge = tuple[str, Vertex, Vertex]  # its kind, S, T or D (a parallelogram's diagonal); its ends
+Facet = tuple[str, Sequence[Place], Sequence[Place]]  # fv, vf or ee; corners in P, in Q
 Coming = tuple[str, Fraction | None, bool | None]
 """once, always or never, of positive scales; for once the scale, and whether the facets meet there
 and not only their planes."""
@@ -39,18 +39,18 @@ def four_event(facets: Sequence[Facet]) -> Coming:
 
 
 def edge_contact(a: Edge, b: Edge) -> tuple[Fraction | None, Fraction | None] | None:
-    """The bounds of the scales at which two S- or T-edges meet, None for 0 and for no end; None
-    where they never do."""
+    """Bounds on the scales at which two S- or T-edges meet, None for 0 and for no end; None if they
+    never meet."""
     return _interval(space_events.edge_contact(_edge(a), _edge(b)))
 
 
 def facet_contact(a: Facet, b: Facet) -> list[tuple[Fraction | None, Fraction | None] | None]:
-    """The same for two facets that are always in one plane, an interval after the other."""
+    """Bounds for two always coplanar facets, one interval after another."""
     return [_interval(each) for each in space_events.facet_contact(_facet(a), _facet(b))]
 
 
 def lines_polynomial(a: Edge, b: Edge) -> list[Fraction]:
-    """The lines of two edges lie in one plane at its roots; the highest power first."""
+    """The polynomial at whose roots two edges' lines are coplanar; the highest power first."""
     return [Fraction(text(c)) for c in space_events.lines_polynomial(_edge(a), _edge(b))]
 
 

@@ -1,9 +1,9 @@
-"""The symbolic oracle against the reference's events of pairs of facets in space.
+"""The symbolic oracle against the reference's events of facet pairs in space.
 
-compare(seed, pairs) draws small polyhedra until enough pairs of facets of each kind were seen, half
-of them with events, and says where the two differ. Run it: `python -m
+compare(seed, pairs) draws small polyhedra until enough facet pairs of each kind were seen, half
+with events, and reports where both differ. Run it: `python -m
 minkref.fuzz.judges.space.space_event_comparison SEED PAIRS` prints the table as JSON and exits with
-1 if there is a difference.
+1 on a difference.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ KINDS = ("vertex", "edge", "once", "always")
 """Pairs with an event of a vertex, with one of an edge; planes that are one once, or always."""
 
 FROM, TO = "1/50", "50"
-OF_A_KIND = 60  # pairs of facets of one kind that are taken from two polyhedra
-STRAY = 40  # pairs without events that are taken
+OF_A_KIND = 60  # most facet pairs of a kind from two polyhedra
+STRAY = 40  # most pairs without events
 MOST_FACETS = 4_000
 Key = tuple[int, int]
 Told = tuple[str, str, str, tuple[str, ...] | None]  # scale, kind, change, place
@@ -60,7 +60,7 @@ class Table:
 
 
 def compare(seed: int, pairs: int) -> Table:
-    """At least `pairs` pairs of facets of each kind. The same arguments give the same table."""
+    """Compares at least `pairs` facet pairs of each kind. Equal arguments give equal tables."""
     table = Table(seed)
     while any(table.pairs[kind] < pairs for kind in KINDS):
         drawn = solids_of(seed, table.polyhedra)
@@ -71,7 +71,7 @@ def compare(seed: int, pairs: int) -> Table:
 
 
 def solids_of(seed: int, index: int) -> GeneralPair | None:
-    """Two solids, of the families in turn. None where what was drawn is no solid."""
+    """Draws two solids, from families in turn. None if the draw is not solid."""
     families = [name for name in FAMILIES if name != "thin"]
     try:
         return pair_of_family(families[index % len(families)], seed, index)
@@ -121,7 +121,7 @@ def _compare_polyhedra(name: str, P: Polyhedron, Q: Polyhedron, wanted: int, tab
 
 
 def _drawn(dice: random.Random, listed: list[Key], facets: int) -> Iterator[Key]:
-    """Pairs with events in any order, then any others."""
+    """Yields pairs with events in any order, then random others."""
     dice.shuffle(listed)
     yield from listed
     for _ in range(4 * STRAY):
@@ -137,7 +137,7 @@ def _kinds(known: FacetEvents) -> list[str]:
 
 
 def _told(known: FacetEvents) -> list[Told]:
-    """Those in the window."""
+    """Returns the events in the window."""
     low, high = rational(FROM), rational(TO)
     return [
         (str(e.s), e.kind, e.change, None if e.at is None else tuple(map(str, e.at)))
@@ -147,7 +147,7 @@ def _told(known: FacetEvents) -> list[Told]:
 
 
 def _comparable(known: FacetEvents, ours: Counter[Told]) -> Counter[Told]:
-    """Facets that lie in one plane at one scale have no place that is theirs alone."""
+    """Drops places of facets that are coplanar at one scale, where no place is theirs alone."""
     if known.standing == "crossing" or known.standing == "always":
         return Counter(
             {(s, kind, change, place and tuple(place)): n

@@ -1,4 +1,4 @@
-"""Laws of sums in space, of one route: how the sum changes with its operands. Exact."""
+"""Laws for sums in space, on one route: how the sum changes with its operands. Exact."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def commutativity(
 
 
 def refinement(pair: GeneralPair, route: Route, text: str, dice: random.Random) -> Iterator[bool]:
-    """Faces cut in triangles, and every edge and triangle in parts: the sets are the same."""
+    """Cutting faces into triangles, and every edge and triangle into parts, keeps the sets."""
     for cut in (_in_triangles, refined):
         P, Q = (solid if solid.is_thin else cut(solid) for solid in (pair.P, pair.Q))
         if P.fault() is None and Q.fault() is None:
@@ -60,7 +60,7 @@ def refinement(pair: GeneralPair, route: Route, text: str, dice: random.Random) 
 
 
 def hull(pair: GeneralPair, route: Route, text: str, dice: random.Random) -> Iterator[bool]:
-    """The hull of the sum is the sum of the hulls, and contains it."""
+    """The hull of the sum equals the sum of the hulls, and contains the sum."""
     corners = _corners(exposed_from_json(json.loads(text)))
     P, Q = (solid if solid.is_thin else convex_hull(solid.vertices) for solid in (pair.P, pair.Q))
     whole = true_sum(P, Q, pair.scale)
@@ -73,7 +73,7 @@ def hull(pair: GeneralPair, route: Route, text: str, dice: random.Random) -> Ite
 def distributivity(
     pair: GeneralPair, route: Route, text: str, dice: random.Random
 ) -> Iterator[bool]:
-    """The sum with two components is the union of the sums with each, which it contains: asked
+    """The sum with two components equals the union of the sums with each, and contains both: tested
     next to faces of all three."""
     if not pair.parts:
         return
@@ -88,7 +88,7 @@ def distributivity(
 def point_operand(
     pair: GeneralPair, route: Route, text: str, dice: random.Random
 ) -> Iterator[bool]:
-    """The sum with a point is a translate: of sP, and of Q."""
+    """The sum with a point is a translate, for sP and for Q."""
     t = _vector(dice)
     point = Polyhedron((t,), ())
     for solid, first in ((pair.P, True), (pair.Q, False)):

@@ -1,4 +1,4 @@
-"""The volume of a sum as Manifold finds it, in doubles."""
+"""A sum's volume as Manifold computes it, in doubles."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
 from minkref.fuzz.targets.answer import Limits, load_limit
 
 MANIFOLD = "manifold3d"
-NEAREST = 1e-9  # relative difference of volumes that is put down to doubles
+NEAREST = 1e-9  # relative difference of volumes that doubles explain
 NO_LIMITS = Limits()
 
 
 @dataclass(frozen=True)
 class VolumeAnswer:
-    """`volume` is None where there is no answer: `why` says what became of it. `seconds` are those
-    of Manifold's minkowski_sum alone."""
+    """`volume` is None without an answer, and then `why` gives the reason. `seconds` counts
+    Manifold's minkowski_sum only."""
 
     volume: float | None
     seconds: float | None = None
@@ -33,8 +33,8 @@ class VolumeAnswer:
 
 
 class ManifoldJudge:
-    """One child process for many sums, started anew after one that took too long. Close it, or use
-    it in a `with`. Its sums are wrong where the origin is outside of Q."""
+    """A child process for many sums, restarted after taking too long. Close it, or use `with`. Its
+    sums are wrong if the origin lies outside Q."""
 
     def __init__(self, seconds: float, limits: Limits = NO_LIMITS) -> None:
         self._limits = replace(limits, seconds=seconds)
@@ -53,7 +53,7 @@ class ManifoldJudge:
             self._process.close()
 
     def volume(self, sP: Polyhedron, Q: Polyhedron) -> VolumeAnswer:
-        """The volume of the sum of solids with coordinates that doubles hold."""
+        """The sum's volume, for solids with coordinates that doubles hold."""
         if self._process is None:
             return VolumeAnswer(None, why=str(self.absence))
         try:

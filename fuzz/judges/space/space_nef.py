@@ -1,4 +1,4 @@
-"""CGAL's sum of Nef polyhedra in the canonical form of a sum in space, to be compared as text."""
+"""CGAL's sum of Nef polyhedra in the canonical form of a sum in space, comparable as text."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ NO_LIMITS = Limits()
 
 @dataclass(frozen=True)
 class NefAnswer:
-    """`text` is canonical JSON, None where there is no answer: `why` says what became of it.
-    `seconds` are those of CGAL's minkowski_sum_3 alone, from Nef polyhedra to a Nef polyhedron
-    whose exact coordinates may not be evaluated yet."""
+    """`text` is canonical JSON, None without an answer, and then `why` gives the reason. `seconds`
+    counts CGAL's minkowski_sum_3 only, from Nef polyhedra to a Nef polyhedron whose exact
+    coordinates may still be unevaluated."""
 
     text: str | None
     seconds: float | None = None
@@ -28,8 +28,7 @@ class NefAnswer:
 
 
 class NefJudge:
-    """One child process for many sums, started anew after one that took too long. Close it, or use
-    it in a `with`."""
+    """A child process for many sums, restarted after taking too long. Close it, or use `with`."""
 
     def __init__(self, seconds: float, limits: Limits = NO_LIMITS) -> None:
         self._limits = replace(limits, seconds=seconds)
@@ -48,13 +47,12 @@ class NefJudge:
             self._process.close()
 
     def sum(self, sP: Polyhedron, Q: Polyhedron) -> str | None:
-        """Canonical JSON; None where there is no answer within the time. CGAL's faces, which are
-        exact, are put together plane by plane by the slow engine's code; InputError where they
-        overlap."""
+        """Canonical JSON; None without an answer in time. The slow engine's code joins CGAL's exact
+        faces plane by plane; InputError if faces overlap."""
         return self.timed_sum(sP, Q).text
 
     def timed_sum(self, sP: Polyhedron, Q: Polyhedron) -> NefAnswer:
-        """The same with its time, or with what keeps it."""
+        """The sum with its time, or with the reason for its absence."""
         if self._process is None:
             return NefAnswer(None, why=str(self.absence))
         try:

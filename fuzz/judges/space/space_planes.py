@@ -1,5 +1,5 @@
-"""The exposed faces of a polyhedral set in each of its planes, with corners in space, by the slow
-engine's code: from a canonical text, or from a polyhedron."""
+"""A polyhedral set's exposed faces by plane, with corners in space, by the slow engine's code: from
+a canonical text, or from a polyhedron."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from minkref.oracle.slow.space.exposed import lifted, rings_of
 
 @dataclass(frozen=True)
 class PlaneFaces:
-    """`normal · x = offset`, and the rings of all faces in it, outer ones and holes; the normal
-    points out of the set."""
+    """`normal · x = offset`, and the rings of all faces in this plane, outer rings and holes; the
+    normal points out of the set."""
 
     normal: Whole
     offset: Fraction
@@ -24,7 +24,7 @@ class PlaneFaces:
 
 
 def planes_of_text(text: str) -> list[PlaneFaces]:
-    """The planes of a set in canonical JSON."""
+    """Returns the planes of a set in canonical JSON."""
     return _planes(exposed_from_json(json.loads(text)))
 
 

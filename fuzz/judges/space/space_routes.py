@@ -9,14 +9,14 @@ from typing import Any
 from minkref import _core
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 
-# The name of a route, and that of its function in the module: (P, Q, scaling) to a set with
+# A route's name, and its function's name in the module: (P, Q, scaling) to a set with
 # canonical_json().
 ROUTES = {"definition": "definition_sum_in_space", "edges": "edge_sum_in_space"}
 Route = Callable[[Polyhedron, Polyhedron, Fraction], str]
 
 
 def routes() -> dict[str, Route]:
-    """Those that the module has."""
+    """Returns the routes that the module has."""
     found: dict[str, Any] = {name: getattr(_core, key, None) for name, key in ROUTES.items()}
     return {name: _route(function) for name, function in found.items() if function}
 

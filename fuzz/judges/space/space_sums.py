@@ -1,5 +1,5 @@
-"""All that is said about one sum in space, compared: the reference's routes, CGAL's Nef polyhedra,
-cells, and the slow engine, which decides by a point."""
+"""Compares all results on one sum in space: the reference's routes, CGAL's Nef polyhedra, cells,
+and the slow engine, which decides by a point."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ from minkref.oracle.slow import (
 from minkref.oracle.slow.space.solid_claim import place_of, told_apart, winding
 
 REFUSALS = (_core.BadInput, _core.LimitExceeded, RuntimeError, ValueError)
-MOST_PAIRS = 6  # of convex pieces, for the slow engine to make the sum whole
+MOST_PAIRS = 6  # most pairs of convex pieces for a whole sum by the slow engine
 Matrix = tuple[tuple[int, int, int], tuple[int, int, int], tuple[int, int, int]]
 
 
 @dataclass
 class SpaceSums:
-    """The answers on one pair, by who gives them. `compared` counts what was held against what,
-    `messages` are the disagreements, each with its witness."""
+    """The answers on one pair, by author. `compared` counts comparisons by both sides, `messages`
+    are disagreements, each with a witness."""
 
     pair: GeneralPair
     answers: dict[str, str] = field(default_factory=dict)
@@ -58,7 +58,7 @@ class SpaceSums:
         return random.Random(f"minkref points {self.pair.name}")
 
     def ask(self, routes: dict[str, Route], nef: NefJudge) -> None:
-        """Asks all who know an answer. A refusal of a route is a disagreement."""
+        """Asks everyone who knows an answer. A route's refusal is a disagreement."""
         pair = self.pair
         for name, route in routes.items():
             try:
@@ -111,7 +111,7 @@ class SpaceSums:
         return f" (they wind {winds} times){self.witnessed(place)}"
 
     def witnessed(self, place: Point | None) -> str:
-        """Says where the slow engine has the point, and if a witness of this stands its check."""
+        """Says where the slow engine puts the point, and whether a witness passes its check."""
         if place is None:
             return ""
         inside = self.truth.holds(place)

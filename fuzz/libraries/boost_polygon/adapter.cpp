@@ -1,7 +1,7 @@
-// Boost.Polygon: the sum of polygon sets as its tutorial does it ("Minkowski sum of polygons"),
-// which the library itself has as detail/minkowski.hpp: a quadrilateral for each pair of edges, the
-// translates of each polygon by a vertex of the other, and the union of all by the Boolean
-// operations. Why that is the whole sum, with holes too: see clipper2_adapter.cpp.
+// Boost.Polygon: the sum of polygon sets by its tutorial ("Minkowski sum of polygons"), which the
+// library also contains as detail/minkowski.hpp: a quadrilateral for each pair of edges, the
+// translates of each polygon by a vertex of the other, and their union by the Boolean operations.
+// clipper2/adapter.cpp explains why this gives the whole sum, also with holes.
 #include <boost/polygon/polygon.hpp>
 #include <boost/version.hpp>
 
@@ -15,7 +15,7 @@ using GridPoint = bp::point_data<int>;
 using GridPolygon = bp::polygon_with_holes_data<int>;
 using GridSet = bp::polygon_set_data<int>;
 
-// Coordinates are 32-bit integers; a factor of four is left for differences.
+// Coordinates are 32-bit integers, with a factor of four left for differences.
 constexpr int bits = 28;
 
 std::vector<GridPoint> to_points(const Ring& ring, const IntegerGrid& grid) {
@@ -77,9 +77,9 @@ json hello() {
   const std::string version = std::to_string(BOOST_VERSION / 100000) + "." +
                               std::to_string(BOOST_VERSION / 100 % 1000) + "." +
                               std::to_string(BOOST_VERSION % 100);
-  // The operations snap intersections to the grid, and edges to the vertices within a unit of them,
-  // which moves them sideways by up to a unit each time. The operands are united before the sum,
-  // the sum after it: eight units of 2^-27.
+  // The operations snap intersections to the grid, and edges to vertices within a unit, which moves
+  // edges sideways by up to a unit each time. The operands are united before the sum, the sum
+  // after: eight units of 2^-27.
   return {{"name", "boost-polygon"},
           {"version", version},
           {"language", "C++"},

@@ -1,4 +1,4 @@
-"""CGAL: polyhedra by an adapter; its methods in the plane are targets of their own."""
+"""CGAL: polyhedra by an adapter; its methods in the plane are separate targets."""
 
 from minkref.fuzz.libraries.library import Library, Method
 

@@ -1,4 +1,4 @@
-"""The C++ program for a fault of a method of CGAL in the plane."""
+"""The C++ program for a fault in a CGAL method in the plane."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from minkref.fuzz.run.runner import Finding
 
 
 def cgal_sum(finding: Finding, name: str) -> Program | None:
-    """None where CGAL takes no such operands."""
+    """Returns the program, or None if CGAL refuses such operands."""
     operands = scaled_operands(finding, 2)
     if operands is None:
         return None

@@ -1,4 +1,4 @@
-"""The program for a fault of CGAL, in the plane and in space."""
+"""The program for a fault in CGAL, for plane and space."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The C++ program for a fault of CGAL in space: of Nef polyhedra, or of a convex hull."""
+"""The C++ program for a fault of CGAL in space, with Nef polyhedra or a convex hull."""
 
 from __future__ import annotations
 

@@ -116,8 +116,8 @@ json hello(const char* name, const char* sum) {
 }
 
 // Only operands on the grid are taken. A union moves a vertex by the rounding of its coordinates,
-// cut off rather than rounded: a unit at most, and another where an intersection is moved into its
-// scanbeam. With triangles left out that are smaller than two units: four units.
+// which truncates: a unit at most, and another unit if an intersection moves into its scanbeam.
+// Together with omitted triangles smaller than two units: four units.
 int run(std::string_view mode) {
   if (mode == "boundary") {
     json value = hello("clipper2", "boundary");

@@ -1,4 +1,4 @@
-"""The C++ program for a fault of Clipper2, or of the region that is built on its MinkowskiSum."""
+"""The C++ program for a fault of Clipper2, or of the region built on its MinkowskiSum."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Manifold (the Python package manifold3d): Manifold.minkowski_sum, in space, in doubles.
 
-The tolerance: Manifold merges what is closer than 1e-12 of the size of the box, in each of the
-Boolean operations that a sum of non-convex operands consists of; a thousand times that is allowed.
+The tolerance: Manifold merges points closer than 1e-12 times the box's size, in each Boolean
+operation for a sum of non-convex operands; the tolerance is a thousand times larger.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ HELLO = {
 
 
 def solid(mesh: Set) -> Manifold:
-    """The mesh as a Manifold; its refusal is an error."""
+    """Returns the mesh as a Manifold; a refusal is an error."""
     vertices = np.array(mesh["vertices"], dtype=np.float64).reshape(-1, 3)
     triangles = np.array(triangles_of(mesh["vertices"], mesh["faces"]), dtype=np.uint64)
     return checked(Manifold(Mesh64(vertices, triangles.reshape(-1, 3))), "an operand")
@@ -40,13 +40,13 @@ def checked(manifold: Manifold, what: str) -> Manifold:
 
 
 def sum_of(sP: Set, Q: Set) -> dict[str, object]:
-    """The sum; beside it, which the protocol ignores, its volume and the seconds that it took."""
+    """Returns the sum, with volume and seconds beside it, which the protocol ignores."""
     first, second = solid(sP), solid(Q)
     start = time.perf_counter()
     found = checked(first.minkowski_sum(second), "the sum")  # the status evaluates it
     seconds = time.perf_counter() - start
     result = found.to_mesh64()
-    # The first three properties of a vertex are its coordinates.
+    # A vertex's first three properties are its coordinates.
     vertices = result.vert_properties[:, :3].tolist()
     return {
         "vertices": vertices,

@@ -1,8 +1,8 @@
-"""minkref itself in another arithmetic than exact numbers: the argument is double or mpfr:BITS.
+"""minkref itself in inexact arithmetic: the argument is double or mpfr:BITS.
 
-Its predicates are then those of rounded numbers, without any filter or repair: what comes out may
-be another set. It is declared as a library of floating point numbers would be, and `wrong` is what
-to expect: it shows what exact arithmetic is for.
+Its predicates then use rounded numbers, without any filter or repair: the result may be another
+set. The declaration equals a floating point library's, and `wrong` is to be expected: this shows
+the value of exact arithmetic.
 """
 
 from __future__ import annotations

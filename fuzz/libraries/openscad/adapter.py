@@ -1,7 +1,7 @@
 """OpenSCAD: minkowski() in the plane and in space, the program `openscad` run for each call.
 
-In the plane the result is exported as SVG, in space as OFF: all its formats write six significant
-digits (5e-6 of a number). In the plane it computes on a grid of 2^-16 (Clipper), in space it merges
+Results are exported as SVG in the plane, as OFF in space: all formats write six significant digits
+(5e-6 of a number). In the plane OpenSCAD computes on a grid of 2^-16 (Clipper), in space it merges
 points on a grid of 2^-20; hence the tolerance, four units of the coarser grid and twice the digits.
 """
 
@@ -32,7 +32,7 @@ def point(p: Iterable[float]) -> str:
 
 
 def scad_plane(polygons: list[dict[str, Any]]) -> str:
-    """The polygons as one child: its outer rings and holes as paths of polygon()."""
+    """The polygons as one child: outer rings and holes as paths of polygon()."""
     if any(len(polygon["outer"]) < 3 for polygon in polygons):
         raise Skipped("no points or segments")
     texts = []
@@ -53,7 +53,7 @@ def scad_space(mesh: Set) -> str:
 
 
 def run(scene: str, form: str) -> str:
-    """The scene as exported by OpenSCAD, which ends with exit code 1 if the scene is empty."""
+    """Exports the scene by OpenSCAD, which ends with exit code 1 if the scene is empty."""
     with tempfile.TemporaryDirectory() as folder:
         source, target = Path(folder, "in.scad"), Path(folder, f"out.{form}")
         source.write_text(scene, encoding="utf-8")
@@ -68,7 +68,7 @@ def run(scene: str, form: str) -> str:
 
 
 def read_svg(text: str) -> dict[str, Any]:
-    """The rings of the path; y points down in SVG."""
+    """The path's rings; in SVG, y points down."""
     found = re.search(r'<path d="([^"]*)"', text)
     rings = []
     for part in found[1].split("M")[1:] if found else []:

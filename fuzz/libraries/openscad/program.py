@@ -1,4 +1,4 @@
-"""The scene for a fault of OpenSCAD: what it leaves empty ends the program with 1."""
+"""The scene for a fault of OpenSCAD: an empty scene ends the program with 1."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from minkref.fuzz.libraries.program import Program, filled, scaled_operands
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.verdicts.verdict import Witness
 
-LEAST_HALF = Fraction(1, 8192)  # of the probe: eight units of the grid of OpenSCAD in the plane
+LEAST_HALF = Fraction(1, 8192)  # the probe's: eight grid units of OpenSCAD in the plane
 NOTE = (
     "OpenSCAD ends with exit code 1 where the scene is empty. Around the witness there is a small "
     "square or cube: its part in the sum is left where the witness is in the sum, its part outside "

@@ -1,10 +1,10 @@
 """SFCGAL (the Python package PySFCGAL): the argument is plane, its minkowski_sum, or space.
 
-Exact in and out: its WKT has fractions. In the plane the first operand may be of several polygons,
-the second may not ("the second argument must be a polygon"); so `components` is not declared. Holes
-are taken in both without a word, so they are. In space it is minkowski_sum_3d of the C library,
-which the package binds and does not wrap: solids of a single shell (with another, its validation
-says "not fully implemented"); so `holes` is not declared there.
+Exact in and out: its WKT has fractions. In the plane the first operand may have several polygons,
+but not the second ("the second argument must be a polygon"); so `components` is not declared. Both
+operands accept holes silently, so `holes` is. In space the call goes to minkowski_sum_3d in the C
+library, which the package binds and does not wrap: solids with a single shell (for more, its
+validation says "not fully implemented"); so `holes` is not declared there.
 """
 
 from __future__ import annotations

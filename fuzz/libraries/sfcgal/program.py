@@ -1,4 +1,4 @@
-"""The Python program for a fault of SFCGAL, in the plane or in space."""
+"""The Python program for a fault of SFCGAL, for plane or space."""
 
 from __future__ import annotations
 

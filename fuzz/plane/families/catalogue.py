@@ -1,4 +1,4 @@
-"""The families of generated pairs by name, in the order of a run."""
+"""The families of generated pairs by name, in a run's order."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""A box with many holes full of dents, and a triangle so small that most of each hole survives.
+"""A box with many dented holes, and a triangle so small that most of each hole survives.
 
-The rest of such a hole is thin in places: good for finding codes that look at one point of a face
-to decide whether the face is a hole.
+The remaining hole has thin places: this exposes code that decides by one point of a face whether
+the face is a hole.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from minkref.fuzz.plane.families.drawing import family
 from minkref.fuzz.plane.families.integer_rings import scattered, untangled
 
 CELL = 12  # across, for each hole
-FEW = 14  # vertices of a pair up to which there is one hole
+FEW = 14  # up to so many vertices, a pair has one hole
 
 
 @family("dents")

@@ -6,11 +6,11 @@ import random
 
 
 class Dice(random.Random):
-    """`random.Random` whose whole numbers take half the time. The stream is that of Python 3.11,
-    whatever the version: cases keep their names."""
+    """`random.Random` with whole numbers in half the time. The stream equals Python 3.11's, in any
+    version: cases keep their names."""
 
     def randint(self, a: int, b: int) -> int:
-        """Draws one of a, ..., b, each with the same probability. ValueError if there is none."""
+        """Draws from a, ..., b, all equally likely. ValueError if the range is empty."""
         width = b - a + 1
         if width <= 0:
             raise ValueError(f"there is no whole number from {a} to {b}")

@@ -29,8 +29,8 @@ def vertices_at(index: int, dice: random.Random) -> int:
 
 
 def family(name: str) -> Callable[[Draw], Callable[[int, int], Pair]]:
-    """Turns a function that draws two operands into one that makes the pairs of the family, by seed
-    and index."""
+    """Turns a function that draws two operands into a function that makes the family's pairs, by
+    seed and index."""
 
     def pairs(draw: Draw) -> Callable[[int, int], Pair]:
         @functools.wraps(draw)
@@ -43,8 +43,8 @@ def family(name: str) -> Callable[[Draw], Callable[[int, int], Pair]]:
 
 
 def _drawn_pair(family: str, seed: int, index: int, draw: Draw) -> Pair:
-    """The pair that `draw` makes, perhaps turned, mirrored and swapped. Where the scale is not 1,
-    the first operand is divided by it: what fits still fits."""
+    """Returns a pair from `draw`, perhaps turned, mirrored and swapped. If the scale is not 1, the
+    first operand is divided by it: fits stay fits."""
     dice = Dice(f"minkref {family} {seed} {index}")
     for _ in range(PATIENCE):
         size = vertices_at(index, dice)
@@ -108,7 +108,8 @@ def around(corners: int, radius: int) -> Ring:
 
 
 def convex(dice: random.Random, corners: int, reach: int) -> Ring:
-    """A convex ring of up to `corners` vertices: random edges in the order of their directions."""
+    """A convex ring with up to `corners` vertices: random edges in the order of their
+    directions."""
     xs = _steps(dice, corners, reach)
     ys = _steps(dice, corners, reach)
     steps: dict[tuple[int, Fraction], tuple[int, int]] = {}

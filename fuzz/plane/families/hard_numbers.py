@@ -117,7 +117,7 @@ def _nudged(dice: random.Random, ring: Ring, tiny: Fraction) -> Ring:
 
 @family("rational")
 def rational_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
-    """Vertices with denominators of one digit, different ones in the two operands."""
+    """Vertices with denominators of one digit, different in the two operands."""
     shapes: list[Shape] = []
     for share in (2, 3):
         one, other = (dice.choice((2, 3, 4, 5, 6, 7, 9)) for _ in range(2))

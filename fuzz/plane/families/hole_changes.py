@@ -1,5 +1,6 @@
-"""Changes of whole rings: holes that the other operand fits or nearly fits, parts of the one copied
-into the other. As vertex_changes.py: shape, other operand, factor between their sizes."""
+"""Changes of whole rings: holes that the other operand fits or nearly fits, parts copied from one
+operand into the other. As in vertex_changes.py: shape, other operand, factor between their
+sizes."""
 
 from __future__ import annotations
 
@@ -14,7 +15,7 @@ FITS = (Fraction(1), Fraction(1), 1 + TINY, 1 - TINY, Fraction(3, 2), Fraction(1
 
 
 def holed(dice: random.Random, shape: Shape) -> Polygon | None:
-    """One of the polygons with holes."""
+    """Draws a polygon with holes."""
     polygons = [polygon for polygon in shape if len(polygon) > 1]
     return dice.choice(polygons) if polygons else None
 
@@ -24,8 +25,8 @@ def regions(shape: Shape) -> Shape:
 
 
 def add_hole(dice: random.Random, shape: Shape, other: Shape, size: Fraction) -> Shape:
-    """A hole in the form of a polygon of the other operand, turned by half, that fits it or does
-    so nearly; at a random place."""
+    """A hole shaped like a polygon of the other operand, turned by half, that fits the polygon or
+    nearly does; at a random place."""
     if not regions(shape) or not regions(other):
         return shape
     polygon, source = dice.choice(regions(shape)), dice.choice(regions(other))[0]
@@ -47,7 +48,7 @@ def remove_hole(dice: random.Random, shape: Shape, other: Shape, size: Fraction)
 
 
 def fit_hole(dice: random.Random, shape: Shape, other: Shape, size: Fraction) -> Shape:
-    """A hole stretched so that it is as wide and as high as the other operand, or nearly."""
+    """Stretches a hole to the width and height of the other operand, or nearly."""
     polygon = holed(dice, shape)
     if not polygon or not regions(other):
         return shape
@@ -60,7 +61,7 @@ def fit_hole(dice: random.Random, shape: Shape, other: Shape, size: Fraction) ->
 
 
 def move_hole(dice: random.Random, shape: Shape, other: Shape, size: Fraction) -> Shape:
-    """A hole moved so that one of its vertices comes to another ring's."""
+    """Moves a hole so that one of its vertices meets another ring's vertex."""
     polygon = holed(dice, shape)
     if polygon:
         k = dice.randrange(1, len(polygon))
@@ -71,7 +72,7 @@ def move_hole(dice: random.Random, shape: Shape, other: Shape, size: Fraction) -
 
 
 def copy_part(dice: random.Random, shape: Shape, other: Shape, size: Fraction) -> Shape:
-    """A polygon of the other operand in place of one, or beside them."""
+    """Copies a polygon from the other operand, as a replacement or an addition."""
     if not other:
         return shape
     part: Shape = [[list(ring) for ring in dice.choice(other)]]

@@ -1,4 +1,4 @@
-"""Operands with holes: nested polygons, holes in both, many holes of which few survive, holes and
+"""Operands with holes: nested polygons, holes in both, many holes with few that survive, holes and
 notches that the other operand fits exactly."""
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ TINY = Fraction(1, 2**20)
 
 @family("nested")
 def nested_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
-    """Polygons in holes of polygons, perhaps beside others; Q about as wide as the gaps."""
+    """Polygons inside holes of polygons, perhaps beside others; Q about as wide as the gaps."""
     corners = dice.choice((3, 4, 4, 5, 6, 8)) if size > 20 else 4
     rings = max(3, (size - 4) // corners)
     beside = dice.random() < 0.4 and rings > 4
@@ -32,14 +32,14 @@ def nested_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
         Q.append(box(*(Fraction(1, 4),) * 2, Fraction(1, 2), Fraction(1, 4)))
     if (
         size > 16 and dice.random() < 0.2
-    ):  # a second part, for which there is no room in the same hole
+    ):  # a second part, too large for the same hole
         far = extent(P[0][0])[2]
         return P, [Q, [box(far + dice.randint(0, 2), 0, 1, 1)]]
     return P, [Q]
 
 
 def _onion(dice: random.Random, corners: int, rings: int, gap: int) -> Shape:
-    """Rings within rings; every other pair is a polygon with its hole."""
+    """Rings within rings; every other pair forms a polygon with its hole."""
     radii = [5]
     for _ in range(rings - 1):
         radii.append(radii[-1] + dice.randint(gap, gap + 3) * (3 if corners == 3 else 2))
@@ -49,7 +49,7 @@ def _onion(dice: random.Random, corners: int, rings: int, gap: int) -> Shape:
 
 @family("holes")
 def holes_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
-    """Plates with holes in both operands, the one often as large as a hole of the other."""
+    """Plates with holes in both operands, one operand often as large as a hole of the other."""
     room = max(1, (size - 8) // 4)
     first = dice.randint(1, max(1, room - 1))
     P = plate(dice, first, dice.randint(2, 9))
@@ -59,7 +59,7 @@ def holes_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
 
 
 def plate(dice: random.Random, holes: int, side: int) -> Polygon:
-    """A box, or one with a corner cut off, with holes in the cells of a lattice."""
+    """A box, perhaps with a corner cut off, with holes in lattice cells."""
     across = 1
     while across * across < holes:
         across += 1
@@ -79,8 +79,8 @@ def plate(dice: random.Random, holes: int, side: int) -> Polygon:
 
 @family("small-holes")
 def small_holes_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
-    """A plate whose holes are the other operand turned by half, at sizes about its own: most are
-    too small to survive, or by nothing, and some just survive."""
+    """A plate whose holes equal the other operand turned by half, at sizes about its own: most
+    holes are too small to survive, perhaps by nothing, and some just survive."""
     corners = 3 if size < 16 else dice.randint(3, 5)
     Q = convex(dice, corners, dice.choice((3, 5, 8)))
     holes = max(2, (size - 4) // len(Q) - 1)
@@ -102,8 +102,7 @@ def small_holes_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
 
 @family("fit")
 def fit_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
-    """Q fits into a hole, a notch or a slot of P exactly, or is too large or too small by one part
-    in 2^20."""
+    """Q fits exactly into a hole, notch or slot of P, or misses the size by one part in 2^20."""
     off = dice.choice((0, 0, TINY, -TINY))
     kind = dice.random()
     if kind < 0.55:

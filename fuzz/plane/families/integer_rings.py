@@ -46,8 +46,8 @@ def scattered(dice: random.Random, vertices: int, width: int, height: int) -> Ri
 
 
 def untangled(points: Ring) -> Ring | None:
-    """The points joined to a simple ring by reversing the stretch between two edges that meet until
-    there are none (2-opt); None where that does not succeed."""
+    """Joins the points to a simple ring, reversing the stretch between two meeting edges until no
+    edges meet (2-opt); None on failure."""
     ring = list(points)
     for _ in range(4 * len(ring)):
         meeting = _meeting_edges(ring)
@@ -82,8 +82,8 @@ def _is_open(ring: Ring) -> bool:
 
 
 def on_grid_cells(dice: random.Random, side: int, most_vertices: int) -> Ring | None:
-    """The outline of a few grid cells grown at random, its corners cut or sheared on the grid; None
-    where the outline is not one simple ring or has too many vertices."""
+    """The outline of a few random grid cells, its corners cut or sheared on the grid; None if the
+    outline is not one simple ring or has too many vertices."""
     start = (dice.randrange(side), dice.randrange(side))
     cells = {start}
     stretch = max(1, side // 4)
@@ -109,7 +109,7 @@ def _moved(dice: random.Random, node: Node, side: int) -> Node:
 
 
 def _outline(cells: set[Node]) -> Ring | None:
-    """The corners of the boundary of a set of cells; None where it is not one ring."""
+    """Returns the corners around a set of cells; None if the boundary is not one ring."""
     following: dict[Node, Node] = {}
     for x, y in sorted(cells):
         sides = (
@@ -136,8 +136,8 @@ def _outline(cells: set[Node]) -> Ring | None:
 
 
 def inside(inner: Ring, outer: Ring) -> bool:
-    """Every vertex of `inner` lies in the closed region of `outer`, and not all of them on its
-    rim."""
+    """Whether every vertex of `inner` lies in the closed region of `outer`, and at least one off
+    its rim."""
     deepest = 0
     for node in inner:
         place = _place(node, outer)

@@ -39,8 +39,8 @@ def lattice_pair(seed: int, index: int) -> Pair:
 
 
 def lattice_operand(dice: random.Random, small: bool, most: int) -> str:
-    """A region as JSON text. Small ones are up to three triangles, boxes and so on with few
-    directions: of two of them many edges are parallel."""
+    """A region as JSON text. Small regions have up to three triangles, boxes and so on with few
+    directions: two of them have many parallel edges."""
     while True:
         outers: list[Ring] = []
         shape: Shape = []
@@ -79,7 +79,7 @@ def _outer(dice: random.Random, small: bool) -> Ring:
 
 
 def _moved(dice: random.Random, ring: Ring, vertices: list[Node]) -> Ring:
-    """Anywhere within the bounds; or with a vertex at one of these."""
+    """Moves the ring anywhere within the bounds; or a vertex of the ring to a given vertex."""
     if vertices and dice.random() < 0.6:
         (a, b), (c, d) = dice.choice(ring), dice.choice(vertices)
         moved = [(x + c - a, y + d - b) for x, y in ring]
@@ -92,7 +92,7 @@ def _moved(dice: random.Random, ring: Ring, vertices: list[Node]) -> Ring:
 
 
 def _thin(dice: random.Random) -> str:
-    """A segment, one time in five a point."""
+    """A segment, or one time in five a point."""
     a, b, c, d = (dice.randint(LOW, HIGH) for _ in range(4))
     if dice.random() < 0.3:
         c, d = dice.choice(((a, d), (c, b)))

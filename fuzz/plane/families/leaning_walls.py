@@ -1,5 +1,5 @@
-"""Notches whose walls are parallel to those of the other operand, or nearly: up to 1e-2 or 1e-30.
-Where two such edges cross is a quotient of numbers that nearly cancel."""
+"""Notches with walls parallel to the other operand's walls, or nearly: up to 1e-2 or 1e-30. The
+crossing of two such edges is a quotient of numbers that nearly cancel."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ EXPONENTS = (2, 4, 8, 12, 14, 15, 16, 17, 18, 20, 24, 30)
 
 @family("leaning")
 def leaning_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
-    """Two blocks with notches in their tops; the walls of each lean by multiples of one power of
-    ten, of the same one mostly."""
+    """Two blocks with notches in their tops; each block's walls lean by multiples of a power of
+    ten, mostly the same for both."""
     first = dice.choice(EXPONENTS)
     second = first if dice.random() < 0.7 else dice.choice(EXPONENTS)
     of_both = max(2, size // 8)

@@ -1,4 +1,4 @@
-"""Pairs close to a given one: changes that know of rings, holes, the other operand and its
+"""Pairs close to a given pair: changes that know about rings, holes, the other operand and
 events."""
 
 from __future__ import annotations
@@ -16,13 +16,12 @@ from minkref.fuzz.plane.families.vertex_changes import VERTEX_CHANGES
 PATIENCE = 24
 LONGEST = 40  # digits of a coordinate
 MOST_VERTICES = 120
-MOST_PAIRS = 900  # of vertices, where events are asked for
+MOST_PAIRS = 900  # vertex pairs, for requests of events
 CHANGES = (*VERTEX_CHANGES, *HOLE_CHANGES)
 
 
 def mutate(dice: random.Random, P: str, Q: str, scale: str) -> tuple[str, str, str]:
-    """A valid pair got by one to three changes; the given one where none of the attempts is
-    valid."""
+    """Makes a valid pair by one to three changes; returns the given pair if no attempt is valid."""
     texts = (P, Q)
     for _ in range(dice.choice((1, 1, 2, 3))):
         if dice.random() < 0.15:
@@ -36,7 +35,7 @@ def _changed(dice: random.Random, texts: tuple[str, str], scale: str) -> tuple[s
     for _ in range(PATIENCE):
         shapes = [read_shape(text) for text in texts]
         which = dice.randrange(2)
-        # Coordinates that fit sP fit P only when divided by s.
+        # Coordinates that fit sP fit P only after division by s.
         size = Fraction(scale) if which == 0 else 1 / Fraction(scale)
         shapes[which] = dice.choice(CHANGES)(dice, shapes[which], shapes[1 - which], size)
         made = (shape_text(shapes[0]), shape_text(shapes[1]))
@@ -53,7 +52,7 @@ def _is_small(shapes: list[Shape]) -> bool:
 
 
 def _is_pair(texts: tuple[str, str]) -> bool:
-    """Both valid, and one of them a region or empty."""
+    """Whether both are valid, and at least one is a region or empty."""
     if not all(is_valid(text) for text in texts):
         return False
     sets = [_core.PolygonSet.from_json(text) for text in texts]

@@ -31,7 +31,7 @@ def comb_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
 
 
 def comb(dice: random.Random, widths: list[Fraction], gaps: list[Fraction]) -> Ring:
-    """Teeth of these widths, these gaps between them, on a back of height 1."""
+    """Teeth with these widths and gaps, on a back of height 1."""
     ring: Ring = [(0, 0)]
     total = sum(widths, Fraction(0)) + sum(gaps, Fraction(0))
     ring.append((total, 0))

@@ -1,4 +1,4 @@
-"""Corners that pass each other on one line: at one scale two pairs of them touch and close off a
+"""Corners that pass each other on one line: at one scale two pairs of corners touch and close a
 pocket, which is open just below and just above. A topology event of the kind `touch`."""
 
 from __future__ import annotations
@@ -11,14 +11,14 @@ from minkref.fuzz.plane.families.dice import Dice
 from minkref.fuzz.plane.families.drawing import placed, shape_text
 from minkref.fuzz.plane.families.random_pairs import Pair
 
-FRAME, WALL = 600, 50  # half of the opening of a frame around all, and how thick it is
+FRAME, WALL = 600, 50  # half the opening of a frame around everything, and its thickness
 FRAMED, SCALED_FROM = 12, 60  # first indices of pairs with a frame, and at other scales than 1
 SCALES = (Fraction(2), Fraction(5, 2), Fraction(3), Fraction(4))
 
 
 def passing_pair(seed: int, index: int) -> Pair:
-    """At the scale of the touch, or at three quarters of it; of early pairs that is 1, and of some
-    others."""
+    """A pair at the touching scale, or at three quarters of it; for early pairs, and some others,
+    the scale is 1."""
     dice = Dice(f"minkref passing {seed} {index}")
     scale = dice.choice(SCALES)
     left, right = -dice.randint(8, 12) * 2, dice.randint(8, 12) * 2
@@ -39,13 +39,13 @@ def passing_pair(seed: int, index: int) -> Pair:
 
 
 def _wedge(dice: random.Random, x: Fraction | int, way: int) -> Ring:
-    """A triangle that stands on its tip at (x, 0), or hangs from it; steeper than the teeth."""
+    """A triangle standing on its tip at (x, 0), or hanging from it; steeper than the teeth."""
     height = dice.randint(5, 9)
     return [(x, 0), (x + 1, way * height), (x - 1, way * height)]
 
 
 def _teeth(dice: random.Random, x: Fraction | int, apart: int, count: int, way: int) -> Polygon:
-    """A bar above the line (below it) with teeth whose tips are on it."""
+    """A bar above the line (or below) with teeth that reach the line."""
     height, width = dice.randint(6, 9), dice.randint(1, 4)
     ring: Ring = []
     for k in range(count):

@@ -69,7 +69,7 @@ def _with_one_more(dice: random.Random, shape: Shape) -> Shape:
     ring: Ring = (contacts + [_node(dice) for _ in range(corners)])[:corners]
     dice.shuffle(ring)
     if doubled_area(ring) == 0:
-        return [*shape, [ring]]  # which is refused
+        return [*shape, [ring]]  # will be refused
     k = dice.randrange(len(shape))
     if dice.random() < 0.7:
         return [*shape[:k], [*shape[k], ring], *shape[k + 1 :]]
@@ -77,7 +77,7 @@ def _with_one_more(dice: random.Random, shape: Shape) -> Shape:
 
 
 def _on_boundary(dice: random.Random, shape: Shape) -> Point:
-    """A vertex, or a point within an edge: the middle one or one of the lattice."""
+    """A vertex, or a point inside an edge: the midpoint or a lattice point."""
     ring = dice.choice(dice.choice(shape))
     k = dice.randrange(len(ring))
     a, b, c, d = (Fraction(n) for n in (*ring[k - 1], *ring[k]))
@@ -91,7 +91,7 @@ def _on_boundary(dice: random.Random, shape: Shape) -> Point:
 
 
 def _segment(dice: random.Random, other: Shape) -> Ring:
-    """Along an edge of the other operand or between two of its vertices, as often as not."""
+    """Half the time along an edge of the other operand or between two of its vertices."""
     x, y = _node(dice)
     while True:
         kind = dice.random()

@@ -12,8 +12,8 @@ STEPS = (Fraction(1, 2**10), Fraction(1, 2**40))
 
 @lru_cache(maxsize=64)
 def boundary_scales(P: str, Q: str) -> tuple[Fraction, ...]:
-    """The scales at which the boundary of sP + Q changes, ascending. None where an operand has no
-    area. Kept for a while: the probes of a pair come one after the other."""
+    """Returns the scales at which the boundary of sP + Q changes, ascending. Empty if an operand
+    has no area. Kept for a while: a pair's probes come one after another."""
     first, second = _core.PolygonSet.from_json(P), _core.PolygonSet.from_json(Q)
     if not (first.is_region and second.is_region):
         return ()
@@ -22,9 +22,9 @@ def boundary_scales(P: str, Q: str) -> tuple[Fraction, ...]:
 
 
 def scale_probes(P: str, Q: str, most: int) -> list[tuple[str, str]]:
-    """Up to `most` rows (position, scale) with position `at`, `below` or `above` an event, or `far`
-    from them all: in the middle between two. Every row but a far one is nearer to its event than
-    to any other."""
+    """Returns up to `most` rows (position, scale) with position `at`, `below` or `above` an event,
+    or `far` from them all: in the middle between two. Every row except far rows lies nearer to its
+    event than to any other."""
     events = boundary_scales(P, Q)
     if not events:
         return [("far", text) for text in ("1", "1/2", "2")][:most]

@@ -1,10 +1,9 @@
 """Seeded random pairs of polygons with holes on small integer grids.
 
-`random_pair(seed, index)` depends on nothing but its two arguments. Early indices are small: the
-grid grows from 4 x 4 to 12 x 12 over the first `GROWTH` pairs and is drawn from all of these
-sizes after that, so that a run of any length meets small inputs first. Every third pair has no
-holes at all. Coordinates are integers; every operand is checked by the reference's own
-`validate`.
+`random_pair(seed, index)` depends on its two arguments only. Early indices are small: the grid
+grows from 4 x 4 to 12 x 12 over the first `GROWTH` pairs and is drawn from all these sizes after
+that, so that runs of any length meet small inputs first. Every third pair has no holes. Coordinates
+are integers; the reference's own `validate` checks every operand.
 """
 
 from __future__ import annotations
@@ -53,7 +52,7 @@ class Pair:
 
 
 def grid_of(index: int, dice: random.Random) -> int:
-    """Side of the grid of pair `index`: grows, then is drawn from all sizes."""
+    """Returns the grid's side for pair `index`: grows first, later drawn from all sizes."""
     if index < GROWTH:
         sizes = LARGEST_GRID - SMALLEST_GRID + 1
         return SMALLEST_GRID + index * sizes // GROWTH
@@ -100,7 +99,8 @@ def random_operand(dice: random.Random, grid: int, most_holes: int, small: bool 
 
 
 def _side(dice: random.Random, grid: int) -> int:
-    """The side of a second operand's window: often so small that holes of the first survive."""
+    """Draws the window's side for a second operand: often so small that holes of the first
+    survive."""
     kind = dice.random()
     if kind < 0.5:
         return dice.randint(1, max(1, grid // 4))

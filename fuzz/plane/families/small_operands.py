@@ -14,21 +14,21 @@ Rings = list[list[Corner]]
 
 
 def star(rng: random.Random, size: int, corners: int) -> list[Corner]:
-    """Corners of a grid around its middle, in the order of their angle; it may be no polygon."""
+    """Grid corners around the middle, ordered by angle; perhaps no polygon."""
     points = {(rng.randint(-size, size), rng.randint(-size, size)) for _ in range(corners)}
     cx, cy = rng.uniform(-size, size) / 3, rng.uniform(-size, size) / 3
     return sorted(points, key=lambda p: atan2(p[1] - cy, p[0] - cx))
 
 
 def stairs(rng: random.Random, size: int) -> list[Corner]:
-    """An L: all its edges are parallel to an axis."""
+    """An L: all edges are parallel to an axis."""
     x, y = rng.randint(2, size + 1), rng.randint(2, size + 1)
     u, v = rng.randint(1, x - 1), rng.randint(1, y - 1)
     return [(0, 0), (x, 0), (x, v), (u, v), (u, y), (0, y)]
 
 
 def comb(rng: random.Random, size: int) -> list[Corner]:
-    """Two teeth as high as each other, up or down: edges that lie on one line."""
+    """Two equally high teeth, up or down: edges on one line."""
     x = [0]
     for _ in range(3):
         x.append(x[-1] + rng.randint(1, size + 1))
@@ -60,7 +60,7 @@ def as_set(rings: Rings) -> PolygonSet:
 
 
 def random_operand(rng: random.Random, size: int) -> tuple[Rings, PolygonSet]:
-    """Rings of a valid operand; shifted, so that the centre of scaling is anywhere."""
+    """Draws rings of a valid operand, shifted to put the centre of scaling anywhere."""
     while True:
         rings = random_rings(rng, size)
         if any(len(ring) < 3 for ring in rings):

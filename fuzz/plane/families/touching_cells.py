@@ -1,5 +1,5 @@
-"""Cells of a grid, as parts of a set or as holes in a frame, that touch at corners, beside segments
-and each other: rings with parallel sides, paired in every way that the definitions allow."""
+"""Grid cells, as parts of a set or as holes in a frame, that touch at corners, beside segments and
+each other: rings with parallel sides, paired in every way that the definitions allow."""
 
 from __future__ import annotations
 
@@ -44,9 +44,8 @@ def beside_segments(side: int) -> Iterator[Touching]:
 
 
 def touching_sets(side: int) -> Iterator[Shape]:
-    """All sets of cells of a square grid of which two touch at a corner, one of each that are equal
-    but for a turn or a mirror; the cells as parts, and as holes; the rings paired in each way that
-    is valid."""
+    """Yields all sets of cells from a square grid with two cells touching at a corner, up to turns
+    and mirror images; the cells as parts, and as holes; the rings paired in each valid way."""
     places = _grid(0, side)
     for share in range(2, len(places)):
         for chosen in itertools.combinations(places, share):
@@ -57,7 +56,7 @@ def touching_sets(side: int) -> Iterator[Shape]:
 
 
 def paired(cells: frozenset[Cell], side: int, as_holes: bool) -> Iterator[Shape]:
-    """The set with its rings paired in each way that is valid; none where no cells touch."""
+    """Yields the set with its rings paired in each valid way; nothing if no cells touch."""
     solid = _framed(cells, side) if as_holes else cells
     touches = _touches(solid)
     if not touches:
@@ -127,7 +126,8 @@ def _framed(cells: frozenset[Cell], side: int) -> frozenset[Cell]:
 
 
 def _touches(solid: frozenset[Cell]) -> list[Point]:
-    """The corners at which two cells of the set touch, and no side of it meets them."""
+    """Returns corners at which two cells of the set touch, with no side between cells of the
+    set."""
     corners = {(x + i, y + j) for x, y in solid for i in (0, 1) for j in (0, 1)}
     found: list[Point] = []
     for x, y in sorted(corners):
@@ -189,7 +189,7 @@ def _bends(a: Point, b: Point, c: Point) -> bool:
 
 
 def _beside(ring: Ring) -> Point:
-    """The middle of the cell on the left of the first unit of a ring's first side."""
+    """Returns the middle of the cell on the left of a ring's first unit step."""
     (ax, ay), (bx, by) = ring[0], ring[1]
     x, y = (bx > ax) - (bx < ax), (by > ay) - (by < ay)
     return ax + Fraction(x - y, 2), ay + Fraction(y + x, 2)

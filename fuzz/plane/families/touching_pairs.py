@@ -1,5 +1,5 @@
-"""Rings that touch at points: chains of holes, polygons corner to corner, and unions of the cells
-of a grid."""
+"""Rings that touch at points: chains of holes, polygons corner to corner, and unions of grid
+cells."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from minkref.fuzz.plane.families.drawing import convex, family, shape_text
 
 @family("touching")
 def touching_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
-    """A chain of diamonds, a pinwheel of holes, or polygons corner to corner; Q small against
-    them, or of the same kind. Or boxes so far apart that their sums with Q touch."""
+    """A chain of diamonds, a pinwheel of holes, or polygons corner to corner; Q small against them,
+    or the same kind of shape. Or boxes spaced so that their sums with Q touch."""
     if dice.random() < 0.25:
         return _apart(dice, max(2, size // 4 - 1))
     P = touching_shape(dice, max(8, size - 4))
@@ -39,8 +39,7 @@ def touching_shape(dice: random.Random, size: int) -> Shape:
 
 
 def _apart(dice: random.Random, count: int) -> tuple[Shape, Shape]:
-    """Cells of a lattice with gaps as wide as Q: the sum is a union of cells, which share sides and
-    corners."""
+    """Lattice cells with gaps as wide as Q: the sum unites cells, which share sides and corners."""
     width, height = Fraction(dice.randint(1, 6), 2), Fraction(dice.randint(1, 6), 2)
     side = 2 if count < 3 else 3 if count < 8 else 4
     places = [(x, y) for x in range(side) for y in range(side)]
@@ -50,7 +49,7 @@ def _apart(dice: random.Random, count: int) -> tuple[Shape, Shape]:
 
 
 def _chain(dice: random.Random, count: int) -> Polygon:
-    """A box with a row of diamonds, tip to tip; they touch its sides at one end, or above."""
+    """A box with a row of diamonds, tip to tip; they touch the box at one end, or above."""
     at_left = 0 if count == 1 else dice.randint(0, 1)
     height = dice.randint(2, 4)
     above = 0 if dice.random() < 0.3 else 1
@@ -68,7 +67,7 @@ def _chain(dice: random.Random, count: int) -> Polygon:
 
 
 def _pinwheel(dice: random.Random, count: int) -> Polygon:
-    """Triangular holes with one corner in common, which may lie on the side of the box."""
+    """Triangular holes with a common corner, perhaps on the box's side."""
     count = min(count, 12)
     reach = 2 * count + 1
     holes: Polygon = []
@@ -96,7 +95,7 @@ def _corner_to_corner(dice: random.Random, count: int) -> Shape:
 
 @family("cells")
 def cells_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
-    """Unions of random cells of a grid, their holes and corners as they come."""
+    """Unions of random grid cells, with arbitrary holes and corners."""
     side = 3 if size < 14 else 4 if size < 28 else 5
     P = cells(dice, side, dice.choice((0.6, 0.75, 0.85)))
     kind = dice.random()
@@ -108,7 +107,7 @@ def cells_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
 
 
 def cells(dice: random.Random, side: int, share: float) -> Shape:
-    """The union of this share of the cells, in canonical form."""
+    """Unites this share of the cells, in canonical form."""
     squares: Shape = [
         [box(x, y, 1, 1)] for x in range(side) for y in range(side) if dice.random() < share
     ]

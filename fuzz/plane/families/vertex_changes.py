@@ -37,7 +37,7 @@ def move_vertex(dice: random.Random, shape: Shape, other: Shape, size: Fraction)
 
 
 def align_vertex(dice: random.Random, shape: Shape, other: Shape, size: Fraction) -> Shape:
-    """A vertex gets the x or y of another one, of either operand."""
+    """Gives a vertex the x or y of another vertex, from either operand."""
     ring = some_ring(dice, shape)
     source = some_ring(dice, dice.choice((shape, shape, other)))
     if ring and source:
@@ -47,8 +47,8 @@ def align_vertex(dice: random.Random, shape: Shape, other: Shape, size: Fraction
 
 
 def make_parallel(dice: random.Random, shape: Shape, other: Shape, size: Fraction) -> Shape:
-    """An edge turned about its start into a direction of the other operand; at times it gets the
-    length of the edge there."""
+    """Turns an edge about its start into a direction of the other operand; sometimes also takes
+    over that edge's length."""
     ring, source = some_ring(dice, shape), some_ring(dice, other)
     if not ring or not source or min(len(ring), len(source)) < 2:
         return shape

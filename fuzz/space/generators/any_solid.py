@@ -71,5 +71,5 @@ SOLIDS: tuple[Callable[[random.Random], Polyhedron], ...] = (
 
 
 def any_of_one(dice: random.Random) -> Polyhedron:
-    """A solid of one component, without cavities."""
+    """A solid with one component, without cavities."""
     return dice.choice((SOLIDS[0], SOLIDS[1], SOLIDS[3], SOLIDS[9], SOLIDS[11]))(dice)

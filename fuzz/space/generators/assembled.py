@@ -1,4 +1,4 @@
-"""Solids put together of convex ones: with a cavity, of two components, with spikes and dents."""
+"""Solids assembled from convex bodies: with a cavity, two components, spikes or dents."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, area_vector, middle, primitive
 from minkref.fuzz.space.generators.convex import box, random_hull
 
-GRID = 24  # of what spikes and dents are put on, so that they end in integers
+GRID = 24  # multiples give spikes and dents integer tips
 
 
 def hollow_box(dice: random.Random, most: int) -> tuple[Polyhedron, Polyhedron]:
@@ -26,17 +26,17 @@ def hollow_box(dice: random.Random, most: int) -> tuple[Polyhedron, Polyhedron]:
 def side_by_side(
     one: Polyhedron, other: Polyhedron, axis: int, gap: Fraction, shift: Point
 ) -> Polyhedron:
-    """Two components; the other comes after the first along the axis, this far away, and is moved
-    by `shift` along the other axes."""
+    """Two components; the other follows the first along the axis, at this distance, moved by
+    `shift` along the other axes."""
     way = [shift[0], shift[1], shift[2]]
     way[axis] = one.box[1][axis] + gap - other.box[0][axis]
     return one.with_faces_of(other.translated((way[0], way[1], way[2])))
 
 
 def spiked(dice: random.Random, body: Polyhedron, chance: float) -> Polyhedron:
-    """A tetrahedron with pyramids on some of its faces, and out of others: a spike stays in the
-    prism over its face, a dent in the cone over it from the middle, so none meet. Integer where the
-    coordinates of the body are multiples of GRID."""
+    """A body with pyramids on some faces, and pyramids cut out of others: a spike stays in the
+    prism over its face, a dent in the cone over its face from the middle, so none meet. Integer if
+    the body's coordinates are multiples of GRID."""
     vertices, faces = list(body.vertices), []
     centre = middle(body.vertices)
     for face in body.faces:

@@ -1,4 +1,4 @@
-"""Convex polyhedra: hulls of points of a grid, rational spheres, boxes."""
+"""Convex polyhedra: hulls of grid points, rational spheres, boxes."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ from minkref.fuzz.space.prism import Prism
 
 
 def prism_over(outer: Ring, holes: list[Ring], low: int, high: int) -> Polyhedron:
-    """Over a polygon whose holes touch nothing; a lid with holes is in triangles."""
+    """A prism over a polygon with separate holes; a lid with holes is triangulated."""
     polygon = {"outer": _text(outer), "holes": [_text(hole) for hole in holes]}
     region = _core.PolygonSet.from_json(json.dumps({"polygons": [polygon]}))
     return Prism(region, Fraction(low), Fraction(high)).polyhedron()
@@ -60,7 +60,7 @@ def u_solid(dice: random.Random, slot: int, most: int) -> Polyhedron:
 
 
 def dented_prism(dice: random.Random, corners: int, grid: int) -> Polyhedron:
-    """Over a random polygon that is not convex, of up to so many corners."""
+    """A prism over a random non-convex polygon with up to so many corners."""
     while True:
         ring = untangled(scattered(dice, corners, grid, grid))
         if ring is None:

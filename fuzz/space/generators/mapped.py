@@ -17,7 +17,7 @@ def determinant(matrix: Matrix) -> int:
 
 
 def mapped(matrix: Matrix, solid: Polyhedron) -> Polyhedron:
-    """With outward normals again where the matrix is a mirror image; not for a singular one."""
+    """Maps a solid, keeping normals outward if the matrix mirrors; not for a singular matrix."""
     vertices = []
     for v in solid.vertices:
         x, y, z = (row[0] * v[0] + row[1] * v[1] + row[2] * v[2] for row in matrix)

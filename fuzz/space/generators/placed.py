@@ -1,4 +1,4 @@
-"""A solid moved so that the origin is inside of it."""
+"""A solid moved to contain the origin."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from minkref.fuzz.space.membership import winding_number
 
 
 def around_origin(solid: Polyhedron) -> Polyhedron:
-    """Moved by integers so that the origin is inside. The place is straight below the middle of
-    the first face below which there is one."""
+    """Moves the solid by integers until it contains the origin. The place lies straight below the
+    middle of the first face with such a place."""
     for face in solid.faces:
         ring = [solid.vertices[k] for k in face]
         n = area_vector([solid.wholes[k] for k in face])

@@ -1,4 +1,4 @@
-"""Connected polycubes whose surface is a 2-manifold."""
+"""Connected polycubes with a 2-manifold as surface."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ STEPS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 
 
 def random_polycube(dice: random.Random, count: int) -> frozenset[Cell]:
-    """Grown cell by cell; cells that keep the surface from being a manifold are not taken. Has
-    `count` cells, or fewer where growth got stuck."""
+    """Grows cell by cell, rejecting cells that would make the surface no manifold. Returns `count`
+    cells, or fewer if growth got stuck."""
     cells: set[Cell] = {(0, 0, 0)}
     for _ in range(20 * count):
         if len(cells) == count:
@@ -26,7 +26,7 @@ def random_polycube(dice: random.Random, count: int) -> frozenset[Cell]:
 
 
 def bodies_apart(dice: random.Random, count: int, most: int) -> frozenset[Cell]:
-    """Polycubes of up to `most` cells in a row along an axis, one to three cells apart."""
+    """Polycubes with up to `most` cells in a row along an axis, one to three cells apart."""
     axis, end, cells = dice.randrange(3), 0, set[Cell]()
     for _ in range(count):
         body = random_polycube(dice, dice.randint(1, most))
@@ -39,7 +39,7 @@ def bodies_apart(dice: random.Random, count: int, most: int) -> frozenset[Cell]:
 
 
 def hollow_box(dice: random.Random, most: int) -> frozenset[Cell]:
-    """A box with walls of one cell, perhaps with a window of one cell in a wall."""
+    """A box with walls one cell thick, perhaps with a window of one cell."""
     sides = [dice.randint(3, max(3, most)) for _ in range(3)]
     cells = {
         cell

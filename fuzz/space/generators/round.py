@@ -26,8 +26,8 @@ SIDES = (
 
 
 def geodesic_sphere(splits: int, radius: int) -> Polyhedron:
-    """An icosahedron whose triangles are cut in four so many times: 20, 80, 320 triangles.
-    About the origin; convex where the grid is fine enough, a radius of some hundreds."""
+    """An icosahedron whose triangles are cut in four so many times: 20, 80, 320 triangles. About
+    the origin; convex on a fine enough grid, at a radius of some hundreds."""
     places = [_on_sphere(corner) for corner in CORNERS]
     sides = list(SIDES)
     for _ in range(splits):
@@ -37,7 +37,7 @@ def geodesic_sphere(splits: int, radius: int) -> Polyhedron:
 
 
 def _split(places: list[Place], sides: list[Triple]) -> tuple[list[Place], list[Triple]]:
-    """Each triangle in four, the middles of edges on the sphere."""
+    """Cuts each triangle into four, with the middles of edges moved to the sphere."""
     places, cut = list(places), []
     middles: dict[frozenset[int], int] = {}
 
@@ -67,9 +67,9 @@ def triangulated_torus(around: int, section: int, radius: int, thickness: int) -
 
 
 def clutch(dice: random.Random, around: int, teeth: int, size: int, jitter: int = 3) -> Polyhedron:
-    """One half of a dog clutch: a ring about the z axis, from 2 to 3 `size`, that carries teeth
-    along its axis; 8 `around` triangles. Each vertex is moved by up to `jitter`, so no faces are
-    parallel. A tooth and a gap need two columns at least."""
+    """Half of a dog clutch: a ring about the z axis, from 2 to 3 `size`, with teeth along its axis;
+    8 `around` triangles. Each vertex moves by up to `jitter`, so no faces are parallel. A tooth and
+    a gap need at least two columns."""
     if around < 4 * teeth:
         raise ValueError(f"{teeth} teeth take {4 * teeth} columns, not {around}")
 

@@ -1,4 +1,4 @@
-"""Star-shaped polyhedra that are not convex."""
+"""Non-convex star-shaped polyhedra."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from minkref.fuzz.space.hull import is_convex
 
 
 def star(dice: random.Random, count: int, size: int) -> Polyhedron:
-    """A rational sphere in triangles whose vertices are moved to and from the origin. The origin
-    is inside, and sees all of the surface. For `count` of at least three."""
+    """A triangulated rational sphere with vertices moved to and from the origin. The origin lies
+    inside, and sees the whole surface. For `count` of at least three."""
     while True:
         ball = sphere(dice, count, Fraction(1))
         if not _holds_origin(ball):

@@ -10,9 +10,9 @@ from minkref.fuzz.space.generators.circle import circle
 
 
 def torus(around: int, section: int, radius: Fraction, thickness: Fraction) -> Polyhedron:
-    """About the z axis: `around` segments of a polygon of `section` corners, whose centre runs at
-    `radius`. `thickness` is that of the section's circle, less than the radius. Faces are
-    planar trapezoids."""
+    """A torus about the z axis: `around` segments with a polygon of `section` corners, its centre
+    at distance `radius`. `thickness` is the radius of the section's circle, less than `radius`.
+    Faces are planar trapezoids."""
     ring, profile = circle(around), circle(section)
     vertices: list[Point] = []
     for cx, cy in ring:

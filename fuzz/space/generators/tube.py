@@ -10,7 +10,7 @@ from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.self_crossing import self_crossing
 
-# Directions of corners of lattice polygons around the origin.
+# Corner directions of lattice polygons around the origin.
 ROUND: dict[int, list[tuple[int, int]]] = {
     3: [(1, 0), (-1, 1), (-1, -1)],
     4: [(1, 0), (0, 1), (-1, 0), (0, -1)],
@@ -24,8 +24,8 @@ SECTIONS: dict[int, list[tuple[int, int]]] = {
 
 
 def lattice_torus(around: int, section: int, radius: int) -> Polyhedron:
-    """`around` of 3 to 6 trapezoid stretches of a section of 3 or 4 corners, at a radius above
-    one; planar faces, `around` times `section`."""
+    """A torus with 3 to 6 trapezoid stretches (`around`) and a section of 3 or 4 corners, at a
+    radius above one; `around` times `section` planar faces."""
     vertices: list[Point] = []
     for x, y in ROUND[around]:
         for a, b in SECTIONS[section]:
@@ -37,9 +37,9 @@ def lattice_torus(around: int, section: int, radius: int) -> Polyhedron:
 def knot_tube(
     dice: random.Random, p: int, q: int, around: int, section: int, size: int
 ) -> Polyhedron:
-    """A tube of `around` stretches along the (p, q) torus knot, in 2 `around` `section` triangles.
-    It does not cross itself: thinner ones are tried until one does not. ValueError where the knot
-    has too few stretches for any."""
+    """A tube with `around` stretches along the (p, q) torus knot, in 2 `around` `section`
+    triangles. To avoid self-crossing, thinner tubes are tried in turn. ValueError if the knot has
+    too few stretches for any."""
     turned = dice.random()
     for thickness in (0.35, 0.2, 0.1, 0.05):
         vertices: list[Point] = []
@@ -57,9 +57,9 @@ def knot_tube(
 
 
 def wide_knot(p: int, q: int, around: int, section: int, size: int) -> Polyhedron:
-    """A tube of `around` stretches about the (p, q) knot on a torus of radii 3 and 1.2 `size`, of
-    thickness 0.35, in 2 `around` `section` triangles. Its section keeps to one direction in space,
-    so it turns about the knot. ValueError where it crosses itself."""
+    """A tube with `around` stretches about the (p, q) knot on a torus with radii 3 and 1.2 `size`,
+    with thickness 0.35, in 2 `around` `section` triangles. Its section keeps to one direction in
+    space, so it turns about the knot. ValueError if the tube crosses itself."""
     vertices: list[Point] = []
 
     def knot(at: float) -> list[float]:
@@ -88,8 +88,8 @@ def wide_knot(p: int, q: int, around: int, section: int, size: int) -> Polyhedro
 
 
 def _on_tube(p: int, q: int, t: float, angle: float, r: float) -> tuple[float, float, float]:
-    """A corner of the section at t. Floats: they only choose points of a grid. The section lies
-    between a way that is radial to the torus and the normal of both the knot and it."""
+    """A corner of the section at t. Floats only choose grid points. The section lies between a
+    direction radial to the torus and the common normal of this direction and the knot."""
 
     def knot(at: float) -> list[float]:
         rim = 2 + cos(q * at)

@@ -27,8 +27,8 @@ def bored_plate(bores: int, corners: int, size: int) -> Polyhedron:
 
 
 def rounded_bracket(corners: int, arc: int, size: int) -> Polyhedron:
-    """An L profile of arms `size` wide and three times as long, with a bore of `corners` corners in
-    each arm and one in the corner, or none for 0; its convex corners are arcs of `arc` edges, or
+    """An L profile with arms `size` wide and three times as long, with a bore of `corners` corners
+    in each arm and in the corner, or none for 0; its convex corners are arcs with `arc` edges, or
     sharp for 0."""
     long, r = 3 * size, size // 3
     outline: Ring = []
@@ -53,8 +53,8 @@ def _corner(x: int, y: int, turn: int, r: int, arc: int) -> Ring:
 
 
 def spur_gear(teeth: int, radius: int, high: int, corners: int = 0) -> Polyhedron:
-    """Four corners for each tooth, whose depth is that of half a tooth's pitch, and a bore of so
-    many corners; 4 `teeth` + 2 faces without one."""
+    """Four corners for each tooth, as deep as half a tooth's pitch, and a bore with so many
+    corners; 4 `teeth` + 2 faces without a bore."""
     depth = pi / (2 * teeth)
     outline: Ring = []
     for k in range(4 * teeth):
