@@ -128,7 +128,7 @@ class Collisions:
         return all(levels(way.gap(n, A, B), corner)[0] < 0 for n in self.pair.directions(A, B))
 
     def _point(self, way: Way, A: int, B: int, t: Fraction, s: Fraction) -> Place:
-        """Returns a point in the middle of the intersection of x + sA and B, which is not empty."""
+        """Returns a middle point of the intersection of x + sA and B, which is not empty."""
         pair = self.pair
         (x, y), unit = way.at(t), pair.unit
         ring = [(x + s * u / unit, y + s * v / unit) for u, v in pair.R.hulls[A]]

@@ -22,7 +22,7 @@ AXES = ((-1, 0), (1, 0), (0, -1), (0, 1))
 
 @dataclass(frozen=True)
 class Escape:
-    """A way that is free at these scales, and whose end may go on along the normal."""
+    """A way, free at these scales, whose end may go on along the normal."""
 
     way: list[Place]
     normal: Vector
@@ -154,7 +154,7 @@ class Escapes:
         return place[0] + part * along[0], place[1] + part * along[1]
 
     def _shortened(self, way: list[Place], s: Fraction) -> list[Place]:
-        """Drops corners without which the way stays free at all scales at which it is free now."""
+        """Drops corners without which the way stays free at all scales of its range."""
         found = valid_scales(*self.sets, way, self.contact)
         free = next((one for one in found.ranges if s in one), None)
         if free is None:

@@ -108,7 +108,7 @@ class FreeCells:
                     self._join(i, j, p)
 
     def _ends(self, i: int, j: int) -> Iterator[Place]:
-        """Yields the corners of either cell that lie on the other."""
+        """Yields either cell's corners on the other cell."""
         yield from (p for p in self.cells[i] if self._holds(j, p))
         yield from (p for p in self.cells[j] if self._holds(i, p))
 

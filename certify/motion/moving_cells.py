@@ -179,8 +179,8 @@ def xs_of(rings: Iterable[Sequence[MovingPlace]]) -> list[Linear]:
 
 def moving(stations: Sequence[Station], here: Fraction, there: End) -> list[MovingPlace]:
     """Returns a way's places, moving from their positions at one scale to their positions at the
-    other. Between two stations whose direction changes, one more place is added: it lies in the
-    convex hull of both stations at both scales, and is free as the inner station is."""
+    other. Where the direction between two stations changes, one more place follows: in the convex
+    hull of both stations at both scales, and as free as the inner station."""
     path = [stations[0]]
     for end in stations[1:]:
         start = path[-1]

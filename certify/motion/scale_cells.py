@@ -1,4 +1,4 @@
-"""Ranges of scales, and the parts of cells at them."""
+"""Ranges of scales, and parts of cells within a range."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def is_within(one: ScaleRange, other: ScaleRange) -> bool:
 
 
 def document(scales: ScaleRange) -> dict[str, Any]:
-    """As certificates have it."""
+    """Returns the range as certificates write ranges."""
     high = None if scales.high is None else str(scales.high)
     return {
         "from": str(scales.low), "to": high, "from_in": scales.low_in, "to_in": scales.high_in,

@@ -15,8 +15,8 @@ class Covering {
  public:
   explicit Covering(CellComplex& complex);
 
-  /// The cell in parts, each within the sum of two pieces. Cuts follow edges of such sums, which
-  /// are finitely many, so cutting ends. Throws std::logic_error if the cell leaves the sum.
+  /// Cuts the cell into parts, each within the sum of two pieces, along edges of such sums:
+  /// finitely many, so cutting ends. Throws std::logic_error if the cell leaves the sum.
   std::vector<CoveredCell> cover(Cell cell);
 
  private:

@@ -9,8 +9,8 @@
 
 namespace minkref::certify {
 
-/// Vertices are numbered ring by ring. Node n is a piece, or group n - pieces; the last node, if
-/// any, holds all pieces.
+/// Vertex numbers follow the order of rings. Node n is a piece, or group n - pieces; the last node,
+/// if any, holds all pieces.
 class PieceTree {
  public:
   struct Node {

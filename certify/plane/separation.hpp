@@ -5,7 +5,7 @@
 
 namespace minkref::certify {
 
-/// Entries that split a pair's node; other entries are normals that separate the pair.
+/// Entries that split a pair's node; all other entries are separating normals.
 inline constexpr std::int64_t split_P = -1, split_Q = -2;
 
 /// The code of a hull of corners: pairs of nodes from the roots on, the first child first; numbers

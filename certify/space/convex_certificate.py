@@ -130,9 +130,8 @@ class _Operand:
     def _find_flat(
         self, points: list[tuple[int, ...]], rings: list[list[int]], facets: list[list[int]]
     ) -> None:
-        """Sets `_flat`: the flat vertices, each with the corners of the smallest face around it, by
-        the least of these corners. That face is the intersection of the facets around the
-        vertex."""
+        """Sets `_flat`: the flat vertices, each with the corners of the smallest face around the
+        vertex, by the least corner. Intersecting the facets around the vertex gives this face."""
         facet_of = {_normal([points[i] for i in facet]): set(facet) for facet in facets}
         carriers: dict[int, set[int]] = {}
         for ring in rings:

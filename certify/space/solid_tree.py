@@ -96,7 +96,7 @@ class Trees:
         return self._rough_halves[half]
 
     def _in_units(self, half: HalfSpace) -> list[int]:
-        """Returns the half-space for points that are not in units."""
+        """Returns the half-space for points without units."""
         (a, b, c), height = half
         common = gcd(self.unit, height)
         k = self.unit // common
