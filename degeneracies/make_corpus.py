@@ -20,11 +20,11 @@ from minkref.degeneracies.found import FOUND
 from minkref.degeneracies.motion.case_faults import CORPUS as CORPUS_OF_PATHS
 
 SEED = 1
-COUNT = 11  # members of each family in the plane
-COUNT_IN_SPACE = 3  # of each with convex bodies
-COUNT_OF_SOLIDS = 2  # of each with polyhedra of any shape
-COUNT_WITH_DISC = 3  # of each with a polygon set and a disc
-COUNT_OF_PATHS = 3  # of each with paths and traps
+COUNT = 11  # members per family in the plane
+COUNT_IN_SPACE = 3  # per family of convex bodies
+COUNT_OF_SOLIDS = 2  # per family of polyhedra of any shape
+COUNT_WITH_DISC = 3  # per family with a polygon set and a disc
+COUNT_OF_PATHS = 3  # per family of paths and traps
 CORPUS = Path(__file__).parent / "corpus"
 
 

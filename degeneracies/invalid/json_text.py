@@ -32,7 +32,7 @@ class Marked:
 
 
 def json_text(value: object, tall: bool, indent: str = "\n") -> str:
-    """Writes one line, or puts each value that holds others on lines of its own."""
+    """Writes one line, or starts a line for each value that holds others."""
     if isinstance(value, Marked):
         return MARK + json_text(value.value, tall, indent)
     if isinstance(value, Raw):

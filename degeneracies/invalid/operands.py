@@ -95,8 +95,8 @@ def coordinates(dice: Random, decimal: bool) -> Callable[[Point], Point]:
 
 @dataclass(frozen=True)
 class Spot:
-    """A place within an edge with room around it: no other edge comes near. Its own coordinates run
-    along the edge and into the set, and go from -3 to 3."""
+    """A place within an edge with room around: no other edge comes near. The spot's coordinates run
+    along the edge and into the set, from -3 to 3."""
 
     polygon: int
     ring: int

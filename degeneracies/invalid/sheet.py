@@ -120,7 +120,7 @@ def tokens(dice: Random, form: str, shape: Shape) -> list[list[Tokens]]:
 
 
 def place_of(*points: Point) -> tuple[str, ...]:
-    """As messages write them."""
+    """Writes points as messages do."""
     return tuple(f"({told(x)}, {told(y)})" for x, y in points)
 
 

@@ -147,7 +147,7 @@ def content_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
 
 
 def set_content(operand: _core.PolygonSet) -> list[Any]:
-    """The content of one operand."""
+    """Returns one operand's content."""
     polygons = json.loads(operand.to_json())["polygons"]
     return sorted([from_least(p["outer"]), sorted(map(from_least, p["holes"]))] for p in polygons)
 

@@ -24,7 +24,7 @@ class Provable(Protocol):
 
 @dataclass(frozen=True)
 class CaseTexts(ABC):
-    """A case's texts, in the plane or in space; they depend on its content alone."""
+    """Writes a case's texts, in the plane or in space, from the case's content alone."""
 
     subject: Subject
     source: str

@@ -31,8 +31,8 @@ class ConvolutionAt:
         return [self.ends(edge) for edge in _core.reduced_convolution(self.P, self.Q)]
 
     def full(self) -> list[Segment]:
-        """The full convolution's segments in the direction of its cycles: backwards where the sign
-        is negative."""
+        """The full convolution's segments, directed like its cycles: backwards where the sign is
+        negative."""
         edges = _core.full_convolution(self.P, self.Q)
         return [self.ends(e) if e[1] > 0 else self.ends(e)[::-1] for e in edges]
 

@@ -18,8 +18,8 @@ Feature = tuple[Corners, Corners]  # corners in P, corners in Q
 
 @dataclass(frozen=True)
 class ConvolutionFacet:
-    """The sum of two features, by their corners. Its plane is `n · x = offset(s)`; the sum lies
-    below. Faces run as in the mesh."""
+    """The sum of two features, by their corners. The facet's plane `n · x = offset(s)` bounds the
+    sum from above. Faces run as in the mesh."""
 
     P: Corners
     Q: Corners

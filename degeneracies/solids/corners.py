@@ -1,5 +1,5 @@
-"""Places where facets of the convolution meet: four at a point, three at an edge, two in one plane
-at one scale."""
+"""Places where facets of the convolution meet: four at a point, three at an edge, two coplanar at
+one scale."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Facets and edges that are parallel at one scaling, but not beside it."""
+"""Facets and edges, parallel at one scaling but not beside it."""
 
 from __future__ import annotations
 

@@ -38,14 +38,14 @@ class Edge:
 @dataclass(frozen=True)
 class Body:
     """`given` may have triangulated facets and flat vertices; the other members describe the body
-    without them. Vertices are in lexicographic order."""
+    without them, with vertices in lexicographic order."""
 
     given: Polyhedron
     name: str
 
     @cached_property
     def surface(self) -> _core.Polyhedron:
-        """As it is given."""
+        """Returns the given body."""
         value = self.given.document()
         return _core.Polyhedron([(x, y, z) for x, y, z in value["vertices"]], value["faces"])
 

@@ -147,8 +147,8 @@ def _thin(dice: Random, size: int) -> SpaceDraft:
 
 def _is_thin(facts: SpaceFacts) -> list[Coincidence]:
     """Whether one body is a needle, close to its longest line, and the other a plate, thin across a
-    facet and wide in two directions, by its volume; and whether at the scaling only, edges of one
-    are parallel to facets of the other."""
+    facet but wide in two directions, by volume; and whether edges of one are parallel to facets of
+    the other at this scaling only."""
     for needle, plate in ((facts.P, facts.Q), (facts.Q, facts.P)):
         is_needle = needle.square_of_girth * LONG**2 < needle.square_of_diameter
         is_plate = (
