@@ -22,8 +22,8 @@ class SmallCase(Protocol):
 
 
 class Setting(ABC):
-    """Reads, sends, receives, judges and shrinks cases in one setting. A folder in `fuzz/`
-    implements it; `settings.py` lists them."""
+    """Reads, sends, receives, judges and shrinks cases in one setting. Each setting has a folder in
+    `fuzz/`, listed in `settings.py`."""
 
     name: ClassVar[str]  # also the capability by which a target declares that it takes the cases
     where: ClassVar[str]

@@ -45,10 +45,10 @@ __all__ = [
 
 @dataclass(frozen=True)
 class OracleAnswer:
-    """The outcome of one call. `seconds` is the CGAL call's own time if a result exists, else the
-    time until the call ended; `total_seconds` is the child process's time. `rings_json` is the
-    result as CGAL gave it, `{"polygons":[...]}`, not canonical. `signal` is a name, as SIGSEGV; a
-    crash without a name is a std::bad_alloc that no limit of ours explains."""
+    """A call's outcome. `seconds` is the CGAL call's own time if a result exists, else the time
+    until the call ended; `total_seconds` is the child process's time. `rings_json` is the result as
+    CGAL gave it, `{"polygons":[...]}`, not canonical. `signal` is a name, as SIGSEGV; a crash
+    without a name is a std::bad_alloc that no limit of ours explains."""
 
     status: str
     reason: str | None = None
@@ -61,8 +61,9 @@ class OracleAnswer:
 
 
 class CgalOracle(OracleServer):
-    """Sums by one CGAL method. `raw` passes every hole to CGAL, also holes that cannot survive and
-    over which CGAL 5.5.1 may corrupt its memory. `seconds` and `bytes` limit each call."""
+    """Computes sums by a CGAL method. `raw` passes every hole to CGAL, also holes that cannot
+    survive and over which CGAL 5.5.1 may corrupt its memory. `seconds` and `bytes` limit each
+    call."""
 
     def __init__(
         self,

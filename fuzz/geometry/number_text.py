@@ -8,7 +8,7 @@ from fractions import Fraction
 
 LONGEST_NUMBER = 100_000  # characters
 GRAMMAR = "n, n/d, or a decimal with an exponent of four digits at most, in ASCII digits"
-# Each part reads in only one way: a long text that is no number is refused in linear time.
+# Each part reads in only one way: refusing a long text that is no number takes linear time.
 _NUMBER = re.compile(
     r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]{1,4})?|[+-]?[0-9]+/0*[1-9][0-9]*"
 )

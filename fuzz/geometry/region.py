@@ -16,8 +16,8 @@ TextRing = list[list[str]]
 
 @dataclass
 class Region:
-    """Canonical form of one result. `degenerate` is a vertex of a ring whose vertices lie on one
-    line, `overlap` a point where the rings' winding number is neither 0 nor 1."""
+    """A result's canonical form. `degenerate` is a vertex on a ring with collinear vertices,
+    `overlap` a point where the rings' winding number is neither 0 nor 1."""
 
     set: _core.PolygonSet
     components: int

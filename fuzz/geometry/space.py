@@ -43,7 +43,7 @@ def whole(point: Point, denominator: int) -> Whole:
 
 
 def middle(points: Sequence[Point]) -> Point:
-    """Their mean."""
+    """Returns the points' mean."""
     x, y, z = (sum((p[k] for p in points), Fraction(0)) / len(points) for k in range(3))
     return (x, y, z)
 

@@ -1,8 +1,8 @@
 """A Linux control group that limits the memory and processes of a program and its descendants.
 
 Both versions, if we may make a group: for version 1 below our own group, in each controller's own
-place; for version 2 below the next group that hands the controllers on. A group left behind by a
-killed process of ours is removed by the next process.
+place; for version 2 below the next group that hands the controllers on. The next process removes a
+group left behind by a killed process of ours.
 """
 
 from __future__ import annotations

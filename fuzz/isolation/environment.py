@@ -23,7 +23,7 @@ MARK = "MINKREF_STARTED_BY"  # finds processes that a program left behind
 
 
 def listed_variables(passed: Iterable[str]) -> dict[str, str]:
-    """Returns our variables that are listed, or `passed` by name."""
+    """Returns our variables from the list, or `passed` by name."""
     wanted = {*NAMES, *passed}
     return {
         name: value

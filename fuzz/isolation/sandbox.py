@@ -171,6 +171,6 @@ def absence() -> str | None:
 
 @functools.cache
 def sandbox_version() -> str:
-    """As `bubblewrap 0.8.0`."""
+    """Returns the version, as `bubblewrap 0.8.0`."""
     done = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=False)
     return done.stdout.strip() or PROGRAM

@@ -76,7 +76,7 @@ def _is_thin(operand: _core.PolygonSet) -> bool:
 
 @dataclass
 class Check:
-    """A target of this kind, in one worker."""
+    """One target `minkref@...` within a worker."""
 
     name: str
     size: int | None = None  # vertex pairs, instead of SIZE_LIMITS
@@ -124,7 +124,7 @@ class Check:
             )
         except MemoryError as error:
             verdict, message = Verdict.OUT_OF_MEMORY, message_of(error)
-        except Exception as error:  # a fault on either side, of any type
+        except Exception as error:  # noqa: BLE001 a fault on either side, of any type
             verdict, message = Verdict.ERRORED, message_of(error)
         seconds = time.perf_counter() - since
         return Outcome(self.name, verdict, message=message, seconds=seconds)

@@ -25,8 +25,8 @@ class Adapter:
 
 @dataclass(frozen=True)
 class Method:
-    """One of a library's sums: the name and title of its adapter, and the argument that selects it
-    on the command line."""
+    """A sum from a library: its adapter's name and title, and the argument that selects it on the
+    command line."""
 
     name: str
     title: str
@@ -35,9 +35,9 @@ class Method:
 
 @dataclass(frozen=True)
 class Library:
-    """`targets`: the prefix of its targets' names. `place`: the position in lists. `has_program`:
-    whether `program.py` beside it shows a finding with the library alone. All the library's
-    adapters share the other members."""
+    """`targets`: the prefix of target names. `place`: the position in lists. `has_program`: whether
+    `program.py` beside it shows a finding with the library alone. All the library's adapters share
+    the other members."""
 
     title: str
     targets: str

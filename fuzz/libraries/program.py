@@ -31,7 +31,7 @@ def filled(template: str, finding: Finding, name: str, **fields: str) -> str:
 
 
 def observed(outcome: Outcome) -> str:
-    """The observed outcome, on one line that is safe in any language's comment."""
+    """The observed outcome, on one line, safe within any language's comments."""
     signal = f", {outcome.signal}" if outcome.signal else ""
     text = f"{outcome.target} {outcome.was or outcome.verdict}: {', '.join(outcome.kinds)}{signal}"
     return re.sub(r"[^\w .,:@+-]", " ", text)

@@ -44,8 +44,8 @@ def _claim(case: AskedPath, value: dict[str, Any], declaration: Declaration) -> 
 
 
 def _range(value: dict[str, Any], declaration: Declaration) -> ScaleRange:
-    """Reads a range. It contains its ends unless it says otherwise; a missing end defaults to the
-    window's."""
+    """Reads a range, which contains its ends unless the target says otherwise; a missing end
+    defaults to the window's."""
     if "from" not in value:
         raise Unreadable("a range has no from")
     low, high = (

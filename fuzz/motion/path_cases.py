@@ -120,8 +120,8 @@ def _valid(dice: random.Random, far: int = 0) -> PolygonSet:
 
 
 def _corridor(dice: random.Random, name: str, part: PolygonSet) -> PathCase:
-    """Two walls, and a way along them: contact on both sides at one scale. If the part lies on one
-    side of its origin, only this scale is valid in its neighbourhood."""
+    """Two walls, and a way along them: contact on both sides at one scale. For a part on one side
+    of its origin, no neighbouring scale is valid."""
     part = part.translated("0", dice.choice(("0", "5", "-5")))
     ys = [y for _, y in _corners(part)]
     low, high, s = min(ys), max(ys), dice.choice(SCALES)

@@ -38,9 +38,9 @@ def without_scales(case: Case, name: str, answer: Answer) -> Outcome:
 def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Declaration) -> Outcome:
     """Judges a list of scales. An exact target's list must equal the reference's; for a rounding
     target each scale must lie within its tolerance of a counterpart, and vice versa
-    (docs/adapter-protocol.md). The witness of a missed event is its place, at its scale. Events at
-    the window's ends, or within the tolerance of them, may be left out. Skipped if the tolerance
-    reaches the window's size: any list would pass."""
+    (docs/adapter-protocol.md). A missed event's place, with the event's scale, serves as witness.
+    Events at the window's ends, or within the tolerance of them, may be left out. Skipped if the
+    tolerance reaches the window's size: any list would pass."""
     low, high = map(Fraction, window(case))
     within = Within(declared)
     room = within.room(high)

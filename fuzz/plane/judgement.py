@@ -25,8 +25,8 @@ def judge(
     judging: Callable[[str], None] = lambda name: None,
 ) -> list[Outcome]:
     """Returns an outcome for each of `targets`, and for each refuted route of ours, selected or
-    not. The truth is a route that no witness refutes; without such a route, others are undecided.
-    `judging` is told whose answer comes next."""
+    not. An unrefuted route is the truth; without such a route, others are undecided. `judging`
+    hears the name of the next target."""
     outcomes = _judge(case, answers, {}, judging)
     chosen = set(targets) | {
         name for name, outcome in outcomes.items() if outcome.verdict is Verdict.WRONG

@@ -75,7 +75,7 @@ class PlaneExchange:
     def received_of_function(
         self, value: dict[str, Any], declaration: Declaration, seconds: float
     ) -> Answer:
-        """Its rings may run either way."""
+        """Reads a function's answer, whose rings may run either way."""
         if declaration.numbers != "text":
             return plane_answer(value, declaration, seconds)
         answer = answered(value, seconds, turned=True)

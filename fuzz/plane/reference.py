@@ -72,7 +72,7 @@ class ReferenceTarget:
             answer = compute()
         except MemoryError as error:
             return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
-        except Exception as error:  # any exception is the target's fault
+        except Exception as error:  # noqa: BLE001 any exception is the target's fault
             return Answer(verdict=Verdict.ERRORED, message=message_of(error))
         return Answer(region_of_sum(answer), seconds=answer.seconds)
 

@@ -1,7 +1,7 @@
 """Whether a whole square lies inside or outside a sum, in plain Python fractions.
 
-A sum's boundary lies on segments vertex + edge and edge + vertex. Their lines, where they cross the
-square, cut it into convex cells, each wholly inside or wholly outside: one point decides a cell.
+A sum's boundary lies on segments vertex + edge and edge + vertex. Lines through segments that cross
+the square cut it into convex cells, each wholly inside or wholly outside: one point decides a cell.
 """
 
 from __future__ import annotations

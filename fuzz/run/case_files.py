@@ -25,14 +25,14 @@ def corpus_folder() -> Path:
 
 @dataclass(frozen=True)
 class CaseFiles:
-    """`names`: a run's cases. `note` tells which files are left out."""
+    """`names`: a run's cases. `note` lists left-out files."""
 
     names: tuple[str, ...] = ()
     note: str | None = None
 
 
 def case_files(folder: Path | None, settings: Collection[Setting] = SETTINGS) -> CaseFiles:
-    """Returns the cases in these settings, ordered by path. Refuses a folder without any, and an
+    """Returns the cases for these settings, ordered by path. Refuses a folder without any, and an
     unreadable case, whether left out or not."""
     where = folder or corpus_folder()
     names = []

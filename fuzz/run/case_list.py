@@ -25,7 +25,7 @@ DEEPEST_MUTANT = 4
 PROBES_PER_ROUND = 3
 PATHS_PER_ROUND = 3  # per verb
 GRID_BITS = 24  # for cases on a grid, or in doubles
-CONVEX_FAMILIES = ("space-convex", "space-sphere")  # which most targets with updates take
+CONVEX_FAMILIES = ("space-convex", "space-sphere")  # taken by most targets with updates
 TOUCHING = "passing"  # the family with topology events of the kind `touch`
 FAR_AND_LARGE = (  # each in every second round
     ("scaled-up:210", "far out"),

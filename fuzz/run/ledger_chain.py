@@ -5,8 +5,8 @@ A user's key stands in a file that only this user may read, `ledger.key` in `sta
 Promised: a program that cannot read the key, in the sandbox or as another user, can neither change
 nor add a line that a resumed run believes. Not promised: anything against a program that runs as
 the same user outside the sandbox and looks for the key. Lines cut off at the end are no lie either
-way: a kill leaves the same, and their cases are asked again. A whole ledger is bound to its first
-line only, so that an older copy of the same ledger is believed.
+way: a kill leaves the same, and their cases are asked again. Only the first line binds a ledger as
+a whole, so that an older copy of the same ledger is believed.
 """
 
 from __future__ import annotations

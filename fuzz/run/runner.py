@@ -31,7 +31,7 @@ class Finding:
 
     @property
     def kind(self) -> tuple[str, str, tuple[str, ...]]:
-        """Findings of equal kind are shown once, by the smallest."""
+        """Findings of equal kind appear once, by the smallest."""
         return (self.outcome.target, str(self.outcome.verdict), self.outcome.kinds)
 
     @property
@@ -42,7 +42,7 @@ class Finding:
 
 @dataclass
 class Cell:
-    """One target's results on one group of cases."""
+    """A target's results for one group of cases."""
 
     verdicts: Counter[str] = field(default_factory=Counter)
     skips: Counter[str] = field(default_factory=Counter)
@@ -81,7 +81,7 @@ class Run:
         )
 
     def exit_code(self, strict: bool = False) -> int:
-        """As ExitCode; 128 and the number of the signal that ended the run."""
+        """Returns an ExitCode; or 128 plus the number of the signal that ended the run."""
         if self.failed is not None:
             return ExitCode.INTERNAL
         if self.ended is not None:

@@ -35,7 +35,7 @@ class Job:
 
     number: int
     name: CaseName
-    learning: bool = False  # whether to look for new findings in the case
+    learning: bool = False  # whether to report the case's coverage
     generated: bool = False  # may be left out if no target takes it
     resting: frozenset[str] = frozenset()  # targets not to ask
     lost: dict[str, Outcome] = field(default_factory=dict)
@@ -44,10 +44,10 @@ class Job:
 
 @dataclass
 class CaseResult:
-    """A worker's result for one case. Sets are texts, and only there if something is amiss.
-    `absent` says why the case does not exist, `untaken` why no target takes it. `coverage`: the
-    case's features, without faults. `needs`: the capabilities that the case asks for, if a target
-    declares some."""
+    """A worker's result for one case. Sets are texts, present only if something is amiss. `absent`
+    says why the case does not exist, `untaken` why no target takes it. `coverage`: the case's
+    features, without faults. `needs`: the capabilities that the case asks for, if a target declares
+    some."""
 
     number: int
     name: CaseName

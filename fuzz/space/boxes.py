@@ -27,7 +27,7 @@ def boxes_meet(a: Box, b: Box) -> bool:
 
 
 def box_pairs(first: list[Box], second: list[Box], reach: int) -> Iterator[tuple[int, int]]:
-    """Yields pairs of boxes that meet after those of `first` grow by `reach` on all sides."""
+    """Yields pairs of boxes that meet after the boxes in `first` grow by `reach` on all sides."""
     if not first or not second:
         return
     rows = list(zip(*second, strict=True))

@@ -82,7 +82,7 @@ class ConvexReferenceTarget:
             solid = compute(case)
         except MemoryError as error:
             return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
-        except Exception as error:  # any exception is the target's fault
+        except Exception as error:  # noqa: BLE001 any exception is the target's fault
             return Answer(verdict=Verdict.ERRORED, message=message_of(error))
         seconds = time.perf_counter() - start
         return Answer(solid=solid, seconds=seconds, declaration=self.declaration)

@@ -1,4 +1,4 @@
-"""The families of generated pairs in space by name, in a run's order."""
+"""Generated families of pairs in space, by name, in a run's order."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One result before one pair: points where it is wrong, each proven by a witness."""
+"""Searches one result for wrong points, each proven by a witness."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Prisms over polygons with holes. Their sum equals the prism over the plane sum."""
+"""Prisms over polygons with holes; the sum of two prisms equals the prism over the plane sum."""
 
 from __future__ import annotations
 

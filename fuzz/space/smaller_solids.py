@@ -55,8 +55,8 @@ def convex_parts(solid: Polyhedron) -> Iterator[Polyhedron]:
 
 
 def drawn_together(solid: Polyhedron) -> Iterator[Polyhedron]:
-    """Moves one end of each edge to the other. Faces that are no longer planar become the triangles
-    of their triangulation. The result may cross itself, or no longer close."""
+    """Contracts each edge, one end to the other. Faces that stop being planar become their
+    triangles. The result may cross itself, or no longer close."""
     if solid.is_thin:
         return
     edges = {

@@ -1,4 +1,4 @@
-"""Where faces of a result bound it, although no face of the sum can lie there."""
+"""Finds faces that bound a result, although no face of the sum can lie there."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ def changes(
     most: int,
     off_boundary: Callable[[Triangle, list[Polygon]], list[Polygon]] | None = None,
 ) -> Iterator[tuple[Point, Point]]:
-    """Yields pairs of points on both sides of these triangles of `result`, one point in the set of
-    positive winding number and one outside, some for each piece of a triangle that separates the
-    set from the rest. Without pairs, no triangle bounds the set anywhere. `whole` is the result
-    with its opposite faces; `off_boundary` returns the parts of a triangle that need examination.
+    """Yields pairs of points on both sides of these triangles of `result`, one point inside the set
+    with positive winding number and one outside, some for each piece of a triangle that separates
+    inside from outside. Without pairs, no triangle bounds the set anywhere. `whole` is the result
+    with opposite faces; `off_boundary` returns the parts of a triangle that need examination.
     TooMany beyond `most` pieces."""
     covered = CoveredFaces(whole)
     left = {}

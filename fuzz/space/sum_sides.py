@@ -12,7 +12,7 @@ from minkref.fuzz.space.fault_search import FaultSearch
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.sides import both_sides
 
-MOST_FACES = 400  # the sum's faces, or a result's triangles, tested beside
+MOST_FACES = 400  # tests lie beside at most so many faces or triangles
 BEYOND = Fraction(17, 16)  # times the tolerance: the least distance for such a test
 FARTHER = 16  # times the tolerance
 SHARE = Fraction(1, 4096)  # times the sum's size
@@ -59,7 +59,7 @@ def _beside(surface: Surface, tolerance: Fraction) -> Iterator[Point]:
     far = (tolerance * FARTHER, SHARE * size / surface.denominator)
     for number in numbers:
         n = surface.normals[number]
-        # As far along the normal as the plane moves where a cube of this half side touches it.
+        # Steps along the normal are as long as the plane moves to touch a cube with this half side.
         unit = Fraction(sum(map(abs, n)), dot(n, n))
         centre, *others = _places(surface.triangles[number], surface.denominator)
         for place, steps in ((centre, (near, *far)), *((other, (near,)) for other in others)):

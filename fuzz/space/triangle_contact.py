@@ -14,7 +14,7 @@ Contact = tuple[Whole, int]  # the point `first / second`
 def contact(s: Triangle, n: Whole, t: Triangle, m: Whole) -> tuple[Contact, bool] | None:
     """Returns a common point of two closed triangles with normals `n`, `m`, and whether an edge of
     one passes properly through the other's inside. None for disjoint triangles."""
-    # For each corner, its side of the other plane.
+    # Each corner's side with respect to the other plane.
     above_s = [dot(n, minus(corner, s[0])) for corner in t]
     if min(above_s) > 0 or max(above_s) < 0:
         return None

@@ -146,8 +146,8 @@ def _near(first: list[Face], second: list[Face], t: int) -> bool:
 
 
 def _faces_near(f: Face, g: Face, t: int) -> bool:
-    """Compares two faces: they are nearest at a corner of one and a point of the other, or at two
-    edges, unless they meet: then an edge of one meets the other face."""
+    """Compares two faces: a corner of one and a point of the other are nearest, or two edges,
+    unless the faces meet: then an edge of one meets the other face."""
     for one, other in ((f, g), (g, f)):
         if any(_box_meets(corner, t, other) for corner in one.ring):
             return True

@@ -153,8 +153,8 @@ class AdapterTarget(ProgramTarget):
 
     def updated_sum(self, before: AnyCase, case: AnyCase) -> Answer:
         """The sum by `update` from the sum of `before`, with the same operands at another scale.
-        For every other case, by name, `before` is itself reached by `update`, from the sum of
-        `case`."""
+        For about half the cases, chosen by name, `before` is itself reached by `update`, from the
+        sum of `case`."""
 
         def ask(declaration: Declaration) -> Answer:
             lack = lacking(declaration, before)

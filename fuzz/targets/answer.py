@@ -23,7 +23,7 @@ REFERENCE = "minkref:"  # and a route of our own
 
 @dataclass(frozen=True)
 class Limits:
-    """For one call of one target. `output`: bytes for an answer, and for its log. `processes`: for
+    """Limits for a target's call. `output`: bytes for an answer, and for its log. `processes`: for
     a foreign program, including threads. `tries`: how often an unresponsive target is asked before
     the verdict says so. `judging_bytes`: a worker's additional memory for making and judging a
     case."""

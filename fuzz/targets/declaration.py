@@ -60,8 +60,8 @@ class Declaration:
     relative: Fraction = Fraction(0)
     sum: str = "region"
     sets: str = "regularised"
-    bits: int | None = None  # of the target's integer grid
-    unit: Fraction | None = None  # the grid's
+    bits: int | None = None  # the target's integer grid
+    unit: Fraction | None = None  # the grid's unit
     largest: Fraction | None = None  # absolute value of a coordinate
     capabilities: frozenset[str] = PLANE
 

@@ -84,7 +84,8 @@ class Witness:
 
 @dataclass(frozen=True)
 class Outcome:
-    """One target on one case. `got` holds its canonical result as JSON text, unless it passed."""
+    """A target's outcome on a case. `got` holds the canonical result as JSON text, unless it
+    passed."""
 
     target: str
     verdict: Verdict

@@ -76,7 +76,7 @@ def _nearest(
                 return set()
             if own == square:
                 found.add(feature)
-    # A vertex where a line goes straight on is no feature of its own.
+    # A vertex on a straight line counts as no feature.
     return {f for f in found if not found & set(outline.straight.get(f, []))}
 
 

@@ -39,8 +39,8 @@ RIGHT = {"dropped": Ruling.NONE, "invented": Ruling.VERTEX, "features": Ruling.V
 
 @dataclass(frozen=True)
 class Event:
-    """A row of minkref's list. `features` are named, and the place is moved, as by Outline; `slack`
-    is the place's rounding in its original coordinates."""
+    """A row of minkref's list, with `features` named, and the place moved, as by Outline; `slack`
+    is the place's rounding before the move."""
 
     kind: str
     x: float

@@ -55,7 +55,7 @@ def symbolic_feature(feature: Feature) -> Offset | Arc:
 
 
 def texts(feature: Feature) -> list[tuple[str, str]]:
-    """As the extension module asks for it."""
+    """Converts a feature for the extension module."""
     return [(str(x), str(y)) for x, y in feature]
 
 

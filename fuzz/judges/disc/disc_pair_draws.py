@@ -26,7 +26,7 @@ class Drawn:
 
 
 def draw(rng: random.Random, kind: str) -> Drawn:
-    """Draws two features of a kind. `relation` is `free` in three cases out of five."""
+    """Draws two features of a kind. Three cases out of five have the `relation` `free`."""
     known = SPECIAL if kind != "arc, edge" else SPECIAL[:-1]  # for equal kinds
     relation = rng.choice(known) if rng.random() < 0.4 else "free"
     size = rng.choice([3, 8, 8, 1000]) if relation == "free" else rng.choice([2, 4, 8])
@@ -106,7 +106,7 @@ def _faces(a: Feature, b: Feature) -> bool:
 
 
 def _is_one_place(a: Feature, b: Feature) -> bool:
-    """Whether both are arcs around one vertex, which has at most one."""
+    """Whether both are arcs around one vertex: no vertex has two."""
     return len(a) == len(b) == 3 and a[1] == b[1]
 
 

@@ -123,7 +123,7 @@ def law_faults(seed: int, number: int, shape: Shape, rows: Rows) -> list[str]:
         wanted = _places(mine, shape, change, exact=way == "order")
         found = _places(theirs, other, lambda p: p, exact=way == "order")
         if what == "changes" and way != "order":
-            # Coordinates decide which of equal places is told, and which of equal holes keeps its
+            # Coordinates decide the place told among equal places, and the hole that keeps its
             # name.
             wanted, found = _changes(mine, 3 if way == "larger" else 1), _changes(theirs, 1)
         if not _are_alike(wanted, found):
@@ -169,7 +169,7 @@ def _line(p: Point, q: Point) -> list[str]:
 
 
 def _changes(rows: list[Row], factor: int) -> list[Any]:
-    """Counts each kind of change, by radius."""
+    """Counts changes of each kind, by radius."""
     found: dict[float, Counter[str]] = {}
     for row in rows:
         own = found.setdefault(round(factor * row["radius"]["low"], 6), Counter())

@@ -35,7 +35,7 @@ MOST_SETS = 20_000  # until each kind has enough cases
 
 @dataclass(frozen=True)
 class Choice:
-    """Features of an event that single out its place, in the order that their kind asks for."""
+    """Features that single out an event's place, in the order that their kind asks for."""
 
     kind: str
     features: tuple[Feature, ...]
@@ -196,7 +196,7 @@ def features_of(outline: Outline, names: Sequence[tuple[str, str, str]]) -> list
 
 
 def compare(seed: int, count: int, table: Table) -> None:
-    """`count` of each kind, a third of them degenerate, from sets by number."""
+    """Compares `count` cases per kind, a third degenerate, from numbered sets."""
     wanted = {False: count - count // 3, True: count // 3}
     have: Counter[tuple[str, bool]] = Counter()
     dice = random.Random(f"minkref equidistant {seed}")

@@ -153,7 +153,7 @@ def _without_straight(
     outline: Outline, features: set[Feature], spot: tuple[float, float]
 ) -> frozenset[Feature]:
     """Replaces the set's straight vertices by the lines through them, for places in front of such a
-    line: there the vertex is no feature of its own."""
+    line, where the vertex counts as no feature."""
     kept = set()
     for feature in features:
         lines = [line for line in outline.straight.get(feature, []) if height(spot, line) > 0]

@@ -18,9 +18,8 @@ Feature = Edge | Corner
 
 @dataclass(frozen=True)
 class Root:
-    """The root of one condition, s > 0. `case`: once, always or never. `terms`: the scale is the
-    sum of c sqrt(m) over (m, c). `polynomial`: the scale's minimal polynomial, the highest power
-    first."""
+    """A condition's root s > 0. `case`: once, always or never. `terms`: the scale is the sum of c
+    sqrt(m) over (m, c). `polynomial`: the scale's minimal polynomial, the highest power first."""
 
     case: str
     terms: tuple[tuple[int, str], ...] = ()

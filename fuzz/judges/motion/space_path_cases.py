@@ -69,8 +69,8 @@ def space_path_case(seed: int, index: int) -> SpacePathCase:
 
 
 def _corridor(dice: random.Random, name: str, part: Polyhedron, scale: Fraction) -> SpacePathCase:
-    """Two walls, and a way along them: contact on both sides at one scale. If the part lies on one
-    side of its origin, only this scale is valid in its neighbourhood."""
+    """Two walls, and a way along them: contact on both sides at one scale. For a part on one side
+    of its origin, no neighbouring scale is valid."""
     axis = dice.randrange(3)
     part = part.translated(_along(axis, Fraction(dice.choice((0, 9, -9)))))
     heights = [scale * vertex[axis] for vertex in part.vertices]

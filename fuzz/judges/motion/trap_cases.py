@@ -75,7 +75,7 @@ def _neck(room: Room) -> list[Ring]:
 
 
 def _taper(room: Room) -> list[Ring]:
-    """As wide as the part at one end, wider at the other."""
+    """A door as wide as the part at one end, wider at the other."""
     s, x, d = room.size, room.size + room.thick, room.high
     c, more = room.sill(d), room.thick / room.dice.randint(2, 5)
     if room.dice.random() < 0.5:

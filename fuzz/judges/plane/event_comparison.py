@@ -33,7 +33,7 @@ LONGEST = 40  # segments: all triples of more would take too long
 
 @dataclass
 class Difference:
-    """One operand pair: events that only one side has."""
+    """An operand pair with events that only one side has."""
 
     P: Rings
     Q: Rings

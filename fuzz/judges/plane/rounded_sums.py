@@ -23,9 +23,9 @@ def significant_bits(arithmetic: str) -> int | None:
 @dataclass(frozen=True)
 class Comparison:
     """`ulps`: the largest error of a coordinate, in units in the last place of the exact sum's
-    largest coordinate; None if the structure differs. Then `point` belongs to only one set, and
-    `in_sum` tells which: pairs of triangles decide it, from the definition. None if rings differ
-    but the sets do not."""
+    largest coordinate; None if the structure differs. Then `point` belongs to only one set, named
+    by `in_sum`: pairs of triangles decide this from the definition. None if rings differ but the
+    sets do not."""
 
     same_structure: bool
     ulps: Fraction | None = None

@@ -37,7 +37,7 @@ class Event(NamedTuple):
 
     @property
     def change(self) -> str:
-        """As docs/definitions.md names it."""
+        """Names the change by docs/definitions.md."""
         if self.same:
             return "touch"
         more = self.above.vertices - self.below.vertices
@@ -73,7 +73,7 @@ class SampledEvents(OracleServer):
 
 
 def find_executable() -> Path:
-    """Finds the judge; OracleNotFoundError names the command that builds it."""
+    """Finds the judge; OracleNotFoundError names the build command."""
     for folder in built_folders("sampled"):
         if (folder / EXECUTABLE).is_file():
             return folder / EXECUTABLE

@@ -15,7 +15,7 @@ LOW, HIGH = "101/1009", "1009/101"
 
 
 def judge(case: Case, solid: SweptSolid) -> Ruling:
-    """Compares the scales of `--kind boundary`, by both routes, in one window."""
+    """Compares scales for `--kind boundary`, by both routes, within a window."""
     answer = solid.vertices(case.P_json, case.Q_json, LOW, HIGH)
     if answer.status == "skipped":
         reason = answer.reason or ""

@@ -147,7 +147,7 @@ def _told(known: FacetEvents) -> list[Told]:
 
 
 def _comparable(known: FacetEvents, ours: Counter[Told]) -> Counter[Told]:
-    """Drops places of facets that are coplanar at one scale, where no place is theirs alone."""
+    """Drops places of facets that are coplanar at a single scale: no place is theirs alone."""
     if known.standing == "crossing" or known.standing == "always":
         return Counter(
             {(s, kind, change, place and tuple(place)): n

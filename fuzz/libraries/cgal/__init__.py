@@ -1,4 +1,4 @@
-"""CGAL: polyhedra by an adapter; its methods in the plane are separate targets."""
+"""CGAL: polyhedra by an adapter; for methods in the plane see the targets `cgal-...`."""
 
 from minkref.fuzz.libraries.library import Library, Method
 

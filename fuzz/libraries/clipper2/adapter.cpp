@@ -1,10 +1,10 @@
 // Clipper2, in three ways: the argument is boundary, region or double.
 //
-// boundary: MinkowskiSum of Paths64 as it is: one ring each, the sum of the two curves. It does not
-// fill them: the sum of a large ring and a small one has a hole.
+// boundary: MinkowskiSum of Paths64 unchanged: one ring per operand, the sum of both curves,
+// unfilled: the sum of a large ring and a small ring has a hole.
 //
-// region: the sum of the regions, of what the library offers. Clipper 1 filled by uniting the sum
-// of the curves with a translate of the path, and for Clipper2 the same is advised
+// region: the sum of regions, built from the library's functions. Clipper 1 filled by uniting the
+// curves' sum with a translate of the path, and the same is advised for Clipper2
 // (https://github.com/AngusJohnson/Clipper2/issues/719). With holes and several polygons:
 //
 //   the union of the parallelograms of MinkowskiSum(r, s) for every ring r of P and s of Q,
@@ -12,18 +12,18 @@
 //   and of Q + p for one vertex p of the outer ring of each polygon of P.
 //
 // all in one Union: MinkowskiSum would unite the parallelograms alone, and round, and where a
-// rounded edge then runs along one of a translate, slivers narrower than a unit of the grid stay
-// open.
+// rounded edge then runs along a translate's edge, slivers narrower than a grid unit stay open.
 //
-// This is the whole sum. Each part is in it. Let x be in it: then a connected polygon A of P and a
-// connected polygon B of x - Q meet. If their boundaries do, x is in the first part. If not, the
-// outer ring b of B is a connected curve that misses the boundary of A, so it lies in A or outside
-// of A, and likewise the outer ring a of A. With b in A, x is in the second part; with a in B, in
-// the third. Otherwise neither is in a hole of the other's polygon, for then the whole polygon
-// were, and A and B did not meet. So a is outside of the curve b, and with it all of A, which is
-// connected and misses b; but B is inside of b: A and B do not meet.
+// This gives the whole sum, which contains each part. Conversely, let x belong to the sum: then a
+// connected polygon A of P and a connected polygon B of x - Q meet. If their boundaries meet, the
+// first part contains x. If not, the outer ring b of B is a connected curve that misses the
+// boundary of A, so b lies in A or outside A, and likewise the outer ring a of A. With b in A, the
+// second part contains x; with a in B, the third part. Otherwise neither ring lies in a hole of the
+// other polygon, for then its whole polygon would, and A and B would not meet. So a lies outside
+// the curve b, and with a all of A, which is connected and misses b; but B lies inside b: A and B
+// do not meet.
 //
-// double: MinkowskiSum of PathsD with its default of two decimals; curves, as boundary.
+// double: MinkowskiSum of PathsD with the default of two decimals; curves, as boundary.
 #include <clipper2/clipper.h>
 
 #include <string_view>

@@ -1,6 +1,6 @@
 """minkref itself in inexact arithmetic: the argument is double or mpfr:BITS.
 
-Its predicates then use rounded numbers, without any filter or repair: the result may be another
+All predicates then use rounded numbers, without any filter or repair: the result may be another
 set. The declaration equals a floating point library's, and `wrong` is to be expected: this shows
 the value of exact arithmetic.
 """

@@ -22,7 +22,7 @@ PROGRAM = os.environ.get("OPENSCAD", "openscad")
 
 
 def version() -> str:
-    """As `2021.01`."""
+    """Returns the version, as `2021.01`."""
     done = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True)
     return (done.stdout + done.stderr).split()[-1]
 

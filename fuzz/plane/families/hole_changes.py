@@ -61,7 +61,7 @@ def fit_hole(dice: random.Random, shape: Shape, other: Shape, size: Fraction) ->
 
 
 def move_hole(dice: random.Random, shape: Shape, other: Shape, size: Fraction) -> Shape:
-    """Moves a hole so that one of its vertices meets another ring's vertex."""
+    """Moves a hole until one vertex meets another ring's vertex."""
     polygon = holed(dice, shape)
     if polygon:
         k = dice.randrange(1, len(polygon))

@@ -1,5 +1,5 @@
-"""Notches with walls parallel to the other operand's walls, or nearly: up to 1e-2 or 1e-30. The
-crossing of two such edges is a quotient of numbers that nearly cancel."""
+"""Notches with walls parallel to the other operand's walls, or nearly: up to 1e-2 or 1e-30. Two
+such edges cross at a quotient of numbers that nearly cancel."""
 
 from __future__ import annotations
 

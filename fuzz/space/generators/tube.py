@@ -58,8 +58,8 @@ def knot_tube(
 
 def wide_knot(p: int, q: int, around: int, section: int, size: int) -> Polyhedron:
     """A tube with `around` stretches about the (p, q) knot on a torus with radii 3 and 1.2 `size`,
-    with thickness 0.35, in 2 `around` `section` triangles. Its section keeps to one direction in
-    space, so it turns about the knot. ValueError if the tube crosses itself."""
+    with thickness 0.35, in 2 `around` `section` triangles. The section keeps to one direction in
+    space, turning about the knot. ValueError if the tube crosses itself."""
     vertices: list[Point] = []
 
     def knot(at: float) -> list[float]:
