@@ -98,6 +98,22 @@ def test_the_map_of_the_house_names_what_is_there() -> None:
         assert any(re.search(rf"\b{function}\b", path.read_text("utf-8")) for path in places), found
 
 
+def test_files_that_a_readme_names_exist() -> None:
+    listed = subprocess.run(
+        ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    files = set(listed.stdout.split())
+    absent = []
+    for readme in (file for file in files if file.endswith("README.md")):
+        folder = readme.removesuffix("README.md")
+        inside = [file for file in files if file.startswith(folder)]
+        for name in re.findall(r"`((?:[\w.-]+/)*[\w-]+\.(?:py|hpp|cpp|js|sh))`", text(readme)):
+            beside = (ROOT / folder / name).is_file() or name in files or name.startswith("NAME/")
+            if not beside and not any(file.endswith(f"/{name}") for file in inside):
+                absent.append(f"{readme}: {name}")
+    assert absent == []
+
+
 def test_each_room_of_the_tests_stands_in_their_table() -> None:
     rows = re.findall(r"^\| ([\w/]+) \| ", text("tests/README.md"), re.MULTILINE)
     tests = ROOT / "tests"

@@ -30,9 +30,7 @@ def nested_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     Q: Polygon = [box(0, 0, width if width > 1 else 1, height)]
     if size > 16 and dice.random() < 0.3:
         Q.append(box(*(Fraction(1, 4),) * 2, Fraction(1, 2), Fraction(1, 4)))
-    if (
-        size > 16 and dice.random() < 0.2
-    ):  # a second part, too large for the same hole
+    if size > 16 and dice.random() < 0.2:  # a second part, too large for the same hole
         far = extent(P[0][0])[2]
         return P, [Q, [box(far + dice.randint(0, 2), 0, 1, 1)]]
     return P, [Q]
