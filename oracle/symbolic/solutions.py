@@ -20,7 +20,7 @@ from .rational import Rational
 VERSION = "symbolic-solutions-v1"
 FOLDER = Path(__file__).resolve().parent
 FILE = FOLDER / "solutions.json"
-DERIVATIONS = ("derive_plane", "derive_space", "derive_disc", "derive_diagram")
+DERIVATIONS = ("derive_plane", "space.derive_space", "disc.derive_disc", "disc.derive_diagram")
 
 Solution = Callable[..., tuple[Rational, Rational]]
 ALLOWED = (ast.Expression, ast.BinOp, ast.UnaryOp, ast.Name, ast.Load, ast.Constant, ast.Add)
@@ -33,7 +33,7 @@ class SolutionsError(RuntimeError):
 
 def code_digest() -> str:
     """SHA-256 of the code that derives the solutions."""
-    sources = (FOLDER / f"{name}.py" for name in DERIVATIONS)
+    sources = (FOLDER / f"{name.replace('.', '/')}.py" for name in DERIVATIONS)
     return hashlib.sha256(b"\0".join(source.read_bytes() for source in sources)).hexdigest()
 
 

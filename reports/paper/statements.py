@@ -18,6 +18,7 @@ SUM = "minkref sum g3 g1 --scale 7/5 --route paper-update"
 REPAIR = "minkref sweep gs3 rod --scales scalings.txt --repair literal"
 
 CRITICAL, PLANE = "reference/plane/critical", "reference/plane"
+PAPER_PLANE = "reference/paper/plane"
 DISC_PAIRS = "minkref events g1 disc --kind pair"
 PAIRS, DIAGRAM = "reference/disc/pairs", "reference/disc/diagram"
 CONVEX, LITERAL = "reference/space/convex", "reference/paper/space"
@@ -121,15 +122,15 @@ SECTION_4 = (
               f"{SWEEP} --form corrected --arithmetic mpfr:53", f"{ALGEBRA}; {EXACT_SUM}",
               ("conditions-of-ends",)),
     Statement("4.2.3", r"$[\max\{B_{a_0}, B_{b_0}\}, \min\{B_{a_1}, B_{b_1}\}]$",
-              (f"{CRITICAL}/pair_interval.hpp", f"{PLANE}/paper/critical_regions.hpp"), BOTH, FOUR,
+              (f"{CRITICAL}/pair_interval.hpp", f"{PAPER_PLANE}/critical_regions.hpp"), BOTH, FOUR,
               "minkref events g3 g1 --form printed", SYMBOLIC,
               ("interval-of-a-pair", "interval-invented", "interval-sorted",
                "interval-for-convex-p", "share-of-right-intervals")),
-    Statement("4.2.3", "all intervals in $O(n^2)$", (f"{PLANE}/paper/region_search.hpp",), PRINTED,
+    Statement("4.2.3", "all intervals in $O(n^2)$", (f"{PAPER_PLANE}/region_search.hpp",), PRINTED,
               FOUR, f"{SUM} --form corrected --json", "the pairs that it counts",
               ("size-of-preprocessing",)),
     Statement("4.2.4", "stepping through the array of events, then updating all nodes",
-              (f"{PLANE}/paper/paper_update.hpp", f"{PLANE}/paper/intersection_lists.hpp"),
+              (f"{PAPER_PLANE}/paper_update.hpp", f"{PAPER_PLANE}/intersection_lists.hpp"),
               "intersections kept in order, or sorted", FOUR,
               f"{SWEEP} --form corrected --reading order=kept", EXACT_SUM,
               ("upwards-only", "simultaneous-events")),
@@ -167,12 +168,12 @@ SECTION_6 = (
 )  # fmt: skip
 
 SECTION_7 = (
-    Statement("7", "exact algorithms, in MPFR", (f"{PLANE}/paper/paper_update.hpp",), PRINTED, FOUR,
+    Statement("7", "exact algorithms, in MPFR", (f"{PAPER_PLANE}/paper_update.hpp",), PRINTED, FOUR,
               f"{SUM} --form corrected --arithmetic mpfr:100", EXACT_SUM, ("exact-arithmetic",)),
     Statement("Fig. 6", "five small polygons", (f"{REPORT}/drawings.py",), "ours", EXACT, PAPER,
               CLAIMS),
     Statement("Table 1", "average speed-ups of 25 pairs",
-              (f"{PLANE}/paper/intersections_afresh.hpp", f"{BENCH}/table1.py"), CORRECTED, TWO,
+              (f"{PAPER_PLANE}/intersections_afresh.hpp", f"{BENCH}/table1.py"), CORRECTED, TWO,
               "minkref bench --only table1", SAME_RUN,
               ("table-1-mean", "table-1-largest", "table-1-symmetry", "orders-of-magnitude")),
     Statement("7.1", "16,425 and 3,196 edges", (f"{PLANE}/convolution/convolution_size.hpp",),
@@ -181,16 +182,16 @@ SECTION_7 = (
     Statement("7.1", "56,996,430 and 56,238 events", (f"{CRITICAL}/pair_events.hpp",), CORRECTED,
               EXACT, AUDIT, SYMBOLIC, ("events-of-both-pairs",)),
     Statement("Fig. 7", "speed-up of monkey and bird against events and intersections",
-              (f"{PLANE}/paper/paper_update.hpp", f"{REPORT}/speedups.py"), CORRECTED, "double",
+              (f"{PAPER_PLANE}/paper_update.hpp", f"{REPORT}/speedups.py"), CORRECTED, "double",
               PAPER, SAME_RUN, ("captions",)),
     Statement("Fig. 8", "the same of neuron and disc",
-              (f"{PLANE}/paper/paper_update.hpp", f"{REPORT}/speedups.py"), CORRECTED, TWO, PAPER,
+              (f"{PAPER_PLANE}/paper_update.hpp", f"{REPORT}/speedups.py"), CORRECTED, TWO, PAPER,
               SAME_RUN, ("figure-8-axis",)),
     Statement("7.1", r"$\Theta(n \log n)$ at best for the static intersections",
               (f"{PLANE}/arrangement/segment_contacts.hpp",), PRINTED, EXACT, AUDIT, "an argument",
               ("static-bound",)),
     Statement("7.1", "140 s and 28.7 s, 5.3 s and 1.25 s for nodes and events",
-              (f"{PLANE}/paper/intersections_afresh.hpp", f"{CRITICAL}/pair_events.hpp"),
+              (f"{PAPER_PLANE}/intersections_afresh.hpp", f"{CRITICAL}/pair_events.hpp"),
               CORRECTED, TWO, PAPER, SAME_RUN, ("repeated-paragraph",)),
     Statement("Fig. 9", "knot and clutch: events on [0.2, 2], speed-up of the intersections",
               ("reference/space/critical/crossing_facets.hpp",), CORRECTED, EXACT, PAPER, SAME_RUN,

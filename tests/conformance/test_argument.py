@@ -10,6 +10,7 @@ import pytest
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.comparison import decide
+from minkref.fuzz.run import naming
 from minkref.fuzz.run.runner import Finding
 from minkref.reports.conformance.argument import argument_in_plane
 from minkref.reports.conformance.space_argument import argument_in_space
@@ -24,7 +25,7 @@ TETRAHEDRON = {
 
 def sentences(P: Any, Q: Any, point: tuple[str, str], scale: str = "1") -> str:
     value = {"P": {"polygons": P}, "Q": {"polygons": Q}, "scale": scale}
-    case = CaseName(json.dumps(value), "named").load()
+    case = naming.load(CaseName(json.dumps(value), "named"))
     assert isinstance(case, Case)
     return "\n".join(argument_in_plane(case.P_json, case.Q_json, scale, decide(case, point)))
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from model_sizes import SHIPPED
 
-MODELS = Path(__file__).resolve().parents[2] / "models"
+MODELS = Path(__file__).resolve().parents[2] / "minkref" / "models"
 LISTS = json.loads((MODELS / "index.json").read_text(encoding="ascii"))
 INDEX, POLYHEDRA = LISTS["models"], LISTS["polyhedra"]
 Ring = list[tuple[Fraction, Fraction]]

@@ -14,7 +14,7 @@ import pytest
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.hull import convex_hull
 
-MODELS = Path(__file__).resolve().parents[2] / "models"
+MODELS = Path(__file__).resolve().parents[2] / "minkref" / "models"
 INDEX = json.loads((MODELS / "index.json").read_text(encoding="ascii"))["polyhedra"]
 STATED = {  # vertices, facets, triangles: the paper's Fig. 10 counts triangles
     "ellipsoid": (482, 960, 960),

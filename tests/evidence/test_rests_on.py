@@ -91,7 +91,7 @@ def test_every_name_of_the_module_is_found_where_it_is_defined() -> None:
 
 
 def test_no_source_of_the_reference_is_out_of_reach() -> None:
-    every = includes.closure((places.ROOT / "python").glob("*.cpp"), places.ROOT)
+    every = includes.closure((places.ROOT / "bindings").glob("*.cpp"), places.ROOT)
     sources = {path for path in (places.ROOT / "reference").rglob("*.cpp")}
     apart = {path.name for path in sources - every}
     assert len(apart) <= 3, apart

@@ -24,7 +24,7 @@ from random_pairs import pair
 from thoroughness import draws
 
 SEED = 20123
-MODELS = Path(__file__).resolve().parents[2] / "models"
+MODELS = Path(__file__).resolve().parents[2] / "minkref" / "models"
 
 
 def box(x0: int, y0: int, x1: int, y1: int) -> Operand:

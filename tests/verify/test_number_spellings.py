@@ -19,9 +19,8 @@ from minkref.fuzz.geometry.region import region_of_rings
 from minkref.fuzz.plane.protocol import plane_answer
 from minkref.fuzz.run.case_files import scales_in
 from minkref.fuzz.space.protocol import solid_answer
-from minkref.fuzz.targets.adapter import _scale
 from minkref.fuzz.targets.declaration import PLANE, Declaration, DeclarationError, read_declaration
-from minkref.fuzz.targets.numbers import Unreadable
+from minkref.fuzz.targets.numbers import Unreadable, received_scale
 
 REFUSALS = (ValueError, Unreadable, DeclarationError, Refusal, _core.BadInput)
 TEXT = Declaration("t", capabilities=PLANE | {"space"})
@@ -121,11 +120,11 @@ def solid_of_an_answer(text: Any) -> Fraction:
 
 
 def scale_of_an_event(text: Any) -> Fraction:
-    return Fraction(_scale(text, TEXT))
+    return Fraction(received_scale(text, TEXT))
 
 
 def scale_of_an_event_under_double(text: Any) -> Fraction:
-    return Fraction(_scale(text, Declaration("t", numbers="double")))
+    return Fraction(received_scale(text, Declaration("t", numbers="double")))
 
 
 def answer_of_a_function(text: Any) -> Fraction:

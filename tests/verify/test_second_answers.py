@@ -38,6 +38,8 @@ PLANE, SPACE = ("random", "minkref:paper"), ("space-convex", "minkref:convex")
 class Turns:
     """The right answer, then `second`, and so in turn."""
 
+    most_pairs = None
+
     def __init__(self, right: Target, second: Callable[[Answer], Answer]) -> None:
         self.name, self.right, self.second, self.calls = "turns", right, second, 0
 
