@@ -1,12 +1,10 @@
-// Boost.Polygon's Voronoi diagram of segments behind lines of JSON:
-// {"segments": [[x, y, x, y], ...]} asks, numbers being integers of 32 bits, and each answer is
-// {"vertices": [{"at": [x, y], "sites": [site, ...]}, ...]}, a site being [k] for the open segment
-// number k, or [k, 0] or [k, 1] for its start or end, with "seconds", or {"error": what}. Whoever
-// runs it limits it.
+// Boost.Polygon's Voronoi diagram of segments behind lines of JSON: {"segments": [[x, y, x, y],
+// ...]} asks, numbers being integers of 32 bits, and each answer is {"vertices": [{"at": [x, y],
+// "sites": [site, ...]}, ...]}, plus "seconds", or {"error": what}. A site [k] is open segment k;
+// [k, 0] and [k, 1] are the segment's start and end. The caller limits this process.
 //
-// Places are doubles, most of them within 64 units in the last place (README.md). A vertex that is
-// as far from k sites comes once, with all of them. Segments may meet in ends only, which is the
-// caller's word.
+// Places are doubles, most within 64 units in the last place (README.md). A vertex equally far from
+// k sites comes once, with all k. The caller promises that segments meet only at their ends.
 #include <boost/polygon/segment_data.hpp>
 #include <boost/polygon/voronoi.hpp>
 #include <chrono>

@@ -79,8 +79,8 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Reads until the child closes the pipe, or a limit is passed: then false, and `outcome.end` is
-/// set.
+/// Reads until the child closes the pipe or a limit is passed; in the second case sets
+/// `outcome.end` and returns false.
 bool read_answer(int pipe, const Limits& limits, Clock::time_point start, Outcome& outcome) {
   static char buffer[1 << 16];
   for (;;) {
@@ -105,7 +105,7 @@ bool read_answer(int pipe, const Limits& limits, Clock::time_point start, Outcom
   }
 }
 
-/// The child's end. One that has closed its pipe has until the time limit to leave.
+/// Waits for the child's end. A child that has closed the pipe must leave before the time limit.
 int reap(pid_t child, const Limits& limits, Clock::time_point start, Outcome& outcome) {
   int status = 0;
   rusage usage{};

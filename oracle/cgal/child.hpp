@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One piece of work in a child process that may crash, hang, or ask for all the memory there is.
+// Work in a child process, which may crash, hang, or ask for all available memory.
 #pragma once
 
 #include <cstdint>
@@ -32,10 +32,10 @@ struct Outcome {
   std::uint64_t peak_bytes = 0;  ///< resident
 };
 
-/// Forks, runs `work` there under the limits, and reads what it returns from a pipe. The child has
-/// no standard input, its standard output goes to standard error, it writes no core, and it dies
-/// with its parent. Only an Outcome of the child reaches the caller. Throws
-/// std::system_error where the system refuses a pipe or a process.
+/// Forks, runs `work` in the child under the limits, and reads the result from a pipe. The child
+/// has no standard input, sends standard output to standard error, writes no core, and dies with
+/// its parent. The caller sees only an Outcome. Throws std::system_error where the system refuses a
+/// pipe or a process.
 Outcome run_in_child(const Limits& limits, const std::function<std::string()>& work);
 
 }  // namespace minkref::cgal_oracle

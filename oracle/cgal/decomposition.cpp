@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Both operands cut into convex pieces, the pieces added pairwise, the sums united.
+// Cuts both operands into convex pieces, adds the pieces pairwise, and unites the sums.
 #include <CGAL/Polygon_convex_decomposition_2.h>
 #include <CGAL/Polygon_triangulation_decomposition_2.h>
 #include <CGAL/Polygon_vertical_decomposition_2.h>

@@ -59,7 +59,7 @@ CORE::Expr squared_distance(const Roots::Point_2& from, const DiagramSite& site)
   return twice * twice / along.squared_length();
 }
 
-/// Asked for 200 bits first: asked for a double at once, CORE of CGAL 5.5.1 may give but 23 bits
+/// Asks for 200 bits first. Asked for a double at once, CORE of CGAL 5.5.1 may give only 23 bits
 /// (7271383040 for 7271383925.69..., the height of (7000000049, 6847061340), (10000000070,
 /// 6847061340) and the segment from (5000000035, 10270592010) to (11000000077, 7988238230)).
 double rounded(const CORE::Expr& value) {
@@ -67,7 +67,8 @@ double rounded(const CORE::Expr& value) {
   return value.BigFloatValue().doubleValue();
 }
 
-/// An end and two segments that meet in it: as far at the end alone, where nothing is left.
+/// Whether the sites are a point and two segments that end there: equally far only at this point,
+/// with distance zero.
 bool is_at_end(const std::array<DiagramSite, 3>& sites) {
   const auto point = std::find_if(sites.begin(), sites.end(), [](auto& s) { return !s.end; });
   return point != sites.end() && std::all_of(sites.begin(), sites.end(), [&](auto& s) {

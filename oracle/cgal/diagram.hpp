@@ -17,23 +17,23 @@ struct Segment {
   Point start, end;
 };
 
-/// An end of segments, or an open segment.
+/// A segment's end, or an open segment.
 struct DiagramSite {
   Point start;
   std::optional<Point> end;
 };
 
-/// A place that is as far from three sites, and no other is nearer. Its numbers are the nearest
-/// doubles, or next to these, of exact ones.
+/// A place equally far from three sites, with no other site nearer. The doubles are nearest to the
+/// exact numbers, or next to the nearest.
 struct DiagramVertex {
   std::array<DiagramSite, 3> sites;
   double x, y, squared_radius;
 };
 
-/// The diagram vertices of segments that meet in ends only. A vertex that is as far from k sites
-/// comes k - 2 times; vertices at ends of segments, whose distance is zero, are left out. All
-/// decisions are exact: by the filtered traits where doubles hold all coordinates, else over
-/// rationals alone.
+/// Computes the Voronoi vertices of segments that meet only at their ends. A vertex equally far
+/// from k sites comes k - 2 times; vertices at segments' ends, where the distance is zero, are left
+/// out. All decisions are exact: the filtered traits decide where doubles hold all coordinates,
+/// rationals alone otherwise.
 std::vector<DiagramVertex> diagram_of(const std::vector<Segment>& segments);
 
 }  // namespace minkref::cgal_oracle

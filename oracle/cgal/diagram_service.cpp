@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CGAL's segment Delaunay graph behind lines of JSON: {"segments": [["x", "y", "x", "y"], ...]}
 // asks, numbers being "n" or "n/d", and each answer is {"vertices": [{"at": [x, y],
-// "squared_radius": r, "sites": [site, site, site]}, ...]}, a site being ["x", "y"] or a segment,
-// with "seconds", or {"error": what}. Whoever runs it limits it.
+// "squared_radius": r, "sites": [site, site, site]}, ...]}, plus "seconds", or {"error": what}. A
+// site is ["x", "y"] or a segment. The caller limits this process.
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>

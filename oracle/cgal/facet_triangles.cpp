@@ -11,7 +11,8 @@ namespace {
 using Triangulation =
     NestedTriangulation<CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>>;
 
-/// The plane of two coordinates in which the facet has an area, counter-clockwise as in space.
+/// Projects along the axis of the largest normal component; counter-clockwise stays
+/// counter-clockwise.
 Kernel::Point_2 flat(const SpacePoint& p, const SpacePoint& normal) {
   const mpq_class x = abs(normal.x), y = abs(normal.y), z = abs(normal.z);
   const auto point = [](const mpq_class& a, const mpq_class& b, bool keep) {

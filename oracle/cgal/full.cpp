@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The full convolution: winding numbers of the faces of all convolution cycles.
+// The full convolution: winding numbers of faces of all convolution cycles.
 #include <CGAL/minkowski_sum_2.h>
 
 #include "oracle/cgal/kernel.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The border between exact polygons and CGAL's. Only the units of CGAL methods include this.
+// Conversion between exact polygons and CGAL's. Only compilation units for CGAL methods include
+// this.
 #pragma once
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -21,7 +22,7 @@ using CgalRing = CGAL::Polygon_2<Kernel>;
 using CgalPolygon = CGAL::Polygon_with_holes_2<Kernel>;
 using ExactNumber = std::decay_t<decltype(CGAL::exact(std::declval<Kernel::FT>()))>;
 
-/// The same number. A double that holds it exactly spares the kernel a rational.
+/// Converts a number. A double that holds the value exactly spares the kernel a rational.
 inline Kernel::FT to_cgal(const mpq_class& value) {
   const double approximate = value.get_d();
   // GMP takes no infinity.
@@ -88,14 +89,14 @@ Sum timed(const A& p, const B& q, Call&& call) {
   return {from_cgal(sum), taken.count()};
 }
 
-/// For methods that take simple polygons only.
+/// Calls a method that takes only simple polygons.
 template <class Call>
 Sum sum_of_simple(const Polygon& p, const Polygon& q, Call&& call) {
   return timed(to_cgal(p.outer), to_cgal(q.outer), call);
 }
 
-/// Calls the overload that a user of CGAL would: Polygon_2 without holes, Polygon_with_holes_2
-/// with.
+/// Calls the overload that a CGAL user would call: Polygon_2 without holes, Polygon_with_holes_2
+/// with holes.
 template <class Call>
 Sum sum_of_any(const Polygon& p, const Polygon& q, Call&& call) {
   if (p.holes.empty() && q.holes.empty()) return sum_of_simple(p, q, call);

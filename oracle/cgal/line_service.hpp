@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An executable that answers lines of JSON with lines of JSON. Whoever runs it limits it.
+// An executable that answers lines of JSON with lines of JSON. The caller limits this process.
 #pragma once
 
 #include <exception>
@@ -9,7 +9,7 @@
 
 namespace minkref::cgal_oracle {
 
-/// Answers lines until the input ends; exceptions, CGAL's failures too, by {"error": what}.
+/// Answers lines until the input ends. Exceptions, including CGAL's failures, give {"error": what}.
 template <class Answer>
 void answer_lines(Answer&& answer) {
   for (std::string line; std::getline(std::cin, line);) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The methods of an executable: implemented once by each unit that includes CGAL.
+// An executable's methods; each compilation unit that includes CGAL implements them once.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace minkref::cgal_oracle {
 
-/// The sum as CGAL returned it, and the seconds that the call took (without reading and writing).
+/// The sum as CGAL returned it, and the call's seconds, without reading and writing.
 struct Sum {
   Polygon region;
   double seconds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many rings lie around each face of a triangulation.
+// Counts the rings around each face of a triangulation.
 #pragma once
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -20,7 +20,7 @@ template <class Vertex>
 using NestedTriangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<Vertex, NestedFace>>;
 
-/// From the outside inwards, one more ring across each constraint.
+/// Counts from the outside inwards, one more ring across each constraint.
 template <class Triangulation>
 void count_rings(Triangulation& triangulation) {
   std::deque<typename Triangulation::Face_handle> queue{triangulation.infinite_face()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's exact offset of a polygon with holes, by conics.
+// CGAL's exact offset, with conics, of a polygon with holes.
 #pragma once
 
 #include <gmpxx.h>
@@ -11,8 +11,8 @@
 
 namespace minkref::cgal_oracle {
 
-/// A piece of a boundary, as CGAL gives it: monotone along x. Its conic is
-/// r x² + s y² + t xy + u x + v y + w = 0, of a line the square of one or of a pair of lines.
+/// CGAL's boundary piece, monotone along x. Its conic is r x² + s y² + t xy + u x + v y + w = 0;
+/// for a line, the square of a line or a pair of lines.
 struct ConicPiece {
   bool is_arc;
   std::array<mpq_class, 6> conic;
@@ -26,10 +26,10 @@ struct ConicPolygon {
   std::vector<ConicRing> holes;
 };
 
-/// The offsets of all polygons by a radius, joined.
+/// Joins the offsets of all polygons by a radius.
 std::vector<ConicPolygon> offset_of(const std::vector<Polygon>& polygons, const mpq_class& radius);
 
-/// How many curves CGAL's approximated offset has, whose lines are off by the tolerance at most.
+/// Counts the curves of CGAL's approximated offset, whose lines deviate by at most the tolerance.
 std::size_t curves_of_offset_near(const std::vector<Polygon>& polygons, const mpq_class& radius,
                                   double tolerance);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CGAL's exact offset behind lines of JSON: {"P": polygons, "radius": "n/d"} asks, and each answer
-// is {"polygons": [{"outer": ring, "holes": [ring, ...]}, ...]}, a ring being a list of pieces
-// {"arc": bool, "conic": ["r", "s", "t", "u", "v", "w"], "ends": [x, y, x, y]}, with "seconds", or
-// {"error": what}. With "tolerance": t in the question it is CGAL's approximated offset, of which
-// the answer has how many "curves" there are, and "seconds". Whoever runs it limits it.
+// is {"polygons": [{"outer": ring, "holes": [ring, ...]}, ...]} plus "seconds", or {"error": what}.
+// A ring lists pieces {"arc": bool, "conic": ["r", "s", "t", "u", "v", "w"], "ends": [x, y, x, y]}.
+// With "tolerance": t the question asks for CGAL's approximated offset; the answer then has the
+// number of "curves", and "seconds". The caller limits this process.
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input and output: one polygon with holes, exact coordinates, no CGAL.
+// Reads and writes polygons with holes, with exact coordinates, without CGAL.
 #pragma once
 
 #include <gmpxx.h>
@@ -26,19 +26,19 @@ struct Polygon {
   std::vector<Ring> holes;
 };
 
-/// The operand is not what the protocol asks for (a fault of the caller's).
+/// The operand breaks the protocol, through a fault of the caller.
 struct BadOperand : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A number "n" or "n/d". `name` stands in the message of the BadOperand that it throws.
+/// Reads a number "n" or "n/d". Throws BadOperand, naming `name`.
 mpq_class read_number(const nlohmann::json& value, const std::string& name);
 
 /// Reads {"polygons":[{"outer":[["x","y"],...],"holes":[...]},...]}, numbers as strings "n" or
-/// "n/d". Exact. `name` stands in the message of the BadOperand that it throws.
+/// "n/d". Exact. Throws BadOperand, naming `name`.
 std::vector<Polygon> read_polygons(const nlohmann::json& value, const std::string& name);
 
-/// The same form, every number in lowest terms, rings and vertices in the order given.
+/// Writes the same form, every number in lowest terms, rings and vertices in the given order.
 nlohmann::json write_polygons(const std::vector<Polygon>& polygons);
 
 }  // namespace minkref::cgal_oracle

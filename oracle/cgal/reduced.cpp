@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reduced convolution (Behar & Lien 2012, Sec. 3, as CGAL has it).
+// The reduced convolution (Behar & Lien 2012, Sec. 3), in CGAL's version.
 #include <CGAL/minkowski_sum_2.h>
 
 #include "oracle/cgal/kernel.hpp"

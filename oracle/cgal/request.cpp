@@ -46,7 +46,7 @@ std::string answer(const Request& request) {
     throw;
   } catch (const BadOperand& fault) {
     return refusal("errored", fault.what()).dump();
-  } catch (const std::exception& fault) {  // CGAL's failures come as exceptions of its own
+  } catch (const std::exception& fault) {  // CGAL's failures are exceptions too
     return refusal("errored", std::string("exception: ") + fault.what())
         .dump(-1, ' ', false, json::error_handler_t::replace);
   }

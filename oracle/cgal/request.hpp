@@ -13,18 +13,18 @@ struct Request {
   nlohmann::json id;
   std::string method;
   Limits limits;
-  nlohmann::json value;  ///< all of it
+  nlohmann::json value;  ///< the whole request
 };
 
-/// Throws BadOperand or nlohmann::json::exception where it is not one. `id` is kept as far as it
-/// was read, so that the refusal can name it.
+/// Throws BadOperand or nlohmann::json::exception where the line is no request. Keeps `id` once it
+/// has been read, so that the refusal can name the request.
 void read_request(const std::string& line, Request& request);
 
-/// A member of the request, null where it has none. Never copied: hostile input nests deeply.
+/// Finds a request's member, null if absent. Never copied: hostile input nests deeply.
 const nlohmann::json& member(const Request& request, const char* name);
 
-/// The child's answer as text: of a self-test or of the service; status errored where it throws
-/// (only std::bad_alloc is thrown).
+/// Returns the child's answer as text, from a self-test or from the service; errored where either
+/// throws. Only std::bad_alloc leaves this function.
 std::string answer(const Request& request);
 
 /// {"status": status, "reason": reason}.

@@ -12,8 +12,8 @@ int turn(const Point& a, const Point& b, const Point& c) {
   return sgn(mpq_class((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
 }
 
-/// +1 counter-clockwise, -1 clockwise. The smallest vertex of a simple ring is a corner of its
-/// hull.
+/// Returns +1 for counter-clockwise, -1 for clockwise. A simple ring has a hull corner as its
+/// smallest vertex.
 int orientation(const Ring& ring) {
   const auto smallest = std::min_element(ring.begin(), ring.end());
   const auto before = smallest == ring.begin() ? ring.end() - 1 : smallest - 1;
@@ -30,7 +30,7 @@ bool repeats_a_vertex(const Ring& ring) {
                             [](auto a, auto b) { return *a == *b; }) != sorted.end();
 }
 
-/// An edge and a box of doubles that surely contains it.
+/// An edge, and a box of doubles that surely contains this edge.
 struct Edge {
   const Point *from, *to;
   std::size_t ring;
@@ -60,7 +60,7 @@ bool in_box(const Point& p, const Edge& e) {
          std::min(e.from->y, e.to->y) <= p.y && p.y <= std::max(e.from->y, e.to->y);
 }
 
-/// Whether two closed segments share a point. Exact.
+/// Tests whether two closed segments share a point. Exact.
 bool meet(const Edge& e, const Edge& f) {
   const int f_from = turn(*e.from, *e.to, *f.from);
   const int f_to = turn(*e.from, *e.to, *f.to);
@@ -71,8 +71,8 @@ bool meet(const Edge& e, const Edge& f) {
          (e_from == 0 && in_box(*e.from, f)) || (e_to == 0 && in_box(*e.to, f));
 }
 
-/// Two different rings that share a point: edges in the order of their left ends, each compared
-/// with those that it can still reach.
+/// Finds two different rings that share a point. Sweeps the edges by their left ends, and compares
+/// each edge with the earlier edges that reach it.
 std::optional<std::string> rings_that_meet(const Polygon& polygon) {
   std::vector<Edge> edges;
   append_edges(polygon.outer, 0, edges);

@@ -9,7 +9,7 @@ namespace minkref::cgal_oracle {
 
 bool is_self_test(const std::string& method);
 
-/// Does what the name says, and returns what the child is to write where it comes back at all.
+/// Misbehaves as the name says, and returns the child's output if it returns at all.
 std::string self_test(const std::string& method);
 
 }  // namespace minkref::cgal_oracle

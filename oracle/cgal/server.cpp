@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A server of JSON lines: each request is answered by a child process (README.md).
+// A server for JSON lines: a child process answers each request (README.md).
 #include <signal.h>
 
 #include <cstring>
@@ -25,9 +25,8 @@ json of_answer(const Outcome& outcome) {
   return {{"status", "errored"}, {"reason", "the child's answer is not that of the protocol"}};
 }
 
-/// An allocation was refused. Where the child held next to nothing of what it was allowed, no limit
-/// of ours was in its way: it asked for an absurd amount, as a program does that reads stale
-/// memory.
+/// Judges a refused allocation. If the child used far less than its allowance, no limit of ours
+/// stood in its way: the program asked for an absurd amount, as after reading stale memory.
 json of_memory(const Outcome& outcome, const Limits& limits) {
   if (outcome.signal != 0) {
     return {{"status", "out-of-memory"},
@@ -85,8 +84,8 @@ json serve(const std::string& line) {
   return value;
 }
 
-/// Reads a line without its end. False at the end of the input. A line that is too long is read to
-/// its end, and left empty with `too_long` set.
+/// Reads a line without its end; false at the end of the input. Reads an overlong line to its end,
+/// leaves it empty, and sets `too_long`.
 bool read_line(std::string& line, bool& too_long) {
   line.clear();
   too_long = false;

@@ -6,11 +6,11 @@
 
 namespace minkref::cgal_oracle {
 
-/// Six times the enclosed volume, negative where the faces look inwards.
+/// Computes six times the enclosed volume, negative where the faces look inwards.
 mpq_class six_volumes(const Solid& shell);
 
-/// The parts that share no vertex, by their volume, the largest first: what lies in a shell comes
-/// after it.
+/// Splits a surface into parts that share no vertex, the largest volume first: a shell comes after
+/// any shell around it.
 std::vector<Solid> shells_by_size(const Solid& solid);
 
 }  // namespace minkref::cgal_oracle

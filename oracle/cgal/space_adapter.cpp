@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums in space by CGAL behind the adapter protocol: the argument is nef or hull.
+// Sums in space by CGAL behind the adapter protocol; the argument says nef or hull.
 #include <iostream>
 #include <string_view>
 

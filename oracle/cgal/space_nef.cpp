@@ -36,7 +36,7 @@ struct BuildShell : CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
   }
 };
 
-/// The set that a shell encloses, whatever way its faces run.
+/// Makes the set enclosed by a shell; `inside_out` reverses faces that run the other way.
 Nef enclosed(Solid shell, bool inside_out) {
   if (inside_out) {
     for (Face& face : shell.faces) std::reverse(face.begin(), face.end());
@@ -48,7 +48,8 @@ Nef enclosed(Solid shell, bool inside_out) {
   return Nef(polyhedron);
 }
 
-/// A Nef polyhedron of a surface fills its cavities; so shell by shell, the larger ones first.
+/// Adds shell by shell, the larger ones first, because a Nef polyhedron of a surface fills its
+/// cavities.
 Nef to_nef(const Solid& solid) {
   Nef result(Nef::EMPTY);
   for (const Solid& shell : shells_by_size(solid)) {
@@ -59,7 +60,7 @@ Nef to_nef(const Solid& solid) {
   return result.regularization();
 }
 
-/// The surface between what is marked and what is not. It may be no manifold.
+/// Returns the surface between marked and unmarked volumes, which may be no manifold.
 Solid from_nef(const Nef& nef) {
   Solid result;
   std::map<const void*, std::size_t> numbers;

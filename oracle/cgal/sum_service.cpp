@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums by the methods of an executable.
+// Sums by an executable's methods.
 #include <algorithm>
 
 #include "oracle/cgal/method.hpp"

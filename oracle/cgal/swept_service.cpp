@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The events of the sum's boundary as the heights of the vertices of the swept solid.
+// Events of the sum's boundary as vertex heights of the swept solid.
 #include <algorithm>
 #include <chrono>
 

@@ -11,9 +11,9 @@ namespace minkref::cgal_oracle {
 
 using Triangle = std::array<Point, 3>;
 
-/// Counter-clockwise triangles with disjoint interiors whose union is the set, by CGAL's
-/// constrained Delaunay triangulation; a triangle is kept if an odd number of rings surround it.
-/// Rings may touch. Exact.
+/// Cuts the set into counter-clockwise triangles with disjoint interiors, by CGAL's constrained
+/// Delaunay triangulation. Keeps a triangle if an odd number of rings surround it. Rings may touch.
+/// Exact.
 std::vector<Triangle> triangles(const std::vector<Polygon>& polygons);
 
 }  // namespace minkref::cgal_oracle

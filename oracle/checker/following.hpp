@@ -1,4 +1,4 @@
-// The parts of a certificate, one after the other.
+// Follows a certificate's parts, one after another.
 #pragma once
 
 #include <set>
@@ -9,7 +9,7 @@
 
 namespace minkref::checker {
 
-/// Follows an inner part; what is wrong there is said with its place.
+/// Follows an inner part, and puts its place before the messages of errors.
 template <class Use>
 void within(const std::string& place, Use&& use) {
   try {
@@ -19,7 +19,7 @@ void within(const std::string& place, Use&& use) {
   }
 }
 
-/// Throws NotVerified where a claim is made twice.
+/// Throws NotVerified if a claim occurs twice.
 inline void require_different(const Value& claims) {
   std::set<std::string> different;
   for (const Value& claim : items(claims)) {
@@ -27,8 +27,8 @@ inline void require_different(const Value& claims) {
   }
 }
 
-/// Steps, then claims: a line for each of these. `proof` has add_step, add_claim and end, which
-/// throw NotVerified.
+/// Follows steps, then claims, and returns a line for each claim. The functions add_step, add_claim
+/// and end of `proof` throw NotVerified.
 template <class Proof>
 std::vector<std::string> followed(Proof& proof, const Value& steps, const Value& claims) {
   std::size_t n = 0;

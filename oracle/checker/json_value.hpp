@@ -1,4 +1,4 @@
-// JSON as a checker wants it: numbers keep their text, no member twice, no floating point.
+// JSON for a checker: numbers keep their text, no member occurs twice, no floating point.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct Member;
 struct Value {
   enum class Kind { null, boolean, integer, real, text, list, object } kind = Kind::null;
   bool truth = false;
-  std::string text;  ///< of a text, and of a number as it stands
+  std::string text;  ///< of a text, or of a number as written
   std::vector<Value> items;
   std::vector<Member> members;
 
@@ -43,12 +43,12 @@ struct Member {
 
 constexpr std::size_t most_digits = 100'000;  ///< of one number
 
-/// The value that a text is, in UTF-8. Throws NotVerified (malformed): also for a member that
-/// occurs twice, for what comes after the value, for more than 500 levels, for escapes of
-/// surrogates, and for numbers with a point or an exponent unless `reals`.
+/// Parses a text in UTF-8. Throws NotVerified (malformed), also for a member that occurs twice, for
+/// anything after the value, for more than 500 levels, for surrogate escapes, and, unless `reals`,
+/// for numbers with a point or an exponent.
 Value parse_json(std::string_view text, bool reals);
 
-/// A value as one text, to be compared: two are equal iff their values are.
+/// Writes a value as text for comparison: texts are equal iff the values are.
 std::string written_out(const Value& value);
 
 }  // namespace minkref::checker

@@ -1,4 +1,4 @@
-// The members of a certificate and of its case.
+// Reads members of a certificate and of its case.
 #pragma once
 
 #include <gmpxx.h>
@@ -11,8 +11,8 @@
 
 namespace minkref::checker {
 
-/// The members of an object in the order of `names`; `name?` may lack, and is then null. No other
-/// may be there.
+/// Finds an object's members in the order of `names`; `name?` may be missing, and is then null. Any
+/// other member is an error.
 std::vector<const Value*> members(const Value& value, const std::string& names);
 
 const std::vector<Value>& items(const Value& value);
@@ -20,15 +20,16 @@ const std::vector<Value>& items(const Value& value, std::size_t length);
 
 /// A JSON integer of any size.
 mpz_class integer(const Value& value);
-/// A JSON integer below `end`: what is referred to has come before.
+/// Reads a JSON integer below `end`: references point backwards.
 std::uint32_t index(const Value& value, std::size_t end);
 std::vector<std::uint32_t> indices(const Value& value, std::size_t end);
-/// A JSON integer, or a text: "7", "-3/7", "0.25", "1e-3".
+/// Reads a JSON integer, or a text: "7", "-3/7", "0.25", "1e-3".
 mpq_class number(const Value& value);
 mpz_class whole(const Value& value);
 mpq_class scale(const Value& value);
 const std::string& text(const Value& value);
-/// The path of a case: text without U+0000, its part behind the last slash neither empty nor a dot.
+/// Reads a case's path: text without U+0000, whose part behind the last slash is neither empty nor
+/// a dot.
 const std::string& path(const Value& value);
 
 struct Vector {
@@ -41,14 +42,14 @@ struct Point {
 };
 Point point(const Value& value);
 
-/// Its vertices in the order of the file, and its rings as their numbers.
+/// An operand's vertices in file order, and rings of vertex numbers.
 struct Operand {
   std::string name;
   std::vector<Point> exact;
-  std::vector<Vector> points;  ///< in units of the proof
+  std::vector<Vector> points;  ///< in the proof's units
   std::vector<std::vector<std::uint32_t>> rings;
-  std::vector<bool> outer;  ///< of each ring: whether it is one
-  std::string plain;        ///< what is hashed
+  std::vector<bool> outer;  ///< of each ring: whether it is an outer ring
+  std::string plain;        ///< the hashed text
   bool thin = false;        ///< a point or a segment
 };
 Operand read_operand(const Value& value, const std::string& name);

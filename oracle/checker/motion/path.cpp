@@ -26,7 +26,7 @@ std::string word_of(const Value& object, const std::string& name) {
   return found != nullptr && found->kind == Value::Kind::text ? found->text : "?";
 }
 
-/// Whether a closed polyline that misses a point leads around it.
+/// Whether a closed polyline that misses a point winds around the point.
 bool winds_around(const Path& ring, const Point& x) {
   int times = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -39,7 +39,7 @@ bool winds_around(const Path& ring, const Point& x) {
   return times != 0;
 }
 
-/// A claim about the path, or about the place, as later claims use it.
+/// A claim about the path or the place, kept for later claims.
 struct Said {
   std::string kind;
   bool strict;
@@ -125,8 +125,8 @@ class PathCertificate {
     }
   }
 
-  /// Whether contact is forbidden. With contact allowed both have an area: else seams of pieces
-  /// would be let through.
+  /// Whether contact is forbidden. With contact allowed both operands need an area, else a part
+  /// could pass through seams between pieces.
   bool is_strict(const Value& contact) const {
     const std::string word = contact.kind == Value::Kind::text ? contact.text : "?";
     require(word == "allowed" || word == "forbidden", "there is no such contact");
@@ -158,7 +158,7 @@ class PathCertificate {
     return *clear_[n];
   }
 
-  /// Nodes of R and of O that are known to be convex.
+  /// Reads nodes of R and O known to be convex.
   static std::array<std::uint32_t, 2> nodes_of(const PiecesOfBoth& by, const Value& value) {
     const auto& pair = items(value, 2);
     std::array<std::uint32_t, 2> nodes{};
@@ -171,7 +171,7 @@ class PathCertificate {
     return ": at " + scales.said() + ", contact " + (strict ? "forbidden" : "allowed");
   }
 
-  /// free: at each scale no place of the path collides.
+  /// free: at no scale does a place on the path collide.
   std::string free(const Value& claim) {
     const auto m = members(claim, "claim contact scales step");
     const Clear& step = clear(*m[3], is_strict(*m[1]), *m[2]);
@@ -256,8 +256,8 @@ class PathCertificate {
     return {{scales[0], !first_in}, high};
   }
 
-  /// valid, trap: which of some scales are those of claims of the first kind. `name`: the member
-  /// that lists them.
+  /// valid, trap: which scales are covered by claims of the first kind. `name`: the member that
+  /// lists these scales.
   std::string answer(const Value& claim, const std::string& name,
                      const std::vector<std::string>& kinds) {
     const auto m = members(claim, "claim contact scales " + name + " claims");
@@ -302,7 +302,7 @@ class PathCertificate {
     return path_[0];
   }
 
-  /// escapes: a way from the place to one from which the part may go on along the normal. Its
+  /// escapes: a way from the place to a place beyond all collisions along the normal. The way's
   /// places may move with the scale.
   std::string escapes(const Value& claim) {
     const auto m = members(claim, "claim contact scales step normal");
@@ -314,8 +314,8 @@ class PathCertificate {
     return "escapes" + said(step.scales, step.strict);
   }
 
-  /// trapped: the place is free, and a ring of places that collide leads around it. Its vertices
-  /// move linearly with the scale.
+  /// trapped: the place is free, and a ring of colliding places leads around it. The ring's
+  /// vertices move linearly with the scale.
   std::string trapped(const Value& claim) {
     const auto m = members(claim, "claim contact scales step by ring pairs");
     const Clear& step = clear(*m[3], is_strict(*m[1]), *m[2]);
@@ -339,7 +339,8 @@ class PathCertificate {
     return "trapped" + said(step.scales, step.strict);
   }
 
-  /// Demands that a moving place is in B + -sA at all the scales; inside it with contact allowed.
+  /// Demands that B + -sA contains a moving place at all the scales; in its interior if contact is
+  /// allowed.
   void check_inside(const MovingPlace& place, const PiecesOfBoth& by, std::uint32_t A,
                     std::uint32_t B, const Clear& step) {
     std::vector<Vector> normals = sides(by[1]->hulls[B]);

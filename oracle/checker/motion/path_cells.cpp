@@ -5,7 +5,7 @@
 namespace minkref::checker {
 namespace {
 
-/// Corners that are equal follow each other around a cell.
+/// Adds a corner unless equal to a neighbour around the cell.
 void add(Cell& cell, Corner corner) {
   const bool known = !cell.empty() && (cell.back() == corner || cell.front() == corner);
   if (!known) cell.push_back(std::move(corner));

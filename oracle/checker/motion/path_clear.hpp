@@ -1,5 +1,5 @@
-// The step `clear`: at no scale of a range a place of a path collides.
-// docs/certificates-paths.md, "Clear"
+// The step `clear`: over a range of scales no place on a path collides. docs/certificates-paths.md,
+// "Clear"
 #pragma once
 
 #include "oracle/checker/motion/path_cells.hpp"
@@ -8,7 +8,7 @@ namespace minkref::checker {
 
 class Clear {
  public:
-  /// Checks the step, whose members are given. Throws NotVerified. `strict`: contact is forbidden.
+  /// Checks the step with the given members. Throws NotVerified. `strict`: contact is forbidden.
   Clear(const PiecesOfBoth& by, bool strict, MovingPath path, Scales scales, const Value& normals,
         const Value& codes, const mpz_class& unit, Normals& table, Budget& budget);
 
@@ -16,11 +16,11 @@ class Clear {
   const MovingPath path;
   const Scales scales;
 
-  /// Whether the normal holds all pieces from a place at all the scales.
+  /// Whether the normal separates all pieces from a place at all the scales.
   bool apart(const MovingPlace& place, const Vector& normal) const;
 
  private:
-  /// The part of a cell that the gap does not hold apart.
+  /// The part of a cell not separated by the gap.
   Cell left(const Cell& cell, const Gap& gap) const;
   void follow(const Way& way, const std::vector<Value>& code) const;
   bool is_empty() const { return by_[0]->hulls.empty() || by_[1]->hulls.empty(); }

@@ -9,7 +9,7 @@
 namespace minkref::checker {
 namespace {
 
-/// The regions of a claim, for later claims: none, that of a sum, or those of an interval.
+/// A claim's regions, for later claims: none, a sum's region, or an interval's regions.
 using Shown = std::vector<const Region*>;
 
 class Certificate {
@@ -168,7 +168,7 @@ class Certificate {
            m[6]->text;
   }
 
-  /// event: at a scale, and just below and above it, not the same.
+  /// event: the boundary or topology at a scale differs from below or above.
   std::string event(const Value& claim) {
     const auto m = members(claim, "claim scale kind before at after");
     const std::string kind = m[2]->kind == Value::Kind::text ? m[2]->text : "";
@@ -186,7 +186,7 @@ class Certificate {
     return ": " + kind + " at " + s.get_str();
   }
 
-  /// point: s p + q, p in a piece of P and q in one of Q.
+  /// point: x = s p + q, with p in a piece of P and q in a piece of Q.
   std::string point_of_sum(const Value& claim) {
     const auto m = members(claim, "claim scale point p q by pieces");
     const mpq_class s = scale(*m[1]);
@@ -207,7 +207,7 @@ class Certificate {
     return ": at " + s.get_str();
   }
 
-  /// passage: inside the sum, and missed by the sum of the interiors.
+  /// passage: points inside the sum, but outside the sum of the interiors.
   std::string passage(const Value& claim) {
     const auto m = members(claim, "claim scale step points path");
     const Region& found = region_at(*m[2], *m[1]);
@@ -230,7 +230,7 @@ class Certificate {
     return ": at " + found.scales()[0].get_str();
   }
 
-  /// sign: of a predicate between two scales, or at one.
+  /// sign: a predicate's sign between two scales, or at one scale.
   std::string sign(const Value& claim) {
     const auto m = members(claim, "claim of from to sign");
     const mpq_class from = scale(*m[2]), to = scale(*m[3]);

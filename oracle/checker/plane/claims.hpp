@@ -1,12 +1,12 @@
-// A certificate, followed to its claims.
+// Follows a certificate to its claims.
 #pragma once
 
 #include "oracle/checker/plane/region.hpp"
 
 namespace minkref::checker {
 
-/// The proven claims of a certificate, a line each. `read_case` gives the case by the path that the
-/// certificate names. Throws NotVerified.
+/// Returns a certificate's proven claims, a line each. `read_case` reads the case from the path
+/// named by the certificate. Throws NotVerified.
 std::vector<std::string> check(const Value& certificate,
                                const std::function<Value(const std::string&)>& read_case,
                                Budget& budget);

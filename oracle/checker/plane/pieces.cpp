@@ -22,7 +22,7 @@ std::vector<Vector> directions_of(const std::vector<Vector>& ring) {
   return directions;
 }
 
-/// The vertices of the convex hull, counter-clockwise.
+/// Returns the convex hull's vertices, counter-clockwise.
 std::vector<Vector> hull_of(std::vector<Vector> points) {
   const auto less = [](const Vector& a, const Vector& b) {
     return a.x != b.x ? a.x < b.x : a.y < b.y;
@@ -46,7 +46,7 @@ std::vector<Vector> hull_of(std::vector<Vector> points) {
   return hull;
 }
 
-/// Whether the line of an edge of A has all of B on its other side.
+/// Whether some edge of A has all of B on its outer side.
 bool divides(const std::vector<Vector>& A, const std::vector<Vector>& B) {
   for (std::size_t i = 0; i < A.size(); ++i) {
     const Vector d = minus(A[(i + 1) % A.size()], A[i]);

@@ -1,4 +1,4 @@
-// The step `pieces`: convex pieces that tile an operand, and groups of them.
+// The step `pieces`: convex pieces that tile an operand, and groups of pieces.
 #pragma once
 
 #include <map>
@@ -14,10 +14,11 @@ inline mpz_class cross(const Vector& u, const Vector& v) { return u.x * v.y - u.
 inline mpz_class dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
 inline Vector minus(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y}; }
 
-/// Whether edges of these directions turn left, or go straight on, once around in all.
+/// Whether edges in these directions turn left, or go straight on, once around altogether.
 bool is_convex(const std::vector<Vector>& directions);
 
-/// Directed edges, each once or against: whether on each line their ends cancel.
+/// Directed edges, each counted positively or negatively; tests whether their ends cancel on each
+/// line.
 class EdgeSum {
  public:
   void add(const Point& from, const Point& to, int times);
@@ -32,7 +33,7 @@ class EdgeSum {
   std::map<std::vector<mpq_class>, long, Less> ends_;
 };
 
-/// Normals, each once, by number.
+/// Normals without repetition, by number.
 class Normals {
  public:
   std::uint32_t add(const Vector& normal);
@@ -50,13 +51,13 @@ class Pieces {
          Normals& normals, Budget& budget);
 
   const Operand& operand;
-  std::size_t count = 0;  ///< of pieces
+  std::size_t count = 0;  ///< number of pieces
   std::vector<std::vector<Vector>> hulls;
   std::vector<std::vector<std::uint32_t>> children;
   std::vector<bool> solid;
 
   std::uint32_t last() const { return static_cast<std::uint32_t>(hulls.size() - 1); }
-  /// The largest value of a normal on the hull of a node.
+  /// Returns a normal's largest value on a node's hull.
   const mpz_class& most(std::uint32_t node, std::uint32_t normal) const;
 
  private:

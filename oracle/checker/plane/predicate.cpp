@@ -5,7 +5,7 @@
 namespace minkref::checker {
 namespace {
 
-/// A form in t and u, s = from t + to u: the coefficient of the highest power of t first.
+/// A form in t and u for s = from t + to u: the highest power of t first.
 using Form = std::vector<mpq_class>;
 using Row = std::array<Form, 3>;
 

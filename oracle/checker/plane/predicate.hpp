@@ -1,4 +1,4 @@
-// Predicates of points s p + q, as polynomials in s.
+// Predicates on points s p + q, as polynomials in s.
 #pragma once
 
 #include <set>
@@ -7,7 +7,7 @@
 
 namespace minkref::checker {
 
-/// The signs of the coefficients of a predicate between two scales, or at one
+/// Returns the signs of a predicate's coefficients between two scales, or at one scale
 /// (docs/certificates.md, "sign").
 std::set<int> signs_of(const Value& predicate, const Operand& P, const Operand& Q,
                        const mpq_class& from, const mpq_class& to);

@@ -241,7 +241,7 @@ mpz_class Region::most(std::size_t end, std::uint32_t A, std::uint32_t B,
   return scales_[end].get_num() * P_.most(A, normal) + scales_[end].get_den() * Q_.most(B, normal);
 }
 
-/// The least value (side 1) on points rounded down, or the largest (side -1) rounded up.
+/// Returns the least value (side 1) on points, rounded down, or the largest (side -1), rounded up.
 mpz_class Region::least(std::size_t end, const std::vector<std::uint32_t>& corners,
                         const Vector& normal, int side) const {
   const mpz_class factor = side * scales_[end].get_den();

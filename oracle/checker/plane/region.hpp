@@ -1,4 +1,4 @@
-// The steps `eq` and `move`: what the sum is at a scale, or between two.
+// The steps `eq` and `move`: the sum at a scale, or between two scales.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@ namespace minkref::checker {
 
 /// x, y; or x0, x1, y0, y1: the point (x0 + s x1, y0 + s y1).
 using Vertex = std::vector<mpq_class>;
-using Rings = std::vector<std::vector<Vertex>>;  ///< the outer one, and the holes
+using Rings = std::vector<std::vector<Vertex>>;  ///< the outer ring, and the holes
 
-/// Rings begin with their least vertex; holes, and polygons, ascend.
+/// Starts rings at their least vertex, and sorts holes and polygons.
 std::vector<Rings> canonical_order(std::vector<Rings> polygons);
 std::string canonical_json(const std::vector<Rings>& polygons);
 
-/// The boundary: its canonical form, and the points that its rings pass more than once, sorted.
+/// The boundary: its canonical form, and, sorted, the points passed more than once.
 struct Form {
   std::vector<Rings> polygons;
   std::vector<Vertex> touching;
@@ -37,12 +37,12 @@ class Region {
   std::size_t holes() const { return holes_; }
   const Form& form() const { return form_; }
   const std::vector<Rings>& polygons() const { return form_.polygons; }
-  /// The form at a scale between, if the boundary has the same vertices there.
+  /// The form at a scale between, if the boundary keeps its vertices there.
   Form at(const mpq_class& scale) const;
   Vertex vertex(std::uint32_t point) const;
   std::uint32_t point_number(const Value& value) const;
   bool is_contact(const Contact& contact) const { return contacts_.count(contact) > 0; }
-  /// Whether all cells around a point, or on both sides of an edge, are covered.
+  /// Whether the sum covers all cells around a point, or on both sides of an edge.
   bool is_within(const Contact& contact) const;
 
  private:
@@ -50,7 +50,7 @@ class Region {
   struct Triple {
     mpz_class a, b, c;
   };
-  using Ends = std::vector<Triple>;  ///< at each scale
+  using Ends = std::vector<Triple>;  ///< for each scale
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
   void add_element(const Value& value);

@@ -16,13 +16,13 @@ struct FacePlane {
 
 std::size_t seen_along(const Whole& normal) { return normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2; }
 
-/// Whether rings counter-clockwise from outside are seen to run clockwise.
+/// Whether rings counter-clockwise from outside appear clockwise in the projection.
 bool is_mirrored(const Whole& normal) {
   const std::size_t axis = seen_along(normal);
   return (normal[axis] > 0) == (axis == 1);
 }
 
-/// The two other axes, in their order.
+/// Returns the two other axes, ascending.
 std::pair<std::size_t, std::size_t> beside(std::size_t axis) {
   return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
 }
@@ -41,7 +41,7 @@ PlaneRing seen(const ConvexPolygon& polygon, const Whole& normal, const mpz_clas
   return ring;
 }
 
-/// The point of the plane that is seen there.
+/// Returns the plane's point above a projected point.
 Triple lifted(const PlanePoint& point, const FacePlane& plane) {
   const std::size_t axis = seen_along(plane.normal);
   const auto [u, v] = beside(axis);
@@ -89,7 +89,7 @@ std::string to_text(const std::vector<FacePlane>& planes) {
   return "{\"planes\":[" + rows + "]}";
 }
 
-/// Where it is convex: each plane has one polygon, without holes.
+/// Writes a convex set: each plane has one polygon, without holes.
 std::string convex_text(const std::vector<FacePlane>& planes, const std::set<Triple>& corners) {
   const std::vector<Triple> vertices(corners.begin(), corners.end());
   std::vector<Ring> faces;

@@ -1,4 +1,4 @@
-// The canonical form of a set in space whose boundary is tiled. docs/definitions.md
+// The canonical form of a set in space with a tiled boundary. docs/definitions.md
 #pragma once
 
 #include <map>
@@ -10,13 +10,13 @@
 
 namespace minkref::checker {
 
-/// A normal, and its product with the points.
+/// A normal, and the plane's height along the normal.
 using OrientedPlane = std::pair<Whole, mpz_class>;
-/// Convex polygons that do not overlap, counter-clockwise seen against the normals.
+/// Convex polygons without overlaps, counter-clockwise seen against the normals.
 using Tiles = std::map<OrientedPlane, std::vector<ConvexPolygon>>;
 
 struct CanonicalForm {
-  std::string text;  ///< that of a convex polyhedron where it is one
+  std::string text;  ///< the form of a convex polyhedron if the set is one
   mpq_class volume;
   std::size_t planes = 0, polygons = 0;
 };

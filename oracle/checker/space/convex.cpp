@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* form = "convex-certificate-v1";
 
-/// The points that are farthest along a normal, and how far they are.
+/// The points farthest along a normal, and their height.
 struct Farthest {
   mpz_class height;
   Ring points;
@@ -33,7 +33,7 @@ struct Farthest {
   }
 };
 
-/// Whether each directed edge is in one ring only, and its reverse in one.
+/// Whether each directed edge occurs once, and its reverse occurs once.
 bool is_closed(const std::vector<Ring>& rings) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges, reverses;
   for (const Ring& ring : rings) {
@@ -81,8 +81,8 @@ void check_body(const Body& body, Budget& budget) {
           body.name + " goes around its hull more than once");
 }
 
-/// The sum at a scaling: a closed surface, each vertex S p + q, each facet in a plane that P and Q,
-/// where they are farthest along its normal, reach together.
+/// A sum at a scaling: a closed surface with vertices S p + q. Each facet lies in the plane reached
+/// by the points of P and Q farthest along its normal.
 class Sum {
  public:
   Sum(const Value& value, const Body& P, const Body& Q, const mpz_class& unit, Budget& budget) {
@@ -158,7 +158,7 @@ class Sum {
     require(all_used(rings_, vertices), "a vertex is in no facet");
   }
 
-  /// The vertices of both operands, P scaled, in units that make them whole.
+  /// Scales P, and makes the vertices of both operands whole by a common unit.
   void move(const Body& P, const Body& Q, const mpz_class& unit) {
     mpz_class common = 1;
     for (const mpq_class& factor : scaling_) common = lcm(common, factor.get_den());

@@ -1,4 +1,4 @@
-// Certificates of sums of convex polyhedra. docs/certificates-convex.md
+// Certificates for sums of convex polyhedra. docs/certificates-convex.md
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@
 
 namespace minkref::checker {
 
-/// Whether this says of itself that it is a certificate of this form.
+/// Whether a certificate claims to have this form.
 bool is_convex_certificate(const Value& certificate);
 
-/// The proven claims of a certificate, a line each. `read_case` gives the case by the path that the
-/// certificate names. Throws NotVerified.
+/// Returns a certificate's proven claims, a line each. `read_case` reads the case from the path
+/// named by the certificate. Throws NotVerified.
 std::vector<std::string> check_convex(const Value& certificate,
                                       const std::function<Value(const std::string&)>& read_case,
                                       Budget& budget);

@@ -1,4 +1,4 @@
-// Convex polygons in space, and the half-spaces that cut them.
+// Convex polygons in space, cut by half-spaces.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ using ConvexPolygon = std::vector<Corner>;
 /// normal * x <= height
 using HalfSpace = std::pair<Whole, mpz_class>;
 
-/// The part below a plane of a convex polygon with an area: empty if the part has no area, null if
-/// it is the whole polygon, also where the polygon lies in the plane.
+/// Returns the part below a plane of a convex polygon with an area: empty if the part has no area,
+/// null if the plane cuts nothing off, as for a polygon in the plane.
 std::optional<ConvexPolygon> below(const ConvexPolygon& polygon, const HalfSpace& half,
                                    Budget& budget);
 

@@ -11,13 +11,13 @@
 namespace minkref::checker {
 namespace {
 
-/// A directed side, and the number of the polygon on its left.
+/// A directed side, and the number of the polygon to its left.
 struct TileSide {
   PlanePoint from, to;
   std::size_t tile;
 };
 
-/// Upright or not, and then x, or the slope and where it meets x = 0.
+/// Upright or not, and then x, or the slope and the height at x = 0.
 using PlaneLine = std::tuple<bool, mpq_class, mpq_class>;
 
 PlaneLine line_of(const PlanePoint& a, const PlanePoint& b) {
@@ -54,7 +54,7 @@ class Classes {
   std::vector<std::size_t> root_;
 };
 
-/// Sides that no other polygon has on their right; the others join polygons.
+/// Returns the sides without a polygon to their right, and joins polygons along the other sides.
 std::vector<TileSide> outer_sides(const std::vector<PlaneRing>& tiles, Classes& parts,
                                   Budget& budget) {
   std::map<PlaneLine, std::vector<TileSide>> lines;
@@ -92,7 +92,7 @@ std::vector<TileSide> outer_sides(const std::vector<PlaneRing>& tiles, Classes& 
   return sides;
 }
 
-/// Cut where others begin in their insides: the boundary touches itself there.
+/// Cuts sides at points inside them where other sides begin: the boundary touches itself there.
 std::vector<TileSide> cut_at_ends(const std::vector<TileSide>& sides, Budget& budget) {
   std::set<PlanePoint> starts;
   std::map<PlaneLine, std::vector<PlanePoint>> on;
@@ -122,7 +122,8 @@ std::vector<TileSide> cut_at_ends(const std::vector<TileSide>& sides, Budget& bu
   return cut;
 }
 
-/// The first clockwise from where a side came: both bound one wedge of the interior.
+/// Returns the first leaving side clockwise from the arriving side: both bound one wedge of the
+/// interior.
 std::size_t next_side(const TileSide& side, const std::vector<TileSide>& sides,
                       const std::vector<std::size_t>& leaving) {
   const PlanePoint back = way(side.to, side.from);
@@ -140,7 +141,7 @@ std::size_t next_side(const TileSide& side, const std::vector<TileSide>& sides,
   return best;
 }
 
-/// From its least corner, without points where it goes straight on.
+/// Starts a ring at its least corner, and drops points where the ring goes straight on.
 PlaneRing in_order(const PlaneRing& ring) {
   PlaneRing corners;
   const std::size_t n = ring.size();
@@ -152,7 +153,7 @@ PlaneRing in_order(const PlaneRing& ring) {
   return corners;
 }
 
-/// A closed walk, split where it comes to a point again.
+/// Splits a closed walk at each repeated point.
 std::vector<PlaneRing> simple_rings(PlaneRing walk) {
   std::vector<PlaneRing> found;
   PlaneRing ring;

@@ -1,4 +1,4 @@
-// The union of convex polygons in a plane that do not overlap. docs/definitions.md
+// Unites convex polygons without overlaps in a plane. docs/definitions.md
 #pragma once
 
 #include <gmpxx.h>
@@ -17,7 +17,7 @@ using PlanePolygon = std::vector<PlaneRing>;
 
 mpq_class doubled_area(const PlaneRing& ring);
 
-/// In canonical form. The polygons run counter-clockwise. Throws NotVerified.
+/// Returns the union in canonical form. The polygons run counter-clockwise. Throws NotVerified.
 std::vector<PlanePolygon> united(const std::vector<PlaneRing>& tiles, Budget& budget);
 
 }  // namespace minkref::checker

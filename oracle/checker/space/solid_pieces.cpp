@@ -16,7 +16,7 @@ std::vector<Ends> edges_of(const std::vector<Whole>& ring) {
   return edges;
 }
 
-/// On each line of each plane, how much more often each point is an end than a start.
+/// For each line on each plane: each point's count as an end, minus its count as a start.
 class Boundary {
  public:
   void add(const Whole& normal, const std::vector<Whole>& ring, int times_, Budget& budget) {

@@ -10,12 +10,12 @@
 
 namespace minkref::checker {
 
-/// The convex hull of points, each of which is one of its corners.
+/// The convex hull of points, all of them corners.
 struct Hull {
   std::vector<Whole> points;
   std::map<Whole, std::vector<Whole>> facets;  ///< counter-clockwise, by their normals
   std::set<std::pair<Whole, Whole>> edges;     ///< from the lesser end
-  std::set<Whole> ways;                        ///< their directions
+  std::set<Whole> ways;                        ///< the edges' directions
 
   /// Throws NotVerified.
   Hull(std::vector<Whole> corners, Budget& budget);
@@ -23,22 +23,22 @@ struct Hull {
   bool holds(const Whole& point) const;
 };
 
-/// The pieces of an operand as a certificate gives them.
+/// An operand's pieces as the certificate gives them.
 struct PieceList {
-  std::vector<Triple> points;  ///< the vertices of the operand, and what is added to them
+  std::vector<Triple> points;  ///< the operand's vertices, then added points
   std::vector<Ring> hulls;
 };
 PieceList read_pieces(const Value& value, const Body& body);
 
 std::vector<Hull> hulls_of(const PieceList& list, const std::vector<Whole>& points, Budget& budget);
 
-/// Demands that the facets of the pieces, less the operand's faces, cancel. Throws NotVerified.
+/// Demands that the pieces' facets, minus the operand's faces, cancel. Throws NotVerified.
 void check_tiling(const Body& body, const std::vector<Hull>& pieces, Budget& budget);
 
-/// The corners of a corner, an edge or a facet of a piece, ascending.
+/// The corners, ascending, of a piece's corner, edge or facet.
 using Feature = std::vector<Whole>;
 
-/// The pieces of an operand, scaled, with their features.
+/// An operand's scaled pieces, with their features.
 class SolidPieces {
  public:
   SolidPieces(std::vector<Hull> hulls, Budget& budget);
@@ -47,10 +47,10 @@ class SolidPieces {
 
   const std::vector<Hull>& hulls() const { return hulls_; }
   std::vector<mpz_class> supports(const Whole& normal) const;
-  /// The features that are level along a normal, with their heights, such that no piece that holds
-  /// one reaches above it.
+  /// Returns the features level along a normal, with their heights, above which no piece that holds
+  /// the feature reaches.
   std::vector<std::pair<const Feature*, mpz_class>> tops(const Whole& normal, Budget& budget) const;
-  /// Edges, with the corners of the pieces that hold them.
+  /// An edge, with the corners of all pieces that hold it.
   struct Edge {
     const Feature* ends;
     std::set<Whole> around;

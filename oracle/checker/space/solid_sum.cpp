@@ -18,7 +18,7 @@ const std::string& kind_of(const Value& entry) {
 
 struct SolidSum::Reach {
   std::map<PiecePair, mpz_class> tops, lows;
-  std::vector<PiecePair> above, beneath;  // which have points there, and meet the plane
+  std::vector<PiecePair> above, beneath;  // pairs with points there that also meet the plane
 };
 
 SolidSum::SolidSum(const Value& value, const std::array<PieceList, 2>& lists, const mpz_class& unit,
@@ -111,7 +111,7 @@ const std::vector<HalfSpace>& SolidSum::bounds(const PiecePair& pair) {
   std::vector<HalfSpace>& found = bounds_[pair];
   if (!found.empty()) return found;
   const Hull &A = operands_[0].hulls()[pair.first], &B = operands_[1].hulls()[pair.second];
-  std::vector<Whole> normals;  // those of the box first
+  std::vector<Whole> normals;  // the box's normals first
   for (std::size_t k = 0; k < 3; ++k) {
     Whole axis;
     axis[k] = 1;

@@ -13,10 +13,10 @@
 
 namespace minkref::checker {
 
-/// An object of this class exists only if its trees hold.
+/// An object exists only if its trees hold.
 class SolidSum {
  public:
-  /// The points of the pieces are times `unit`, which makes them whole.
+  /// Takes the pieces' points times `unit`, which makes them whole.
   SolidSum(const Value& value, const std::array<PieceList, 2>& lists, const mpz_class& unit,
            Budget& budget);
   SolidSum(SolidSum&&) = default;
@@ -28,7 +28,7 @@ class SolidSum {
 
  private:
   using PiecePair = std::pair<std::size_t, std::size_t>;
-  struct Reach;  // of the sums of two pieces, along the normal of a plane
+  struct Reach;  // of sums of two pieces, along a plane's normal
 
   std::map<OrientedPlane, std::set<Whole>> find_planes() const;
   void add_edges(std::map<OrientedPlane, std::set<Whole>>& planes) const;

@@ -1,4 +1,4 @@
-// Shared by the forms of certificates in space: vectors, rings, operands, claims.
+// Code shared by the forms of certificates in space: vectors, rings, operands, claims.
 #pragma once
 
 #include <gmpxx.h>
@@ -27,54 +27,53 @@ Whole negative(const Whole& v);
 Whole cross(const Whole& u, const Whole& v);
 mpz_class dot(const Whole& u, const Whole& v);
 bool is_zero(const Whole& v);
-/// The shortest whole vector in this direction; zero if it is.
+/// Returns the shortest whole vector in this direction; zero for zero.
 Whole primitive(const Whole& v);
 /// Positive if the way a b c turns left, seen against the normal.
 int turn(const Whole& a, const Whole& b, const Whole& c, const Whole& normal);
-/// Twice the area, to the side from which the ring runs counter-clockwise.
+/// Twice the area, pointing to the side from which the ring runs counter-clockwise.
 Whole area_vector(const std::vector<Whole>& ring);
-/// The corners of the hull of points in a plane, counter-clockwise seen against its normal:
-/// lexicographic order is a sweep.
+/// Returns the hull's corners of points in a plane, counter-clockwise seen against the normal:
+/// lexicographic order gives a sweep.
 std::vector<Whole> hull_in_plane(std::vector<Whole> points, const Whole& normal);
 std::vector<Whole> corners_of(const Ring& ring, const std::vector<Whole>& points);
 
-/// Whether there are three at least, and none twice.
+/// Whether a ring has at least three indices, and none twice.
 bool is_ring(const Ring& ring);
 /// Whether all numbers below `end` occur.
 bool all_used(const std::vector<Ring>& rings, std::size_t end);
 
 Triple triple(const Value& value);
-/// The products, which are whole numbers.
+/// Multiplies; the products must be whole numbers.
 Whole times(const Triple& factors, const Triple& point);
 std::string to_text(const Triple& point);  ///< `x, y, z`
-/// The text of faces and vertices that is hashed.
+/// Writes the hashed text of faces and vertices.
 std::string canonical_json(const std::vector<Ring>& faces, const std::vector<Triple>& vertices);
 
-/// A polyhedron, its vertices and faces in the order of the file.
+/// A polyhedron with vertices and faces in file order.
 struct Body {
   std::string name;
   std::vector<Triple> exact;
-  std::vector<Whole> points;  ///< in units that make them whole
+  std::vector<Whole> points;  ///< in units that make coordinates whole
   std::vector<Ring> faces;
 };
 
-/// A certificate in space: its operands, of which the digest is right, what is to be followed, and
-/// the claims.
+/// A certificate in space: operands with verified digest, the argument to follow, and the claims.
 struct InSpace {
   std::array<Body, 2> bodies;
   const Value* argument;
   const Value* claims;
 };
 
-/// Whether this says of itself that it is a certificate of this form.
+/// Whether a certificate claims to have this form.
 bool has_form(const Value& certificate, const std::string& form);
 
-/// `argument`: the member that the form has for it. Throws NotVerified.
+/// Opens a certificate; `argument` names the form's member for the argument. Throws NotVerified.
 InSpace open_in_space(const Value& certificate, const std::string& form,
                       const std::string& argument,
                       const std::function<Value(const std::string&)>& read_case);
 
-/// `unit` becomes what also makes the coordinates of these points whole.
+/// Makes `unit` also clear the denominators of these points.
 void add_denominators(const std::vector<Triple>& points, mpz_class& unit, Budget& budget);
 
 /// Checks claims about sums and returns a line for each; `names`: further members of a claim.
