@@ -1,4 +1,4 @@
-"""A judge of the events of a disc: places, kinds, features, and what becomes of holes."""
+"""A judge for a disc's events: places, kinds, features, and the history of holes."""
 
 from .boundary import Boundary
 from .event import Found, event_faults

@@ -1,4 +1,4 @@
-"""The boundary of a polygon set, and what of it is nearest to a place: from the definition, edge by
+"""A polygon set's boundary, and its points nearest to a place: from the definition, edge by
 edge."""
 
 from __future__ import annotations
@@ -17,14 +17,15 @@ Place: TypeAlias = tuple[Surd, Surd]
 Way: TypeAlias = tuple[Surd, Surd]
 Name: TypeAlias = tuple[object, ...]  # "vertex", x, y; "edge", ring, number
 
-# Doubles only leave out edges that are farther away than the nearest by this part of all
-# coordinates. Their own errors are some 1e-15 of these.
+# Doubles only leave out edges clearly farther away than the nearest, by this part of the largest
+# coordinate. The doubles' own relative errors are about 1e-15.
 CLEARLY = 1e-9
 
 
 @dataclass(frozen=True)
 class Edge:
-    """From `a` to `b`, the set on the left, named by its ring and the number of `a` in it."""
+    """An edge from `a` to `b`, the set on the left, named by ring and by the number of `a` in the
+    ring."""
 
     ring: int
     index: int
@@ -59,17 +60,17 @@ class Edge:
 
 @dataclass
 class Foot:
-    """A nearest point: inside of one edge, or a vertex. `square`: edges that are seen at a right
-    angle there, from the front, and have it as a point; `ends` those of them that end at it."""
+    """A nearest point: a vertex, or inside an edge. `square` lists edges that contain the point and
+    that the place sees from the front at a right angle there."""
 
     at: Place
     vertex: Point | None
     square: list[Edge] = field(default_factory=list)
 
     def names(self) -> list[set[Name]]:
-        """The sets of features that name it: the edge, or the vertex and the edges that end right
-        there. Where an edge goes on straight the vertex is nothing of its own, and the part that
-        ends there has the name."""
+        """List the sets of features that name this foot: the edge, or the vertex and the edges that
+        end at right angles there. Where an edge goes straight on, the vertex is no feature, and the
+        part that ends there gives the name."""
         edges: set[Name] = {("edge", *edge.name) for edge in self.square}
         if self.vertex is None:
             return [edges]
@@ -90,7 +91,7 @@ def _are_straight(e: Edge, f: Edge) -> bool:
 
 
 class Boundary:
-    """Rings by polygons, the outer one of each first, the set on the left."""
+    """Rings by polygon, the outer ring first, the set on the left."""
 
     def __init__(self, polygons: Sequence[Sequence[Sequence[Point]]]) -> None:
         self.edges: list[Edge] = []
@@ -109,12 +110,12 @@ class Boundary:
         self.names = {edge.name: edge for edge in self.edges}
 
     def is_near(self, x: float, y: float, reach: float) -> bool:
-        """Whether an edge is clearly nearer than `reach`, in doubles."""
+        """Tell whether some edge is clearly nearer than `reach`, in doubles."""
         clearly = reach - self.slack
         return any(edge.rounded_distance(x, y) < clearly for edge in self.edges)
 
     def nearest(self, place: Place) -> tuple[Surd, list[Foot]]:
-        """The squared distance of the boundary, and all points of it that are as near. Exact."""
+        """Find the boundary's squared distance, and all nearest points. Exact."""
         x, y = map(float, place)
         far = [edge.rounded_distance(x, y) for edge in self.edges]
         reach = min(far) + self.slack
@@ -142,7 +143,8 @@ class Boundary:
         return least, feet
 
     def is_outside(self, place: Place) -> bool:
-        """A place off the boundary: by the edges to its right. Exact."""
+        """Tell whether a place off the boundary is outside, by counting edges to its right.
+        Exact."""
         x, y = place
         height, inside = float(y), False
         for edge in self.edges:
@@ -160,7 +162,8 @@ class Boundary:
 
 
 def _foot(edge: Edge, place: Place) -> tuple[Surd, Foot, bool]:
-    """The nearest point of an edge, and whether it is seen at a right angle from the front."""
+    """Find an edge's nearest point, and whether the place sees it from the front at a right
+    angle."""
     (ax, ay), (dx, dy) = edge.a, edge.along
     wx, wy = place[0] - surd(ax), place[1] - surd(ay)
     part = wx.times(dx) + wy.times(dy)
@@ -182,7 +185,7 @@ def _are_same(p: Place, q: Place) -> bool:
 
 
 def ways(place: Place, feet: Sequence[Foot]) -> list[Way]:
-    """From a place to its nearest points."""
+    """Return the ways from a place to its nearest points."""
     return [(foot.at[0] - place[0], foot.at[1] - place[1]) for foot in feet]
 
 
@@ -195,10 +198,10 @@ def are_opposite(u: Way, v: Way) -> bool:
 
 
 def surround(all_ways: Sequence[Way]) -> bool:
-    """Whether less than half a turn is free between any two that follow each other: then the place
-    is a greatest value of the distance."""
+    """Tell whether ways leave less than half a turn free between neighbours: then the distance has
+    a local maximum at the place."""
     for u in all_ways:
-        # The first one to the left of u, up to half a turn.
+        # The first way to the left of u, up to half a turn.
         if not any(turn(u, v) > 0 for v in all_ways):
             return False
     return len(all_ways) > 2

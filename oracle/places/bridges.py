@@ -1,5 +1,5 @@
-"""Bridges: ways between two points of the boundary, with nothing of it in the disc over them.
-Holes fall apart, and components join, at the radius of half a bridge and nowhere else."""
+"""Bridges: ways between two boundary points whose discs, with the bridge as diameter, contain no
+boundary point. Holes fall apart, and components join, only at half a bridge's length as radius."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from .surd import surd
 
 @dataclass(frozen=True)
 class Bridge:
-    """From `a` to `b`, points of the boundary. Between parallel edges there are many, all with one
-    length: then this is one of them, and the middles of all are `flat`, from the one end to the
-    other in doubles."""
+    """A bridge between boundary points `a` and `b`. Parallel edges have many bridges, all equally
+    long: this bridge then stands for all, and `flat` has the ends, in doubles, of the line of
+    middles."""
 
     a: Point
     b: Point
@@ -29,7 +29,7 @@ class Bridge:
 
     @property
     def square(self) -> Fraction:
-        """The square of half its length."""
+        """The square of half the length."""
         return ((self.a[0] - self.b[0]) ** 2 + (self.a[1] - self.b[1]) ** 2) / 4
 
     @property
@@ -38,7 +38,7 @@ class Bridge:
         return self.flat or ((float(self.middle[0]), float(self.middle[1])),) * 2
 
     def is_at(self, x: float, y: float, slack: float) -> bool:
-        """Whether its middle, or one of them, is at a place, in doubles."""
+        """Tell whether a middle of this bridge lies at a place, in doubles."""
         p, q = self.ends
         dx, dy = q[0] - p[0], q[1] - p[1]
         square = dx * dx + dy * dy
@@ -48,8 +48,8 @@ class Bridge:
 
 
 def bridges(boundary: Boundary) -> list[Bridge]:
-    """All of them, each once; none over a greatest value of the distance, which has nothing farther
-    away on either side. Exact. O(n^3) for n edges."""
+    """Find all bridges, each once, except over a local maximum of the distance, where neither side
+    has a point farther away. Exact. O(n^3) for n edges."""
     found: dict[frozenset[Point], Bridge] = {}
     for bridge in _candidates(boundary):
         key = frozenset((bridge.a, bridge.b))
@@ -80,7 +80,7 @@ def _foot_inside(edge: Edge, p: Point) -> Point | None:
 
 
 def _across(boundary: Boundary, e: Edge, f: Edge) -> Iterator[Bridge]:
-    """Between edges that face each other: one bridge for each stretch that is free."""
+    """Find bridges between facing parallel edges, one for each free stretch."""
     (dx, dy), (ux, uy), (ax, ay) = e.along, f.along, e.a
     if dx * uy != dy * ux or dx * ux + dy * uy > 0:
         return
@@ -92,7 +92,7 @@ def _across(boundary: Boundary, e: Edge, f: Edge) -> Iterator[Bridge]:
     low, high = max(Fraction(0), min(ends)), min(Fraction(1), max(ends))
     if low >= high:
         return
-    up = height / square  # of (dy, -dx)
+    up = height / square  # times (dy, -dx)
 
     def bridge(t: Fraction) -> Bridge:
         x, y = ax + t * dx, ay + t * dy
@@ -107,7 +107,7 @@ def _across(boundary: Boundary, e: Edge, f: Edge) -> Iterator[Bridge]:
     for t, u in [*pairwise(stops), (1.0, 1.0)]:
         free = t < u and _is_free(boundary, bridge(Fraction(t + u) / 2))
         if free:
-            stretch = stretch or [t, u, t, u]  # begin, end, and the piece that is told
+            stretch = stretch or [t, u, t, u]  # begin, end, and the first free piece
             stretch[1] = u
         elif stretch:
             told = bridge(Fraction(stretch[2] + stretch[3]) / 2)
@@ -118,8 +118,8 @@ def _across(boundary: Boundary, e: Edge, f: Edge) -> Iterator[Bridge]:
 def _stops(
     boundary: Boundary, bridge: Callable[[Fraction], Bridge], low: float, high: float
 ) -> list[float]:
-    """Where a stretch may begin or end, in doubles: as far from a vertex, or from an edge, as half
-    the bridge is long."""
+    """Find where a stretch may begin or end, in doubles: where the distance from a vertex or an
+    edge equals half the bridge's length."""
     first, last = bridge(Fraction(low)), bridge(Fraction(high))
     (px, py), (qx, qy) = (tuple(map(float, b.middle)) for b in (first, last))
     radius = sqrt(float(first.square))
@@ -146,8 +146,8 @@ def _stops(
 
 
 def _is_free(boundary: Boundary, bridge: Bridge) -> bool:
-    """Nothing of the boundary is in the disc over it, nor is it in the set, and its middle is no
-    greatest value of the distance."""
+    """Tell whether a bridge is free: no boundary inside its disc, its middle outside the set and no
+    local maximum of the distance."""
     x, y = bridge.middle
     if boundary.is_near(float(x), float(y), sqrt(float(bridge.square))):
         return False

@@ -1,5 +1,5 @@
-"""Chambers: the faces outside of a polygon set that its bridges cut. Each has one greatest value of
-the distance in it, or none that is farther away than its bridges."""
+"""Chambers: the faces into which bridges cut the outside of a polygon set. Each chamber has one
+local maximum of the distance, or none farther away than its bridges."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Side = tuple[Point, Point]
 
 
 class Chambers:
-    """The plane outside of the set, cut along all bridges. No two bridges cross."""
+    """The plane outside the set, cut along all bridges. No two bridges cross."""
 
     def __init__(self, boundary: Boundary, bridges: Sequence[Bridge]) -> None:
         stops: dict[Side, list[Point]] = {}
@@ -50,7 +50,7 @@ class Chambers:
                 others.append(b)
 
     def _walk(self, p: Point, q: Point) -> None:
-        """Around the face to the left of a side."""
+        """Walk around the face to the left of a side."""
         number, face = len(self.faces), []
         while (p, q) not in self._face_of:
             self._face_of[p, q] = number
@@ -63,19 +63,19 @@ class Chambers:
         return self._face_of[p, q]
 
     def walls(self, face: int) -> list[Side]:
-        """Its sides that are no bridges."""
+        """List the chamber's sides without the bridges."""
         ring = self.faces[face]
         sides = zip(ring, [*ring[1:], ring[0]], strict=True)
         return [side for side in sides if side not in self._across]
 
     def is_outer(self, face: int) -> bool:
-        """The one that is not bounded."""
+        """Tell whether this chamber is unbounded."""
         ring = self.faces[face]
         pairs = zip(ring, [*ring[1:], ring[0]], strict=True)
         return sum(p[0] * q[1] - p[1] * q[0] for p, q in pairs) < 0
 
     def holds(self, face: int, place: Place) -> bool:
-        """A place that is on no side of a bounded chamber. Exact."""
+        """Tell whether a bounded chamber holds a place that lies on none of its sides. Exact."""
         x, y = place
         ring, inside = self.faces[face], False
         for (ax, ay), (bx, by) in zip(ring, [*ring[1:], ring[0]], strict=True):
@@ -90,7 +90,7 @@ class Chambers:
 
 
 def _inside(side: Side, points: Sequence[Point]) -> list[Point]:
-    """Those that are on a side, not at its ends, in order."""
+    """Sort the points strictly inside a side along the side."""
     (ax, ay), (bx, by) = side
     dx, dy = bx - ax, by - ay
     square = dx * dx + dy * dy
@@ -103,7 +103,8 @@ def _inside(side: Side, points: Sequence[Point]) -> list[Point]:
 
 
 def _turn_order(p: Point, q: Point, r: Point) -> int:
-    """Whether q comes before r, counter-clockwise around p, from the right on."""
+    """Order q and r counter-clockwise around p, starting from the right: negative if q comes
+    first."""
     u, v = ((x[0] - p[0], x[1] - p[1]) for x in (q, r))
     lower = [w[1] < 0 or (w[1] == 0 and w[0] < 0) for w in (u, v)]
     if lower[0] != lower[1]:

@@ -1,5 +1,5 @@
-"""One event as it was listed, before what is at its place: the place that its features single out,
-its distance, all that is as near, its kind."""
+"""A listed event compared with the truth at its place: the place singled out by its features, the
+distance, all nearest points, the kind."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .boundary import Boundary, Foot, Place, are_opposite, surround, ways
 from .single_out import NotSingled, places_of
 from .surd import Surd
 
-NEAR = 1e-9  # of the size: to find which of the places that features single out is meant
+NEAR = 1e-9  # relative: picks the listed place among all places that features single out
 
 
 @dataclass(frozen=True)
@@ -27,9 +27,9 @@ class Found:
 
 
 def event_faults(boundary: Boundary, row: Mapping[str, Any]) -> tuple[Found | None, list[str]]:
-    """The event of a row of `minkref events P disc`, as JSON, and what is wrong with the row. None
-    where its features single out no place near the listed one. Exact. Raises ValueError if an
-    edge has an irrational length."""
+    """Find the event for a JSON row from `minkref events P disc`, and the row's faults. The event
+    is None if the features single out no place near the listed place. Exact. Raises ValueError if
+    an edge has an irrational length."""
     try:
         found = _found(boundary, row)
     except NotSingled as why:
@@ -54,7 +54,7 @@ def _found(boundary: Boundary, row: Mapping[str, Any]) -> Found:
 
 
 def kind_of(place: Place, feet: list[Foot]) -> str:
-    """By docs/disc.md: from the directions in which the nearest points are seen."""
+    """Tell the kind by docs/disc.md, from the directions towards the nearest points."""
     seen = ways(place, feet)
     if surround(seen):
         return "maximum"
@@ -93,7 +93,8 @@ def _faults(boundary: Boundary, row: Mapping[str, Any], found: Found) -> Iterato
 
 
 def _is_event_of_two(found: Found) -> bool:
-    """Two nearest points: opposite each other, or one is where an edge goes over into its end."""
+    """Tell whether two nearest points make the event: opposite each other, or one where an edge
+    meets its end."""
     u, v = ways(found.at, found.feet)
     return are_opposite(u, v) or any(len(foot.names()[0]) > 1 for foot in found.feet)
 

@@ -1,5 +1,5 @@
-"""The history of holes and components, by bridges and chambers: as the radius shrinks, chambers
-are joined across ever shorter bridges; as it grows, polygons are joined by ever longer ones."""
+"""The history of holes and components, by bridges and chambers: as the radius shrinks, ever shorter
+bridges join chambers; as the radius grows, ever longer bridges join polygons."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ Row = tuple[Mapping[str, Any], Found]
 
 
 def history_faults(boundary: Boundary, rows: Sequence[Row]) -> list[str]:
-    """Faults in `rows`: all changes that `minkref events P disc --kind topology` lists, each with
-    its event as event_faults found it. Exact, but doubles decide that no chamber without an end of
-    a hole has room for one. O(n^3) for n edges."""
+    """Find faults in `rows`: all changes listed by `minkref events P disc --kind topology`, each
+    with its event from event_faults. Exact, except that doubles decide whether a chamber without a
+    listed end has room for a hole. O(n^3) for n edges."""
     across = sorted(bridges(boundary), key=lambda bridge: bridge.square)
     holes = _Holes(boundary, across, rows)
     return [*holes.faults(), *_join_faults(boundary, across, rows)]
@@ -40,10 +40,10 @@ class _Holes:
         self._boundary, self._across, self._rows = boundary, across, rows
         self._chambers = Chambers(boundary, across)
         self._parts = Joined(len(self._chambers.faces))
-        self._hole_of: dict[int, int] = {}  # of a part, by root; 0 is the outside
+        self._hole_of: dict[int, int] = {}  # of a part, by root; 0 for the outside
         self._ends: dict[int, Row] = {}
-        self._births: dict[int, tuple[Row, int]] = {}  # and the hole that it leaves
-        self._known: set[int] = set()  # whose ends are places of greatest values
+        self._births: dict[int, tuple[Row, int]] = {}  # and the hole from which each hole splits
+        self._known: set[int] = set()  # holes whose ends were found
 
     def faults(self) -> Iterator[str]:
         yield from self._read()
@@ -69,7 +69,7 @@ class _Holes:
                 self._births[each["hole"]] = row, each["of"]
 
     def _place_ends(self) -> Iterator[str]:
-        """Holes that end inside of a chamber."""
+        """Place holes that end inside chambers."""
         for face in range(len(self._chambers.faces)):
             if self._chambers.is_outer(face):
                 self._hole_of[face] = 0
@@ -97,12 +97,12 @@ class _Holes:
                 yield f"a hole ends beyond the radius {reach:.6g} near {ring[0]}, and is not listed"
 
     def _sides(self, bridge: Bridge) -> tuple[int, int]:
-        """The chambers to the left and to the right."""
+        """Return the chambers to the left and to the right."""
         return (self._chambers.left_of(bridge.a, bridge.b),
                 self._chambers.left_of(bridge.b, bridge.a))  # fmt: skip
 
     def _pass(self, square: Fraction, across: Sequence[Bridge]) -> Iterator[str]:
-        """All bridges of one length are opened."""
+        """Open all bridges with one length."""
         gates = []
         for bridge in across:
             left, right = (self._parts.root(face) for face in self._sides(bridge))
@@ -121,7 +121,7 @@ class _Holes:
                 self._hole_of[root] = hole
 
     def _flat_end(self, square: Fraction, meeting: Meeting) -> Generator[str, None, int | None]:
-        """All that is farther away than it: the end of a hole."""
+        """End a hole at a flat ridge: nothing around the meeting lies farther away."""
         here = [
             hole for hole, (_, found) in self._ends.items()
             if hole not in self._known and found.square.rational == square
@@ -140,7 +140,7 @@ class _Holes:
         return None if hole == 0 else self._ends[hole][1].square
 
     def _split(self, meeting: Meeting) -> Generator[str, None, int | None]:
-        """Each part but the one that ends last is born where it leaves that."""
+        """Check births: each hole here, except the last to end, leaves the hole that ends last."""
         if len(meeting.holes) == 1:
             return next(iter(meeting.holes))
         square = meeting.gates[0].bridge.square

@@ -1,4 +1,4 @@
-"""Things that are joined two at a time."""
+"""Union-find over things that join two at a time."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class Joined:
         return k
 
     def join(self, a: int, b: int) -> bool:
-        """Whether they were apart."""
+        """Join two sets; tell whether they were apart."""
         a, b = self.root(a), self.root(b)
         self._above[max(a, b)] = min(a, b)
         return a != b

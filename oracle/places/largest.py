@@ -1,4 +1,4 @@
-"""Whether there is room in a chamber, in doubles: squares are cut into four until it is told."""
+"""Decides whether a chamber has room for a hole, in doubles, by cutting squares into four."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from math import hypot
 
 from .boundary import Edge, Point
 
-FINE = 2e-3  # of the size of the chamber: what is told apart
+FINE = 2e-3  # resolution, relative to the chamber's size
 
 
 def holds_more(ring: Sequence[Point], walls: Sequence[tuple[Point, Point]], reach: float) -> bool:
-    """Whether a place inside of a chamber is clearly farther away than `reach` from its walls and
-    corners. One of these is nearest to the place: from behind a bridge the nearest point would be
-    in the disc over the bridge."""
+    """Tell whether some place inside a chamber lies clearly farther than `reach` from its walls and
+    corners. A wall or corner is always nearest to the place: a nearest point behind a bridge would
+    lie inside the bridge's disc."""
     own = [Edge(0, k, 0, p, q) for k, (p, q) in enumerate(walls)]
     sides = [Edge(0, k, 0, p, q) for k, (p, q) in enumerate(zip(ring, [*ring[1:], ring[0]],
                                                                 strict=True))]  # fmt: skip

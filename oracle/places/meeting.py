@@ -1,5 +1,4 @@
-"""Parts of the complement that hang together by bridges of one length, and are cut off from each
-other there."""
+"""Parts of the complement connected by bridges with one length, which separate there."""
 
 from __future__ import annotations
 
@@ -14,7 +13,7 @@ from .joined import Joined
 
 @dataclass(frozen=True)
 class Gate:
-    """A bridge, and the parts on its left and right."""
+    """A bridge, and the parts to its left and right."""
 
     bridge: Bridge
     left: int
@@ -30,7 +29,8 @@ class Meeting:
 
     @classmethod
     def all_of(cls, gates: Sequence[Gate], hole_of: Mapping[int, int]) -> Iterator[Self]:
-        """Those of one length. `hole_of`: of the parts that are farther away somewhere."""
+        """Group gates with one length into meetings. `hole_of` maps parts that reach farther away
+        to holes."""
         joined = Joined(1 + max((max(gate.left, gate.right) for gate in gates), default=0))
         for gate in gates:
             joined.join(gate.left, gate.right)
@@ -39,7 +39,7 @@ class Meeting:
 
     @property
     def where(self) -> str:
-        """One of its places."""
+        """Name the meeting by a bridge's middle."""
         x, y = map(float, self.gates[0].bridge.middle)
         return f"({x:.9g}, {y:.9g})"
 
@@ -48,9 +48,9 @@ class Meeting:
         return [gate for gate in self.gates if gate.bridge.is_at(x, y, slack)]
 
     def cut_off_at(self, hole: int, elder: int, slack: float) -> tuple[float, float] | None:
-        """The place at which a hole is cut off from another, in doubles: it leads into the hole
-        from the side of the other, through as few doors as there are; of several the first by x,
-        then by y. Gates with nothing farther away between them are one door."""
+        """Find the place, in doubles, where a hole separates from another: at a gate into the hole
+        on a way through the fewest doors from the other hole; first by x, then by y. Gates with
+        nothing farther away between them are one door."""
         doors = self._doors()
         allowed = self._doors_to(hole, elder, doors)
         places = [
@@ -81,7 +81,7 @@ class Meeting:
         return {self._hole_of[side] for side in sides if side in self._hole_of}
 
     def _doors_to(self, hole: int, elder: int, doors: Sequence[int]) -> set[int]:
-        """Those to a hole that the shortest ways lead through."""
+        """Find the last doors on the shortest ways to a hole."""
         passed: set[int] = set()
         known, here = {elder}, {elder}
         while here:
@@ -94,7 +94,7 @@ class Meeting:
         return set()
 
     def _places_into(self, gate: Gate, hole: int) -> Iterator[tuple[float, float]]:
-        """The middle of a bridge, or the end of its flat ridge on the side of the hole."""
+        """Yield a bridge's middle, or the ends of its flat ridge on the hole's side."""
         a, b = (tuple(map(float, p)) for p in (gate.bridge.a, gate.bridge.b))
         for place in gate.bridge.ends:
             across = (b[0] - a[0]) * (place[1] - a[1]) - (b[1] - a[1]) * (place[0] - a[0])

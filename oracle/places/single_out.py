@@ -1,5 +1,5 @@
-"""The places that named features single out: as far from all of them, by linear equations and at
-most one square root."""
+"""Places singled out by named features, equally far from all features: linear equations and at most
+one square root."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ Equation = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
 class NotSingled(Exception):
-    """Features that single out no place."""
+    """The features single out no place."""
 
 
 def places_of(boundary: Boundary, features: Sequence[Mapping[str, Any]]) -> list[Place]:
-    """All points as far from the lines of the edges, in front, and from the vertices; of two
-    features the point right between them."""
+    """Find all points in front of the edges and equally far from the edges' lines and the vertices;
+    for two features, the point halfway between."""
     edges, points = [], []
     for each in features:
         if "edge" in each:
@@ -34,7 +34,7 @@ def places_of(boundary: Boundary, features: Sequence[Mapping[str, Any]]) -> list
         raise NotSingled("one of its vertices is none")
     equations = [_of_line(edge) for edge in edges]
     equations += [_half_way(points[0], point) for point in points[1:]]
-    # A vertex on the line of an edge that is as near is where the place is right in front.
+    # If an equally near vertex lies on an edge's line, the place is right in front of the vertex.
     for edge in edges:
         for point in points:
             is_on_line = _height(edge, point) == 0
@@ -46,7 +46,7 @@ def places_of(boundary: Boundary, features: Sequence[Mapping[str, Any]]) -> list
 
 
 def _of_line(edge: Edge) -> Equation:
-    """r is the distance from the line, in front."""
+    """Equate r with the distance in front of the line."""
     length = Surd.root(edge.squared_length).rational
     if length is None:
         raise ValueError("an edge has an irrational length")
@@ -81,7 +81,7 @@ def _solutions(equations: Sequence[Equation], points: Sequence[Point]) -> Iterat
         return
     if len(free) > 1 or not points:
         raise NotSingled("its features single out no place")
-    # On the line base + t way, as far from a point as r.
+    # On the line base + t way: points at distance r from a vertex.
     way, (px, py) = free[0], points[0]
     w = base[0] - px, base[1] - py, base[2]
     a, b, c = (u[0] * v[0] + u[1] * v[1] - u[2] * v[2] for u, v in ((way, way), (w, way), (w, w)))
@@ -98,8 +98,8 @@ def _solutions(equations: Sequence[Equation], points: Sequence[Point]) -> Iterat
 
 
 def _solved(equations: Sequence[Equation]) -> tuple[list[Fraction], list[list[Fraction]]]:
-    """A solution x, y, r, and ways along which there are more. Raises NotSingled if there is
-    none."""
+    """Solve for x, y, r: a solution, and the directions in which more solutions lie. Raises
+    NotSingled without any solution."""
     rows: list[list[Fraction]] = []
     pivots: list[int] = []
     for equation in equations:

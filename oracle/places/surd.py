@@ -1,4 +1,4 @@
-"""Exact numbers a + b √d of one square root."""
+"""Exact numbers a + b √d with one square root."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ def sign_of(value: Fraction | int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Surd:
-    """a + b √d with a rational d ≥ 0. Sums and products are of numbers with one root: either may be
-    rational (b = 0), else ValueError."""
+    """A number a + b √d with a rational d ≥ 0. Sums and products need a common root or a rational
+    operand (b = 0), else ValueError."""
 
     a: Fraction
     b: Fraction = Fraction(0)
@@ -22,14 +22,14 @@ class Surd:
 
     @classmethod
     def root(cls, square: Fraction) -> Surd:
-        """√square, rational where it is."""
+        """Return √square, rational where possible."""
         top, below = isqrt(square.numerator), isqrt(square.denominator)
         if top * top == square.numerator and below * below == square.denominator:
             return cls(Fraction(top, below))
         return cls(Fraction(0), Fraction(1), square)
 
     def _with(self, other: Surd) -> Fraction:
-        """The root of both."""
+        """Return the common root."""
         if self.b and other.b and self.d != other.d:
             raise ValueError("numbers of two roots")
         return self.d if self.b else other.d
@@ -62,7 +62,7 @@ class Surd:
 
 
 def order(x: Surd, y: Surd) -> int:
-    """The sign of x - y, also of two roots."""
+    """Return the sign of x - y, for different roots too."""
     if not x.b or not y.b or x.d == y.d:
         return (x - y).sign()
     left, right = Surd(x.a - y.a, x.b, x.d), Surd(Fraction(0), y.b, y.d)

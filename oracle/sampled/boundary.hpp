@@ -1,4 +1,4 @@
-// The boundary of the sum at one scale: what no sum of two pieces covers on the right of a segment.
+// The sum's boundary at one scale: segment parts with no sum of two pieces to their right.
 #pragma once
 
 #include "oracle/sampled/candidates.hpp"
@@ -9,7 +9,7 @@ namespace minkref::sampled {
 template <class Int>
 struct BoundaryEdge {
   int direction;
-  int segment;  ///< one that bears it
+  int segment;  ///< some segment that bears the piece
   Int offset;
   Point<Int> from, to;
 };
@@ -30,9 +30,9 @@ class Boundaries {
     }
   }
 
-  /// Maximal edges, on each line united; they end where another begins, but may pass through ends
-  /// of others. `same`: whether segments on one line are on one line at all scales (they are where
-  /// no candidate is).
+  /// Returns maximal edges, united on each line; each ends where another begins, but may pass
+  /// through other edges' ends. `same`: whether segments on one line share a line at all scales, as
+  /// always between candidates.
   std::vector<BoundaryEdge<Int>> at(const Fraction<Int>& s, bool& same) {
     if constexpr (!std::is_same_v<Int, mpz_class>) {
       const long double d = moving_.direction;
@@ -47,8 +47,8 @@ class Boundaries {
   }
 
  private:
-  struct Row {  ///< of a segment and a half-plane: its value along the segment is `start` + t
-                ///< `slope`
+  struct Row {  ///< For a segment and a half-plane: the value along the segment is `start` + t
+                ///< `slope`.
     Linear<Int> start;
     Int slope;
     bool is_against;
@@ -57,7 +57,7 @@ class Boundaries {
     Fraction<Int> from, to;
   };
 
-  /// The part of [0, length] just to the right of which a piece is; whether there is one.
+  /// Finds the part of [0, length] with a piece just to its right; false without such a part.
   bool covered(const Fraction<Int>& s, const Row* row, std::size_t count, Interval& t) const {
     for (std::size_t h = 0; h < count; ++h, ++row) {
       const Int start = row->start.at(s);

@@ -54,15 +54,14 @@ struct Meeting {
   }
 };
 
-/// Between two scales in ascending order, neither of them, the nodes of the arrangement of the
-/// segments stay the same nodes, in the same order on each segment: two come together only
-/// where
-/// - an end of one segment comes to lie on another (an end of its Meeting),
-/// - two that are parallel come to lie on one line,
-/// - the ends of two on one line meet,
-/// - three that are not parallel have a point in common.
-/// Scales at which all these places are within a sum of two pieces are left out unless `all`: what
-/// is within one stays within for a while, and is no part of the boundary.
+/// Strictly between neighbouring scales the segments' arrangement keeps its nodes, in the same order
+/// on each segment. Two nodes come together only where
+/// - an end of a segment comes to lie on another segment (an end of its Meeting),
+/// - two parallel segments come to lie on one line,
+/// - the ends of two segments on one line meet,
+/// - three segments, not parallel, share a point.
+/// Unless `all`, a scale is left out if a sum of two pieces has all these places in its interior:
+/// the places stay inside for a while, and belong to no boundary.
 template <class Int>
 class Candidates {
  public:

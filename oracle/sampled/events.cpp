@@ -5,14 +5,15 @@
 namespace minkref::sampled {
 namespace {
 
-/// The fraction of least denominator strictly between two, 0 <= a < b; b may be infinite.
+/// Returns the fraction with the least denominator strictly between a and b, 0 <= a < b; b may be
+/// infinite.
 template <class Int>
 Fraction<Int> simplest_between(const Fraction<Int>& a, const Fraction<Int>& b) {
   const Int whole = a.p / a.q;
   if (Int(whole + 1) * b.q < b.p) return {Int(whole + 1), Int(1)};
-  // Both are in [whole, whole + 1]: the inverse of what is behind.
+  // Both lie in [whole, whole + 1]: invert the fractional parts.
   const Fraction<Int> low{Int(a.p - whole * a.q), a.q}, high{Int(b.p - whole * b.q), b.q};
-  if (low.p == 0) {  // 1 / n with the least n that is small enough
+  if (low.p == 0) {  // 1 / n with the least sufficient n
     const Int n = high.q / high.p + 1;
     return {Int(whole * n + 1), n};
   }
@@ -68,7 +69,7 @@ class Search {
 
  private:
   struct Between {
-    TrackCycles<Int> tracks;   ///< also of straight vertices, where the boundary touches itself
+    TrackCycles<Int> tracks;   ///< with straight vertices where the boundary touches itself
     TrackCycles<Int> corners;  ///< of the canonical form
     Counts counts;
   };
@@ -91,8 +92,8 @@ class Search {
     return RingMaker<Int>(moving_.directions, std::move(edges)).state();
   }
 
-  /// The boundary between two neighbouring candidates: its vertices are where the lines of their
-  /// edges meet, which must be so at another scale too.
+  /// Returns the boundary between two neighbouring candidates: the vertices are crossings of their
+  /// edges' lines, confirmed at a second scale.
   Between between(const Fraction<Int>& a, const Fraction<Int>& b) {
     const Fraction<Int> s = simplest_between(a, b), second = simplest_between(s, b);
     bool same = false, same_at_second = false;

@@ -1,5 +1,5 @@
-// minkref-sampled-events: a judge of boundary events. Reads a question a line, writes an answer a
-// line (README.md).
+// minkref-sampled-events: a judge for boundary events. Reads a question per line, writes an answer
+// per line (README.md).
 #include <sys/resource.h>
 
 #include <chrono>
@@ -60,7 +60,7 @@ bool is_thin(const Rings& rings) { return rings.size() == 1 && rings[0].size() <
 
 Json text(const Counts& c) { return {c.rings, c.vertices, c.components, c.holes}; }
 
-/// Beyond it there is no memory; GMP then ends the process.
+/// Limits the address space; without memory GMP ends the process.
 void limit_memory(rlim_t bytes) {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0) return;
@@ -73,7 +73,7 @@ Json answer_to(const Json& asked) {
   const double seconds = asked.value("seconds", 600.0);
   if (asked.contains("bytes")) limit_memory(asked["bytes"].get<rlim_t>());
   const auto P = rings_of(asked.at("P")), Q = rings_of(asked.at("Q"));
-  mpz_class unit = 1;  // sP + Q grows by it as both do
+  mpz_class unit = 1;  // sP + Q grows with both operands by this factor
   for (const auto* rings : {&P, &Q}) {
     for (const auto& ring : *rings) {
       for (const auto& v : ring) unit = lcm(lcm(unit, v.x.get_den()), v.y.get_den());

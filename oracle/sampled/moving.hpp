@@ -1,44 +1,44 @@
-// The segments that may bear the boundary of sP + Q, and the convex sums whose union it is.
+// The segments that may bear the boundary of sP + Q, and the convex sums that unite to sP + Q.
 #pragma once
 
 #include "oracle/sampled/operand.hpp"
 
 namespace minkref::sampled {
 
-/// Points start + t d, 0 <= t <= length: an edge at a corner of the other operand. d is primitive;
-/// the sum lies to the left.
+/// The points start + t d, 0 <= t <= length: an edge at a corner of the other operand. d is
+/// primitive; the sum lies to the left.
 template <class Int>
 struct Segment {
   Linear<Int> x, y, length;
   Vec<Int> d;
-  Linear<Int> offset;  ///< cross(d, x) of its points x
-  int direction;       ///< its number among the directions
+  Linear<Int> offset;  ///< cross(d, x) for the segment's points x
+  int direction;       ///< index among the directions
 };
 
-/// cross(d, x) >= offset.
+/// The half-plane cross(d, x) >= offset.
 template <class Int>
 struct HalfPlane {
   Vec<Int> d;
   Linear<Int> offset;
 };
 
-/// The sum of a piece of P and one of Q.
+/// The sum of a piece from P and a piece from Q.
 template <class Int>
 using Piece = std::vector<HalfPlane<Int>>;
 
-/// Why the segments bear the boundary at every scale: in a triangle of P with an edge from p0 to
-/// p1, a triangle of Q with the vertex q, and the edge s p0p1 + q of their sum, the open edge is
-/// inside the whole sum where Q, near q, reaches to the right of the edge (P has the left, at q;
-/// what reaches out carries the right along), and also where the edge is no edge of P, as there is
-/// P on both sides. So of all edges of sums of triangles there remain those of edges with corners
-/// that have the other operand to their left, at all scales the same. Corners in the middle of an
-/// edge add nothing: edges of one direction are covered from both ends.
+/// The segments bear the boundary at every scale. Proof: take a triangle of P with an edge from p0
+/// to p1, a triangle of Q with the vertex q, and the edge s p0p1 + q of their sum. The whole sum
+/// has the open edge in its interior if Q, near q, reaches to the right of the edge (P has the
+/// left, at q; what reaches out carries the right along), and also if P lies on both sides of the
+/// edge, which is then no edge of P. So from all edges of sums of triangles there remain edges at
+/// corners with the other operand to their left, the same at all scales. Corners in the middle of
+/// an edge add nothing: edges with one direction are covered from both ends.
 template <class Int>
 struct Moving {
   std::vector<Segment<Int>> segments;
   std::vector<Piece<Int>> pieces;
   std::vector<Vec<Int>> directions;
-  long double coefficient = 1, direction = 1;  ///< the largest of each
+  long double coefficient = 1, direction = 1;  ///< the largest ones
 
   Moving(const Operand<Int>& P, const Operand<Int>& Q) {
     for (const Edge<Int>& e : P.edges) {
@@ -51,7 +51,7 @@ struct Moving {
       for (const auto& q : Q.pieces) pieces.push_back(sum_of(p, q));
     }
     if constexpr (!std::is_same_v<Int, mpz_class>) find_sizes();
-    // Room for the products of candidates: offsets times two directions, compared as fractions.
+    // Reserves room for candidates' products: offsets times two directions, compared as fractions.
     const long double root = 8 * coefficient * direction * direction;
     demand_room<Int>(64 * root * root);
   }
@@ -62,7 +62,7 @@ struct Moving {
     const Int parts = gcd_of<Int>(all.x, all.y);
     const Vec<Int> d{Int(all.x / parts), Int(all.y / parts)};
     if (!corner.left_of(d)) return;
-    // An edge of Q at p has s p, an edge of P at q has q in the part that does not scale.
+    // An edge of Q at p moves with s p; an edge of P at q has q as the fixed part.
     const Vec<Int>&still = scales ? corner.at : e.from, &moved = scales ? e.from : corner.at;
     Segment<Int> s{{still.x, moved.x}, {still.y, moved.y}, {Int(0), Int(0)}, d, {}, 0};
     (scales ? s.length.b : s.length.a) = parts;

@@ -1,5 +1,5 @@
-// Integers of three widths behind one set of names. The narrow ones are used only where a bound,
-// worked out beforehand, says that nothing can overflow; else the same is done with the next.
+// Integers with three widths behind one set of names. Narrow integers serve only where a bound
+// computed beforehand rules out overflow; otherwise the next width serves.
 #pragma once
 
 #include <gmpxx.h>
@@ -15,10 +15,10 @@ namespace minkref::sampled {
 using Narrow = std::int64_t;
 __extension__ typedef __int128 Wide;
 
-/// A narrow integer may not hold what comes: to be done again with a wider one.
+/// A narrow integer may overflow: repeat with a wider integer.
 struct TooLarge : std::exception {};
 
-/// The size that a number may not exceed, so that nothing overflows; half of the size that would.
+/// The size below which nothing overflows; half of the overflowing size.
 template <class Int>
 constexpr long double room() {
   if constexpr (std::is_same_v<Int, Narrow>) return 0x1p62L;
@@ -26,7 +26,7 @@ constexpr long double room() {
   return 0;
 }
 
-/// Throws TooLarge where numbers of this size have no room.
+/// Throws TooLarge where numbers up to this size have no room.
 template <class Int>
 void demand_room(long double size) {
   if constexpr (!std::is_same_v<Int, mpz_class>) {
@@ -37,7 +37,7 @@ void demand_room(long double size) {
 template <class Int>
 long double size_of(const Int& n) {
   if constexpr (std::is_same_v<Int, mpz_class>) {
-    return 0;  // never asked for: GMP has room for all
+    return 0;  // never used: GMP always has room
   } else {
     return n < 0 ? -static_cast<long double>(n) : static_cast<long double>(n);
   }
@@ -124,7 +124,7 @@ struct Fraction {
   friend bool operator<=(const Fraction& a, const Fraction& b) { return !(b < a); }
 };
 
-/// In lowest terms; q != 0.
+/// Makes a fraction in lowest terms; q != 0.
 template <class Int>
 Fraction<Int> fraction(Int p, Int q) {
   const Int common = gcd_of<Int>(p, q);
@@ -137,7 +137,7 @@ mpq_class to_rational(const Fraction<Int>& s) {
   return mpq_class(to_integer(s.p), to_integer(s.q));
 }
 
-/// a + b s.
+/// The linear function a + b s.
 template <class Int>
 struct Linear {
   Int a, b;

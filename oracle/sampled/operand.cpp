@@ -32,7 +32,7 @@ bool lies_within(const Edge<Int>& e, const Vec<Int>& x) {
   return cross<Int>(e.to - e.from, x - e.from) == 0 && dot<Int>(e.from - x, e.to - x) < 0;
 }
 
-/// The edges, cut where a vertex lies on them.
+/// Cuts edges at vertices inside them.
 template <class Int>
 std::vector<Edge<Int>> cut(const std::vector<Edge<Int>>& edges,
                            const std::set<Vec<Int>>& vertices) {
@@ -55,9 +55,9 @@ std::vector<Edge<Int>> cut(const std::vector<Edge<Int>>& edges,
   return parts;
 }
 
-/// The corner at a vertex, from the wedges of the set there: each lies between an edge that leaves
-/// and the next one counter-clockwise. False where no line has them all to its left, and where it
-/// is the middle of an edge and no more.
+/// Finds the corner at a vertex from the set's wedges, each between a leaving edge and the next
+/// edge counter-clockwise. False if a wedge exceeds half a turn, or if the vertex just lies in the
+/// middle of an edge.
 template <class Int>
 bool corner_at(const Vec<Int>& at, const std::vector<Edge<Int>>& parts, Corner<Int>& corner) {
   std::vector<Vec<Int>> leaving, arriving;

@@ -1,4 +1,4 @@
-// An operand: its edges, its corners, and convex pieces that tile it.
+// An operand: edges, corners, and convex pieces that tile the operand.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace minkref::sampled {
 
-/// An operand is not what docs/definitions.md says, or too large.
+/// An operand breaks docs/definitions.md, or exceeds a limit.
 struct BadOperand : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -22,8 +22,9 @@ struct Edge {
   Vec<Int> from, to;
 };
 
-/// A vertex and the directions that span the operand near it: it lies to the left of a line through
-/// the vertex iff they do. Vertices of which no line has the operand to its left are left out.
+/// A vertex and the directions that span the operand near the vertex: the operand lies to the left
+/// of a line through the vertex iff all directions do. Vertices with a wedge beyond half a turn are
+/// left out, as no such line exists there.
 template <class Int>
 struct Corner {
   Vec<Int> at;
@@ -36,7 +37,7 @@ struct Corner {
 template <class Int>
 struct Operand {
   bool is_region = false, is_empty = false;
-  std::vector<Edge<Int>> edges;  ///< with the operand to the left; of a segment both ways
+  std::vector<Edge<Int>> edges;  ///< with the operand to the left; a segment has both directions
   std::vector<Corner<Int>> corners;
   std::vector<std::vector<Vec<Int>>> pieces;  ///< counter-clockwise, or two points, or one
 };
@@ -50,8 +51,9 @@ bool within_turn(const Vec<Int>& u, const Vec<Int>& d, const Vec<Int>& w) {
   return cross(u, d) > 0;
 }
 
-/// The operand of rings of a polygon set: outer ones counter-clockwise, holes clockwise; or of two
-/// points, or one. Throws BadOperand where the rings do not bound a set that pieces tile.
+/// Makes an operand from the rings of a polygon set, outer rings counter-clockwise, holes
+/// clockwise; or from two points, or one. Throws BadOperand if the rings bound no set that pieces
+/// tile.
 template <class Int>
 Operand<Int> operand_of(const Rings& rings);
 

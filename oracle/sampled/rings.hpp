@@ -1,4 +1,4 @@
-// Rings of a boundary in canonical form (docs/definitions.md), and what they say.
+// Rings of a boundary in canonical form (docs/definitions.md), and their counts.
 #pragma once
 
 #include "oracle/sampled/boundary.hpp"
@@ -15,13 +15,13 @@ template <class Int>
 struct State {
   std::vector<BoundaryEdge<Int>> edges;
   std::vector<Point<Int>> points;          ///< ascending
-  std::vector<std::pair<int, int>> lines;  ///< of each point: two edges there that are not parallel
-  /// Rings of the canonical form, but straight vertices stay, where the boundary touches itself.
+  std::vector<std::pair<int, int>> lines;  ///< for each point: two edges there, not parallel
+  /// Rings of the canonical form, but with straight vertices where the boundary touches itself.
   std::vector<std::vector<RingVertex>> rings;
   Counts counts;
 };
 
-/// Each from its least element on, and all in order: equal iff they are the same set of cycles.
+/// Starts each cycle at its least element, and sorts the cycles: equal iff the sets of cycles are.
 template <class T>
 std::vector<std::vector<T>> canonical(std::vector<std::vector<T>> cycles) {
   for (auto& cycle : cycles) {
@@ -31,7 +31,7 @@ std::vector<std::vector<T>> canonical(std::vector<std::vector<T>> cycles) {
   return cycles;
 }
 
-/// Puts the edges of a boundary together.
+/// Joins the edges of a boundary to rings.
 template <class Int>
 class RingMaker {
  public:
@@ -79,7 +79,7 @@ class RingMaker {
     points.erase(std::unique(points.begin(), points.end()), points.end());
   }
 
-  /// Where an end of another lies within.
+  /// Cuts edges at other edges' ends inside them.
   void cut_edges() {
     leaving_.resize(state_.points.size());
     arriving_.resize(state_.points.size());
@@ -87,7 +87,7 @@ class RingMaker {
       const auto& e = state_.edges[k];
       const Vec<Int>& d = directions_[static_cast<std::size_t>(e.direction)];
       const int from = number(e.from), to = number(e.to);
-      // The points are in order along an edge, one way or the other.
+      // Along an edge the points ascend or descend.
       const int step = from < to ? 1 : -1;
       int last = from;
       for (int x = from + step; x != to + step; x += step) {
@@ -119,8 +119,8 @@ class RingMaker {
     }
   }
 
-  /// Behind an edge comes the first one clockwise of it (both bound a wedge of the interior), or
-  /// counter-clockwise (of the complement).
+  /// Returns the first edge clockwise after an edge (both bound a wedge of the interior), or
+  /// counter-clockwise (a wedge of the complement).
   int behind(int in, bool of_complement) const {
     const auto& choice =
         leaving_[static_cast<std::size_t>(parts_[static_cast<std::size_t>(in)].to)];
@@ -138,7 +138,7 @@ class RingMaker {
     return best;
   }
 
-  /// Closed walks, split where they come back to a point.
+  /// Returns closed walks, split at repeated points.
   std::vector<std::vector<RingVertex>> cycles(bool of_complement) const {
     std::vector<std::vector<RingVertex>> found;
     std::vector<bool> seen(parts_.size(), false);
@@ -193,7 +193,7 @@ class RingMaker {
     return rings;
   }
 
-  /// Counter-clockwise: so it turns at its least vertex.
+  /// Whether a ring runs counter-clockwise: then the ring turns left at its least vertex.
   bool runs_left(const std::vector<RingVertex>& ring) const {
     const RingVertex& least = *std::min_element(
         ring.begin(), ring.end(),

@@ -1,4 +1,4 @@
-// Convex pieces of a polygon set, by trying every diagonal.
+// Cuts a polygon set into convex pieces, by trying every diagonal.
 #pragma once
 
 #include "oracle/sampled/operand.hpp"
@@ -8,14 +8,14 @@ namespace minkref::sampled {
 /// An edge of a subdivision with a face to its left.
 struct Side {
   int from, to;
-  int twin = -1;  ///< none of an edge of the set
+  int twin = -1;  ///< none for an edge of the set
   int next = -1, previous = -1;
   bool gone = false;
 };
 
-/// Tiles the set whose boundary is `edges` (numbers of `points`, the set to the left). Edges meet
-/// at ends only. Takes diagonals while there is one, then leaves out those that two convex faces
-/// can do without. O(n^3).
+/// Tiles the set with boundary `edges` (indices into `points`, the set to the left). Edges meet
+/// only at ends. Adds diagonals while possible, then drops each diagonal whose two faces stay
+/// convex without it. O(n^3).
 template <class Int>
 class Tiling {
  public:
@@ -60,7 +60,7 @@ class Tiling {
   }
 
   /// Whether the direction from a to b leads into the set: between an edge that leaves a and the
-  /// next one counter-clockwise, which arrives.
+  /// next edge counter-clockwise, which arrives.
   bool leads_inside(int a, int b) const {
     const Vec<Int> d = point(b) - point(a);
     for (const Side& out : sides_) {
@@ -101,14 +101,14 @@ class Tiling {
     }
   }
 
-  /// Behind each side comes the first one clockwise from it.
+  /// Links each side to the first side clockwise behind it.
   void link() {
     for (std::size_t k = 0; k < sides_.size(); ++k) {
       const Vec<Int> back = -direction(sides_[k]);
       int best = -1;
       for (std::size_t m = 0; m < sides_.size(); ++m) {
         if (sides_[m].from != sides_[k].to || sides_[k].twin == static_cast<int>(m)) continue;
-        // Clockwise of `best`, that is, in the turn from it to `back`.
+        // Clockwise from `best`: within the turn from `best` to `back`.
         if (best < 0 || within_turn(direction(sides_[static_cast<std::size_t>(best)]),
                                     direction(sides_[m]), back)) {
           best = static_cast<int>(m);
