@@ -1,4 +1,4 @@
-// Scales at which the arrangement of the moving segments may change.
+// Scales at which the moving segments' arrangement may change.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace minkref::sampled {
 
-/// A point in units of the denominator of a scale, w > 0, in lowest terms.
+/// A point in units of the scale's denominator, w > 0, in lowest terms.
 template <class Int>
 struct Point {
   Int x, y, w;
@@ -27,21 +27,20 @@ Point<Int> reduced(Int x, Int y, Int w) {
   return {Int(x / common), Int(y / common), Int(w / common)};
 }
 
-/// Where the lines cross(d, x) = offset and cross(e, x) = other meet; they are not parallel.
+/// Returns the crossing of two lines cross(d, x) = offset and cross(e, x) = other, not parallel.
 template <class Int>
 Point<Int> crossing(const Vec<Int>& d, const Int& offset, const Vec<Int>& e, const Int& other) {
   return reduced<Int>(Int(offset * e.x - other * d.x), Int(offset * e.y - other * d.y),
                       cross(d, e));
 }
 
-/// From where on to where, both included, two segments that are not parallel have a point in
-/// common.
+/// The scales, ends included, at which two segments, not parallel, share a point.
 template <class Int>
 struct Meeting {
   bool is_any = false;
   Fraction<Int> from{Int(0), Int(1)}, to{Int(1), Int(0)};
   bool holds(const Fraction<Int>& s) const { return is_any && from <= s && s <= to; }
-  /// Only where m + n s >= 0.
+  /// Keeps only scales with m + n s >= 0.
   void bound(const Int& m, const Int& n) {
     if (n == 0) {
       is_any = is_any && m >= 0;
@@ -54,8 +53,8 @@ struct Meeting {
   }
 };
 
-/// Strictly between neighbouring scales the segments' arrangement keeps its nodes, in the same order
-/// on each segment. Two nodes come together only where
+/// Strictly between neighbouring scales the segments' arrangement keeps its nodes, in the same
+/// order on each segment. Two nodes come together only where
 /// - an end of a segment comes to lie on another segment (an end of its Meeting),
 /// - two parallel segments come to lie on one line,
 /// - the ends of two segments on one line meet,
@@ -81,7 +80,7 @@ class Candidates {
     }
   }
 
-  /// Ascending, each once.
+  /// Returns the scales ascending, each once.
   std::vector<Fraction<Int>> scales() {
     std::sort(found_.begin(), found_.end(),
               [](const Found& a, const Found& b) { return a.s < b.s; });
@@ -96,7 +95,7 @@ class Candidates {
  private:
   struct Found {
     Fraction<Int> s;
-    std::optional<Point<Int>> place;  ///< none where it is more than a point
+    std::optional<Point<Int>> place;  ///< none for more than a point
   };
 
   const Segment<Int>& segment(std::size_t i) const { return moving_.segments[i]; }
@@ -113,7 +112,7 @@ class Candidates {
     }
     Meeting<Int>& m = meeting(i, j);
     m.is_any = true;
-    // a.start + t a.d is on the line of b: t c = cross(b.start - a.start, b.d); likewise for b.
+    // a.start + t a.d lies on b's line: t c = cross(b.start - a.start, b.d); likewise for b.
     const Linear<Int> x{Int(b.x.a - a.x.a), Int(b.x.b - a.x.b)},
         y{Int(b.y.a - a.y.a), Int(b.y.b - a.y.b)};
     for (const auto& [d, length] : {std::pair(b.d, a.length), std::pair(a.d, b.length)}) {
@@ -138,7 +137,7 @@ class Candidates {
   }
 
   void add_parallel(const Segment<Int>& a, const Segment<Int>& b) {
-    // How far the line of b is to the left of that of a.
+    // How far b's line lies to the left of a's line.
     const Int g = a.d == b.d ? Int(1) : Int(-1);
     const Int m = g * b.offset.a - a.offset.a, n = g * b.offset.b - a.offset.b;
     if (n != 0) {
@@ -147,7 +146,7 @@ class Candidates {
       return;
     }
     if (m != 0) return;
-    // On one line always: where do the ends meet?
+    // Always on one line: finds the scales at which the ends meet.
     for (const bool end : {false, true}) {
       for (const bool other_end : {false, true}) {
         const Linear<Int> x = end_of(a, end, a.d), y = end_of(b, other_end, a.d);
@@ -163,7 +162,7 @@ class Candidates {
     }
   }
 
-  /// Along d.
+  /// Returns an end's position along d.
   static Linear<Int> end_of(const Segment<Int>& a, bool end, const Vec<Int>& d) {
     const Int step = end ? dot(a.d, d) : Int(0);
     return {Int(a.x.a * d.x + a.y.a * d.y + step * a.length.a),

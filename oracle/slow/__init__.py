@@ -1,14 +1,13 @@
-"""Exact Minkowski sums `sP + Q` in plain Python: slow, short, and sharing nothing with
-`reference/`.
+"""Exact Minkowski sums `sP + Q` in plain Python: slow, short, and independent from `reference/`.
 
-Start with README.md. The entry points, each exact and on rational coordinates:
+Start with README.md. The entry points are exact, on rational coordinates:
 
-- `read_operand` reads a file, `operand_from_json` what `json.loads` gives.
-- `minkowski_sum` is the sum at one scale, with digest, holes, components and tight passages.
-- `topology` is the sum at, just below and just above a scale.
-- `witness` says how `sP` and `x - Q` meet; `check_claim` whether a given set is the sum.
-- In space `SolidSum` answers for points, `whole_sum` gives a small sum whole, `solid_faults` holds
-  a claim against points, and `CellSum` is the sum of polycubes under a matrix.
+- `read_operand` reads a file, `operand_from_json` reads a value from `json.loads`.
+- `minkowski_sum` computes the sum at one scale, with digest, holes, components, tight passages.
+- `topology` computes the sum at, just below and just above a scale.
+- `witness` tells how `sP` and `x - Q` meet; `check_claim` compares a given set with the sum.
+- For space, `SolidSum` answers questions about points, `whole_sum` computes a small sum completely,
+  `solid_faults` tests a claim on points, and `CellSum` sums polycubes under a matrix.
 """
 
 from .claim import Claim, check_claim

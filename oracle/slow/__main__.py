@@ -1,5 +1,5 @@
-"""`python3 -m slow`, or `python3 -m minkref.oracle.slow` where the folder is linked into the
-package."""
+"""Runs `python3 -m slow`, or `python3 -m minkref.oracle.slow` if the package links to the
+folder."""
 
 import sys
 import traceback

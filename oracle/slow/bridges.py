@@ -1,4 +1,4 @@
-"""A component with holes as one closed walk: each hole is joined to the outer walk by a bridge.
+"""A component with holes as one closed walk: a bridge joins each hole to the outer walk.
 
 A bridge is a diagonal that the walk passes in both directions. Coordinates are integers.
 """
@@ -10,8 +10,8 @@ from .walks import Component
 
 
 def between(low: Vector, way: Vector, high: Vector) -> bool:
-    """Whether `way` lies strictly inside of the counter-clockwise turn from `low` to `high`
-    (a full turn if they are one direction)."""
+    """Tell whether `way` lies strictly inside the counter-clockwise turn from `low` to `high` (a
+    full turn for equal directions)."""
     if cross(low, high) > 0:
         return cross(low, way) > 0 and cross(way, high) > 0
     if cross(low, high) == 0 and low[0] * high[0] + low[1] * high[1] < 0:
@@ -26,7 +26,7 @@ def minus(a: Vector, b: Vector) -> Vector:
 
 
 def wedge_holds(walk: list[Vector], at: int, target: Vector) -> bool:
-    """Whether the target is seen from walk[at] into the wedge of the interior there."""
+    """Tell whether walk[at] sees the target inside its wedge of the interior."""
     here = walk[at]
     after = minus(walk[(at + 1) % len(walk)], here)
     before = minus(walk[at - 1], here)
@@ -34,7 +34,7 @@ def wedge_holds(walk: list[Vector], at: int, target: Vector) -> bool:
 
 
 def blocked(walk: list[Vector], a: Vector, b: Vector) -> bool:
-    """Whether an edge of the walk meets the segment from a to b elsewhere than in a."""
+    """Tell whether an edge of the walk meets the segment from a to b anywhere but at a."""
     left, right = min(a[0], b[0]), max(a[0], b[0])
     low, high = min(a[1], b[1]), max(a[1], b[1])
     ab = minus(b, a)
@@ -48,7 +48,7 @@ def blocked(walk: list[Vector], a: Vector, b: Vector) -> bool:
         ):
             side_c, side_d = cross(ab, minus(c, a)), cross(ab, minus(d, a))
             if a in (c, d):
-                # The edge starts at a: it meets the rest only along the same ray.
+                # The edge starts at a and meets the rest only along the same ray.
                 other = d if c == a else c
                 way = minus(other, a)
                 if cross(ab, way) == 0 and ab[0] * way[0] + ab[1] * way[1] > 0:
@@ -62,9 +62,9 @@ def blocked(walk: list[Vector], a: Vector, b: Vector) -> bool:
 
 
 def joined(part: Component) -> list[Vector]:
-    """The closed walk. Holes are taken from the left: of the vertices before a hole's least one,
-    in lexicographic order, one of the outer walk is seen from there, and no later hole is in
-    between."""
+    """Return the closed walk. Takes holes from left to right: among the vertices before a hole's
+    least vertex, in lexicographic order, the hole sees a vertex of the outer walk, with no later
+    hole between."""
     rings = hole_walks(part)
     walk = rings[0]
     for hole in sorted(rings[1:], key=min):
@@ -90,8 +90,8 @@ def joined(part: Component) -> list[Vector]:
 
 
 def hole_walks(part: Component) -> list[list[Vector]]:
-    """The walks of a component, the outer one first, with the rings that touch back in their place:
-    rings of one component that share a vertex are one walk there."""
+    """Return a component's walks, the outer walk first, with touching rings inserted: rings of one
+    component that share a vertex become a single walk."""
     walks: list[list[Vector]] = []
     for ring in [part.outer, *part.holes]:
         walks.append([edge.start for edge in ring])
@@ -109,7 +109,7 @@ def hole_walks(part: Component) -> list[list[Vector]]:
 
 
 def spliced(walk: list[Vector], hole: list[Vector]) -> list[Vector]:
-    """The walk with a touching hole entered from the wedge that the hole lies in."""
+    """Insert a touching hole into the walk, from the wedge around the hole."""
     for at, point in enumerate(walk):
         for j, other in enumerate(hole):
             if point == other and wedge_holds(walk, at, hole[(j + 1) % len(hole)]):

@@ -14,7 +14,7 @@ def ring_json(ring: list[Point]) -> list[list[str]]:
 
 
 def document(polygons: list[Polygon]) -> dict[str, object]:
-    """The polygons, which are in canonical form, as the object whose text is hashed."""
+    """Build the hashed object from polygons in canonical form."""
     return {
         "polygons": [
             {"holes": [ring_json(hole) for hole in part.holes], "outer": ring_json(part.outer)}
@@ -24,6 +24,6 @@ def document(polygons: list[Polygon]) -> dict[str, object]:
 
 
 def digest(polygons: list[Polygon]) -> str:
-    """SHA-256 of the canonical JSON, in lower-case hexadecimal."""
+    """Return the SHA-256 of the canonical JSON in lower-case hexadecimal."""
     text = json.dumps(document(polygons), separators=(",", ":"))
     return hashlib.sha256(text.encode()).hexdigest()

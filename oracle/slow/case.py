@@ -1,4 +1,4 @@
-"""Cases (`case-v1`, docs/formats.md): what a case must hold and may hold, and its operands."""
+"""Cases (`case-v1`, docs/formats.md): required and allowed members, and the operands."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def is_case(value: object) -> bool:
 
 
 def operand_of_case(value: object, role: str) -> Operand:
-    """The operand, of a case that is right in all that it holds but the member `degeneracy`."""
+    """Read an operand from a case, and check all other members too, except `degeneracy`."""
     case = members(value, "a case", MEMBERS, {"schema", "id", "dimension", "P", "Q"})
     if text(case["schema"], "schema") != "case-v1":
         raise InputError(f"{case['schema']!r} is not a version of a case")

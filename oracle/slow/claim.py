@@ -1,9 +1,8 @@
-"""Whether a claimed polygon set is the sum; if not, a rational point in the interior of the
-difference.
+"""Compares a claimed polygon set with the sum; finds a rational point inside the difference.
 
-Both sets are taken by the parity of their rings, so a claim may be as wrong as it likes. Where a
-piece of a line is an edge of one set and not of the other (edges that are there an even number of
-times do not count), one of the two points close by on its two sides is in one set only.
+Ring parity defines both sets, so even a very wrong claim has a meaning. Take a piece of a line that
+belongs to one set's edges an odd number of times and to the other's an even number of times: of two
+points close to the piece, on either side, exactly one set contains one.
 """
 
 from __future__ import annotations
@@ -25,9 +24,9 @@ Ring = Sequence[Point]
 
 @dataclass(frozen=True)
 class Claim:
-    """`equal`: the claim is the same set. `canonical`: it is the same text too (rings, their
-    order and starts). Otherwise `point` lies in the interior of the difference, in the truth or
-    not, with its meeting as the proof."""
+    """The comparison's result. `equal`: the claim and the sum are the same set. `canonical`: their
+    texts are equal too (rings, with order and starts). Otherwise `point` lies in the interior of
+    the difference, `in_truth` tells whether the sum contains `point`, and `proof` shows how."""
 
     equal: bool
     canonical: bool
@@ -37,9 +36,9 @@ class Claim:
 
 
 def check_claim(P: Operand, Q: Operand, scale: Fraction, claim: Operand) -> Claim:
-    """Exact. InputError if the claim is no polygon set, or the operands are none of
-    `minkowski_sum`. Cost: the sum, and the edges of both sets squared at worst. The proof is
-    found without the sum."""
+    """Compare a claim with the sum. Exact. InputError if the claim is no polygon set, or if
+    `minkowski_sum` refuses the operands. Cost: the sum, and the square of both sets' edges at
+    worst. The proof does not use the sum."""
     if claim.ends:
         raise InputError("a claim is a polygon set or empty, no point or segment")
     truth = minkowski_sum(P, Q, scale)
@@ -52,8 +51,7 @@ def check_claim(P: Operand, Q: Operand, scale: Fraction, claim: Operand) -> Clai
 
 
 def difference(one: Sequence[Ring], other: Sequence[Ring]) -> Point | None:
-    """A point in the interior of the symmetric difference of two sets, or None if they are
-    equal."""
+    """Find a point in the interior of two sets' symmetric difference; None for equal sets."""
     for start, end in lone_pieces(one, other):
         middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
         way = (start[1] - end[1], end[0] - start[0])
@@ -73,15 +71,15 @@ def edges_of(rings: Sequence[Ring]) -> Iterator[tuple[Point, Point]]:
 
 
 def lone_pieces(one: Sequence[Ring], other: Sequence[Ring]) -> Iterator[tuple[Point, Point]]:
-    """Pieces of edges that belong to the edges of one set an odd number of times, and of the
-    other an even number; each is cut at every place where another edge meets its line, so its
-    middle is on no other edge."""
+    """Yield pieces that belong to one set's edges an odd number of times, to the other's an even
+    number. Cuts a piece wherever another edge meets its line, so no other edge contains its
+    middle."""
     every = [*edges_of(one), *edges_of(other)]
     lines: dict[tuple[Fraction, ...], list[tuple[Point, Point]]] = defaultdict(list)
     for a, b in every:
         lines[line_of(a, b)].append((min(a, b), max(a, b)))
     for line, edges in lines.items():
-        # Both sets together: an odd number of times means in one of them only, oddly.
+        # An odd count over both sets means an odd count for exactly one set.
         odd: set[Point] = set()
         for a, b in edges:
             odd ^= {a, b}
@@ -92,7 +90,7 @@ def lone_pieces(one: Sequence[Ring], other: Sequence[Ring]) -> Iterator[tuple[Po
 
 
 def line_of(a: Point, b: Point) -> tuple[Fraction, ...]:
-    """The line through two points, as u x + v y = w with u = 1, or u = 0 and v = 1."""
+    """Return the line through two points, as u x + v y = w with u = 1, or u = 0 and v = 1."""
     u, v = b[1] - a[1], a[0] - b[0]
     first = u or v
     return u / first, v / first, (u * a[0] + v * a[1]) / first
@@ -112,7 +110,7 @@ def meetings(line: tuple[Fraction, ...], edges: Sequence[tuple[Point, Point]]) -
 
 
 def hits(middle: Point, way: Point, rings: Sequence[Ring]) -> Iterator[Fraction]:
-    """The parameters t > 0 at which middle + t way is on an edge."""
+    """Yield the parameters t > 0 where middle + t way hits an edge."""
     level = way[0] * middle[1] - way[1] * middle[0]
     for a, b in edges_of(rings):
         at_a = way[0] * a[1] - way[1] * a[0] - level

@@ -156,7 +156,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def lines(value: object, name: str = "") -> list[str]:
-    """The document for the eye: one line for each entry, compact below the first level."""
+    """Format the document for reading: one line per entry, compact below the first level."""
     if isinstance(value, dict) and not name:
         return [line for key, entry in value.items() for line in lines(entry, str(key))]
     text = value if isinstance(value, str) else json.dumps(value, separators=(",", ":"))
@@ -164,9 +164,9 @@ def lines(value: object, name: str = "") -> list[str]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs a command and returns the exit code; usage errors leave by SystemExit(2)."""
+    """Run a command and return the exit code; usage errors raise SystemExit(2)."""
     options = parser().parse_args(arguments)
-    # Numbers that are read are bounded; results have as many digits as they have.
+    # Input numbers are bounded; results may have any number of digits.
     sys.set_int_max_str_digits(0)
     run, _ = COMMANDS[options.command]
     try:

@@ -1,4 +1,5 @@
-"""Convex pieces in integers, two at a time: which may meet, and what they have in common. Exact."""
+"""Pairs of convex pieces with integer coordinates: which pairs may meet, and the intersection.
+Exact."""
 
 from __future__ import annotations
 
@@ -20,7 +21,7 @@ def box(points: Corners) -> Box:
 def boxes_that_meet(
     ours: list[Corners], theirs: list[Corners]
 ) -> Iterator[tuple[Corners, Corners]]:
-    """Pairs whose boxes meet, by a sweep over their left sides."""
+    """Yield pairs with meeting boxes, by a sweep over the boxes' left sides."""
     items = [(box(p), 0, p) for p in ours] + [(box(p), 1, p) for p in theirs]
     items.sort(key=lambda item: item[0][0])
     live: tuple[list[tuple[Box, Corners]], list[tuple[Box, Corners]]] = ([], [])
@@ -38,7 +39,7 @@ def sides_of(points: Corners) -> list[tuple[Vector, Vector]]:
 
 
 def apart(a: Corners, b: Corners) -> bool:
-    """Whether a side of the convex polygon `a` has all of `b` strictly to its right."""
+    """Tell whether some side of the convex polygon `a` has all of `b` strictly to its right."""
     for (x0, y0), (x1, y1) in sides_of(a):
         dx, dy = x1 - x0, y1 - y0
         if all(dx * (y - y0) < dy * (x - x0) for x, y in b):
@@ -47,8 +48,8 @@ def apart(a: Corners, b: Corners) -> bool:
 
 
 def clipped(a: Corners, b: Corners) -> Common:
-    """The corners of what two convex pieces have in common (perhaps repeated); empty if that is
-    nothing."""
+    """Return corners of two convex pieces' intersection (perhaps repeated); empty without an
+    intersection."""
     if len(a) < len(b):
         a, b = b, a
     if apart(a, b) or apart(b, a):

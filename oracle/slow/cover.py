@@ -1,11 +1,11 @@
-"""All sums of a piece of P and a piece of Q at one side of a scale, and the lines of their edges.
+"""All sums of a piece from P and a piece from Q, beside or at a scale, and their edges' lines.
 
-The sum of two pieces is kept as half-planes cross(f, x) >= o. Its edges lie on lines cross(d, x) =
-offset; a place on a line is u = dot(d, x), so the point is (u d.x - offset d.y, u d.y + offset d.x)
-/ dot(d, d).
+The sum of two pieces is stored as half-planes cross(f, x) >= o. Its edges lie on lines cross(d, x)
+= offset; a place on a line has u = dot(d, x), so the point equals (u d.x - offset d.y, u d.y +
+offset d.x) / dot(d, d).
 
-Edges that come from an inner diagonal alone are left out: an open diagonal lies in the interior of
-its operand, so its sum with anything lies in the sum of the interiors, and bounds nothing.
+Edges that come only from an inner diagonal are left out: an open diagonal lies in its operand's
+interior, so its sum with anything lies in the sum of the interiors, and bounds nothing.
 """
 
 from __future__ import annotations
@@ -22,9 +22,8 @@ Place = tuple[Number, Number, int]  # key, and u as numerator and denominator
 
 @dataclass
 class Line:
-    """The edges of convex sums on one line, as closed intervals of u: those that run along d,
-    with the sum to the left, and those that run against it; and open intervals that lie inside
-    of a convex sum."""
+    """One line's edges of convex sums as closed intervals for u: `along` d, with the sum to the
+    left, and `against` d; and open intervals `inside` a convex sum."""
 
     d: Vector
     offset: Number
@@ -34,8 +33,8 @@ class Line:
 
 
 class Cover:
-    """The convex sums of all pairs of pieces. Cost of `lines`: directions of the boundary times
-    pairs, and lines times pairs that they pass."""
+    """The convex sums of all pairs of pieces. Cost of `lines`: boundary directions times pairs,
+    plus lines times pairs passed."""
 
     def __init__(self, frame: Frame, side: Side, all_edges: bool = False) -> None:
         self.frame = frame
@@ -67,15 +66,14 @@ class Cover:
         ]
 
     def in_passage(self, x: Number, y: Number, den: int) -> bool:
-        """Whether the point (x, y) / den lies on a parallel diagonal plus the segment."""
+        """Tell whether the point (x, y) / den lies on a parallel diagonal plus the segment."""
         return any(
             y * d[0] - x * d[1] == offset * den and start * den < x * d[0] + y * d[1] < end * den
             for d, offset, start, end in self.passages
         )
 
     def lines(self) -> Iterator[Line]:
-        """Each line that carries an edge which can be a part of the boundary or of a tight
-        passage."""
+        """Yield each line with an edge that may belong to the boundary or a tight passage."""
         for d in self.directions:
             lines: dict[Number, Line] = {}
             lows, highs = self.edges(d, lines)
@@ -92,7 +90,7 @@ class Cover:
         return (u << self.shift, u, 1)
 
     def edges(self, d: Vector, lines: dict[Number, Line]) -> tuple[list[Number], list[Number]]:
-        """Fills in the edges along and against d; returns the range of cross(d, x) of each pair."""
+        """Fill in the edges along and against d; return each pair's range of cross(d, x)."""
         of_p, of_q = self.side.of_p, self.side.of_q
         lows: list[Number] = []
         highs: list[Number] = []
@@ -125,7 +123,7 @@ class Cover:
     def pass_through(
         self, line: Line, lows: list[Number], highs: list[Number], turns: list[int], dots: list[int]
     ) -> None:
-        """Fills in the open intervals in which the line passes through the inside of a pair."""
+        """Fill in the open intervals where the line passes through a pair's interior."""
         d, offset = line.d, line.offset
         dd = dot(d, d)
         shift = self.shift

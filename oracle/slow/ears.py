@@ -1,9 +1,9 @@
 """Triangles of a closed walk that does not cross itself, by clipping ears. Exact, in integers.
 
 The walk may pass a vertex or a diagonal twice (rings that touch, bridges). A corner is an ear iff
-it turns left, its diagonal leaves both of its ends into the interior, and no other vertex is in the
-triangle. The boundary of the rest is one walk, so what enters a triangle has a vertex in it that is
-not convex: only those are tested. Cost: quadratic at worst.
+it turns left, its diagonal leaves both ends into the interior, and the triangle holds no other
+vertex. The rest's boundary is one walk, so anything that enters a triangle has a non-convex vertex
+there: only such vertices are tested. Cost: quadratic at worst.
 """
 
 from __future__ import annotations
@@ -13,8 +13,7 @@ from .exact import InputError, Vector, cross
 
 
 def triangles(walk: list[Vector]) -> list[list[Vector]]:
-    """Counter-clockwise triangles whose interiors are disjoint and whose union is what the walk
-    bounds."""
+    """Cut the inside of a walk into counter-clockwise triangles with disjoint interiors."""
     n = len(walk)
     after = [*range(1, n), 0]
     before = [n - 1, *range(n - 1)]
@@ -35,7 +34,7 @@ def triangles(walk: list[Vector]) -> list[list[Vector]]:
                 (blunt.discard if turn(i) > 0 else blunt.add)(i)
             left -= 1
             tried = 0
-            # Skipping one keeps the triangles from forming a fan of slivers.
+            # Skipping a vertex keeps the triangles from forming a fan of slivers.
             at = after[c]
         else:
             at = after[at]

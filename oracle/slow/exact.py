@@ -15,12 +15,12 @@ Vector = tuple[int, int]
 
 
 class InputError(ValueError):
-    """The input is no operand, no scale, no file that can be read; the text says why."""
+    """The input gives no operand, no scale, or no readable file; the text says why."""
 
 
 def number(text: str) -> Fraction:
-    """The number that the text names: integer, decimal, power of ten, or fraction of integers.
-    White space is no part of it."""
+    """Read a number from text: integer, decimal, power of ten, or fraction of integers, without
+    white space."""
     if len(text) > MOST_DIGITS:
         raise InputError(f"a number of more than {MOST_DIGITS} letters: {text[:40]}...")
     if not text.isascii():
@@ -46,7 +46,7 @@ def fraction(text: str) -> Fraction:
 
 
 def positive(text: str) -> Fraction:
-    """A scale."""
+    """Read a scale, a positive number."""
     value = number(text.strip())
     if value <= 0:
         raise InputError(f"a scale is positive, and {text} is not")
@@ -54,12 +54,12 @@ def positive(text: str) -> Fraction:
 
 
 def text_of(value: Fraction) -> str:
-    """`n`, or `n/d` in lowest terms with d > 1."""
+    """Write `n`, or `n/d` in lowest terms with d > 1."""
     return str(value)
 
 
 def primitive(dx: int, dy: int) -> Vector:
-    """The shortest integer vector in the direction of (dx, dy), which is not zero."""
+    """Return the shortest integer vector along (dx, dy), which must not be zero."""
     common = gcd(dx, dy)
     return dx // common, dy // common
 

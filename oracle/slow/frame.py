@@ -1,9 +1,9 @@
-"""Two operands in convex pieces at all scales: directions and, along each, supports.
+"""Two operands as convex pieces at all scales: directions, and supports along each direction.
 
-For a direction d (integer, primitive) a convex piece has the least value of cross(d, x), the points
-where it is attained (its face: a vertex or an edge in direction d, with the piece on its left), and
-the ends of this face along d. All of them add under Minkowski sums, times the scale for P, so no
-vertex of a convex sum is ever made.
+For a direction d (integer, primitive) a convex piece has a least value of cross(d, x), a face of
+points with this value (a vertex, or an edge along d with the piece to its left), and the face's
+ends along d. All add under Minkowski sums, with P's numbers times the scale, so no code ever makes
+a vertex of a convex sum.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ def face(piece: Piece, d: Vector) -> Face:
 
 
 def upward(d: Vector) -> Vector:
-    """The direction among d and -d that points to the right, or upwards."""
+    """Return d or -d, whichever points to the right, or upwards."""
     return d if d > (0, 0) else (-d[0], -d[1])
 
 
 @dataclass
 class Frame:
-    """P and Q in pieces over one unit, the directions of their edges, and supports by direction."""
+    """P and Q as pieces over one unit, the directions of their edges, and supports by direction."""
 
     P: Shape
     Q: Shape
@@ -58,7 +58,7 @@ class Frame:
         self.longest = max((max(abs(d[0]), abs(d[1])) for d in ways), default=1)
 
     def faces(self, d: Vector) -> tuple[list[Face], list[Face]]:
-        """The faces of all pieces of P and of Q in the direction d."""
+        """Return the faces along d of all pieces in P and in Q."""
         if d not in self.supports_p:
             self.supports_p[d] = [face(piece, d) for piece in self.P.pieces]
             self.supports_q[d] = [face(piece, d) for piece in self.Q.pieces]
@@ -69,9 +69,9 @@ class Frame:
         return bits_needed(size, denominator, self.longest)
 
     def flat_passages(self) -> list[tuple[Vector, Face, Face]]:
-        """Where one operand is a point, or a segment parallel to a diagonal of the other: d, the
-        face of P and that of Q, for each of these. The open diagonal plus the point or segment is
-        in the sum of the relative interiors, and no sum of a piece has it inside."""
+        """List d, P's face and Q's face for each diagonal of an operand that the other operand, a
+        point or a parallel segment, moves along. The open diagonal plus the point or segment
+        belongs to the sum of the relative interiors, but lies inside no sum of a piece."""
         flat, other = (self.P, self.Q) if self.P.is_flat else (self.Q, self.P)
         found = []
         for piece in flat.pieces if flat.is_flat else []:

@@ -1,20 +1,18 @@
 """Numbers at, just below and just above a scale.
 
-Every number that the sum computes is `n0 + n1 e` with integers n0, n1, where the scale is s0 - e,
-s0 or s0 + e and e is a positive infinitesimal: it is made from the coordinates, which are so, by
-sums, by products with integers, and by order. The code adds, subtracts, multiplies by an int,
-shifts, compares and divides by an int; it never multiplies two such numbers. Two kinds of numbers
-can do that:
+Every number in the sum equals `n0 + n1 e` with integers n0, n1, for a scale s0 - e, s0 or s0 + e
+and a positive infinitesimal e: coordinates have this form, and sums, products with integers, and
+order keep the form. The code adds, subtracts, multiplies by an int, shifts, compares and divides by
+an int; it never multiplies two such numbers. Two kinds of numbers suffice:
 
-- `Germ` says so itself: a product of two germs is a TypeError, so no degree is exceeded unseen.
-  Slow.
-- An int that holds `n0 * 2^bits + n1`. It is the same as long as |n1| < 2^(bits - 1): sums and
-  products by integers then are those of the germs, and order is the lexicographic one.
-  `bits_needed` gives bits with a proof; the tests run both kinds against each other. Fast.
+- `Germ` states its form: a product of two germs raises TypeError, so no degree grows unseen. Slow.
+- An int that holds `n0 * 2^bits + n1`. Sums, products with integers, and order agree with the
+  germs' as long as |n1| < 2^(bits - 1). `bits_needed` proves a sufficient number of bits; the tests
+  run both kinds against each other. Fast.
 
-A quotient `num / den` is compared by `key = (num << shift) // den`: two quotients with denominators
-up to D differ by nothing or by 1 / D^2 or more, so for 2^shift >= D^2 keys are equal, less or
-greater as the quotients are. For germs this holds for each coefficient.
+Quotients `num / den` compare by `key = (num << shift) // den`: two quotients with denominators up
+to D are equal or differ by at least 1 / D^2, so for 2^shift >= D^2 the keys have the same order as
+the quotients. For germs this holds for each coefficient.
 """
 
 from __future__ import annotations
@@ -24,14 +22,14 @@ from fractions import Fraction
 from functools import total_ordering
 from typing import Any
 
-# int or Germ: whatever can do what is listed above. No type can name what both have.
+# int or Germ: any number with the operations above. No type names both.
 Number = Any
 
 
 @total_ordering
 @dataclass(frozen=True, slots=True)
 class Germ:
-    """`low + high e` with e > 0 smaller than every positive rational."""
+    """A number `low + high e`, with e > 0 smaller than every positive rational."""
 
     low: int
     high: int
@@ -68,7 +66,7 @@ class Germ:
 
 @dataclass(frozen=True)
 class Track:
-    """The coordinate `value + slope (s - s0)`."""
+    """A coordinate `value + slope (s - s0)`."""
 
     value: Fraction
     slope: Fraction
@@ -76,10 +74,11 @@ class Track:
 
 @dataclass(frozen=True)
 class Side:
-    """Where the scale a/b stands (-1 just below, 0 at it, 1 just above) and how numbers are held.
+    """The side of the scale a/b (-1 just below, 0 at, 1 just above) and the numbers'
+    representation.
 
-    A coordinate of sP + Q is `of_p * x + of_q * y` with x, y the integer coordinates of the two
-    points, all times `unit` (the common denominator of P and Q, times b).
+    A coordinate of sP + Q equals `of_p * x + of_q * y` for integer coordinates x, y of two points,
+    all times `unit` (the common denominator of P and Q, times b).
     """
 
     of_p: Number
@@ -89,7 +88,7 @@ class Side:
     bits: int  # 0: plain integers at the scale, or explicit germs
 
     def track(self, numerator: Number, denominator: int) -> Track:
-        """The coordinate behind a number; just below the scale s - s0 is -e."""
+        """Return a number's coordinate; just below the scale, s - s0 is -e."""
         low, high = self.coefficients(numerator)
         den = denominator * self.unit
         return Track(Fraction(low, den), Fraction(high * self.side, den))
@@ -105,14 +104,14 @@ class Side:
 
 
 def bits_needed(largest_coordinate: int, denominator: int, longest: int) -> int:
-    """Bits that hold the e-part of all numbers and of all differences that are compared.
+    """Count the bits needed for the e-part of all numbers and of all compared differences.
 
-    With m = largest_coordinate * denominator a bound of the e-part of coordinates and r = longest a
-    bound of the entries of directions: offsets are below 2 r m, places on a line (numerator, by
-    cross(f, d)) below 8 r^3 m, points below 12 r^4 m with denominators D <= 4 r^4, middles of edges
-    below 96 r^8 m over 32 r^8. Comparing two of those multiplies by 32 r^8 once more, by a
-    direction 2 r, and takes a difference: below 2^16 r^17 m. Quotients also need the gap 1 / D^2 >=
-    2^-10 r^-16 of the leading parts to exceed the e-parts.
+    Let m = largest_coordinate * denominator bound the coordinates' e-part, and r = longest bound
+    the directions' entries: offsets are below 2 r m, places on a line (numerator, by cross(f, d))
+    below 8 r^3 m, points below 12 r^4 m with denominators D <= 4 r^4, middles of edges below 96 r^8
+    m over 32 r^8. Comparing two middles multiplies by 32 r^8 once more, by a direction 2 r, and
+    takes a difference: below 2^16 r^17 m. For quotients the gap 1 / D^2 >= 2^-10 r^-16 between
+    leading parts must exceed the e-parts.
     """
     m = max(1, largest_coordinate * denominator)
     return 32 + m.bit_length() + 34 * longest.bit_length()

@@ -1,8 +1,8 @@
-"""Which holes and components just below a scale go on just above it (docs/definitions.md,
-"Identity").
+"""Matches holes and components just below a scale with holes and components just above
+(docs/definitions.md, "Identity").
 
-At the scale itself the open set falls into parts; each part belongs to a component below and to one
-above.
+At the scale itself the open set falls into parts; each part belongs to one component below and to
+one above.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ Change = Literal["same", "touch", "birth", "death", "merge", "split", "merge and
 
 @dataclass(frozen=True)
 class Link:
-    """The ones just below, the parts at the scale and the ones just above that belong together.
-    Hole 0 is the outside; components are counted from 0, in canonical order."""
+    """Components just below, parts at the scale and components just above that belong together.
+    Hole 0 means the outside; components count from 0, in canonical order."""
 
     below: list[int]
     at: list[int]
@@ -40,11 +40,11 @@ class Link:
         return "split" if len(self.below) == 1 else "merge and split"
 
 
-Triple = tuple[int, int, int]  # indices below, at and above of what one sample belongs to
+Triple = tuple[int, int, int]  # a sample's indices below, at and above
 
 
 def linked(triples: list[Triple], counts: Triple) -> list[Link]:
-    """The connected groups; one without a triple (no part at the scale) stands alone."""
+    """Return the connected groups; a component or part without a triple stands alone."""
     groups = [({i}, set[int](), set[int]()) for i in range(counts[0])]
     groups += [(set[int](), {i}, set[int]()) for i in range(counts[1])]
     groups += [(set[int](), set[int](), {i}) for i in range(counts[2])]
@@ -60,20 +60,20 @@ def linked(triples: list[Triple], counts: Triple) -> list[Link]:
 
 
 def hole_links(below: State, at: State, above: State) -> list[Link]:
-    """Holes, the outside as hole 0."""
+    """Link holes, with the outside as hole 0."""
     triples: list[Triple] = [(0, 0, 0)]
     for index, part in enumerate(at.complement):
         point = sample(at.outline.plane, part, at.outline.edges, at.side.unit, ())
         i, j = (place_of(side, side.complement, point) for side in (below, above))
-        # A part in no hole is in the outside, which no ring goes around.
+        # A part inside no hole belongs to the outside, which no ring surrounds.
         triples.append((0 if i is None else i + 1, index + 1, 0 if j is None else j + 1))
     states = (below, at, above)
     return linked(triples, tuple(len(each.complement) + 1 for each in states))  # type: ignore[arg-type]
 
 
 def component_links(below: State, at: State, above: State) -> list[Link]:
-    """Components of the interior. Tight segments are cut out first: what they part at the scale
-    may be parted just below or above."""
+    """Link the interior's components. Cuts tight segments out first: the regions on both sides may
+    be separate just below or above the scale."""
     triples: list[Triple] = []
     parts, edges = sub_parts(at)
     for part in parts:
@@ -86,8 +86,7 @@ def component_links(below: State, at: State, above: State) -> list[Link]:
 
 
 def sub_parts(at: State) -> tuple[list[Component], list[Edge]]:
-    """The components of the interior without its tight segments, and all edges, cut at all
-    nodes."""
+    """Return the interior's components without tight segments, and all edges, cut at all nodes."""
     if not at.outline.slits:
         return at.interior, at.outline.edges
     slits = [way for slit in at.outline.slits for way in (slit, slit.reversed())]

@@ -1,4 +1,4 @@
-"""JSON texts. Numbers stay texts: they never pass through a double."""
+"""JSON texts whose numbers stay texts and never pass through a double."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ MOST_WORDS = 100_000  # values of a JSON text; words, numbers and marks of anoth
 
 
 class JsonNumber(str):
-    """The text of a JSON number; strings are not of this class."""
+    """A JSON number's text, unlike a JSON string."""
 
     __slots__ = ()
 
 
 def json_value(text: str) -> object:
-    """The value of the text. Refuses NaN and infinity, a member given twice, what is nested too
-    deeply or has too many values."""
+    """Parse a JSON text. Refuses NaN and infinity, repeated members, deep nesting, too many
+    values."""
     try:
         value: object = json.loads(
             text,

@@ -34,15 +34,14 @@ def checked_frame(P: Operand, Q: Operand, scale: Fraction) -> Frame:
 
 
 def minkowski_sum(P: Operand, Q: Operand, scale: Fraction = Fraction(1)) -> Sum:
-    """sP + Q with its tight passages. Exact. InputError if the scale is not positive, both
-    operands are flat, or rings of an operand cross. Cost: about (boundary edges of P times
-    vertices of Q, and the other way round) times the pairs of convex pieces that each line
-    passes."""
+    """Compute sP + Q with its tight passages. Exact. InputError if the scale is not positive, both
+    operands are flat, or an operand's rings cross. Cost: about (boundary edges of P times vertices
+    of Q, and vice versa) times the pairs of convex pieces that each line passes."""
     return sum_of(state(checked_frame(P, Q, scale), scale))
 
 
 def sum_of(at: State) -> Sum:
-    """The state at the scale itself, its coordinates as numbers."""
+    """Convert the state at the scale itself to a sum with rational coordinates."""
     parts = [[[(x.value, y.value) for x, y in ring] for ring in part] for part in at.rings]
     polygons = [Polygon(part[0], part[1:]) for part in parts]
     tight = [[(x.value, y.value) for x, y in map(at.place, p)] for p in pieces(at.outline)]

@@ -1,8 +1,8 @@
-"""Operands: a polygon set, a segment, a point or the empty set, and the JSON texts that hold one.
+"""Operands: a polygon set, a segment, a point or the empty set; reads them from JSON.
 
-Checked: numbers, structure, numbers of vertices, edges of length zero, rings of area zero, and that
-a segment or point stands alone. How the rings lie, and that they are simple, is checked
-where files are read (validity.py); a caller of `operand_from_json` is taken at his word.
+Checked here: numbers, structure, vertex counts, edges with length zero, rings with area zero, and
+that a segment or point stands alone. When reading files, validity.py also checks that rings are
+simple and nest correctly; `operand_from_json` trusts its caller.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ __all__ = ["InputError", "Operand", "Polygon", "Ring", "operand_from_json"]
 
 @dataclass(frozen=True)
 class Polygon:
-    """Outer ring counter-clockwise, holes clockwise; no vertex repeated at the end."""
+    """A polygon: outer ring counter-clockwise, holes clockwise; no vertex repeated at the end."""
 
     outer: Ring
     holes: list[Ring]
@@ -27,7 +27,8 @@ class Polygon:
 
 @dataclass(frozen=True)
 class Operand:
-    """`polygons` or, for a point or a segment, one or two `ends`; the empty set has neither."""
+    """An operand: `polygons`, or one or two `ends` for a point or segment; the empty set has
+    neither."""
 
     polygons: list[Polygon]
     ends: list[Point]
@@ -51,7 +52,7 @@ def twice_area(ring: Ring) -> Fraction:
 
 
 def turned(ring: Ring, sign: int, where: str, as_given: bool) -> Ring:
-    """The ring, run counter-clockwise for sign 1 and clockwise for -1."""
+    """Turn a ring counter-clockwise for sign 1, clockwise for -1."""
     if len(ring) < 3:
         raise InputError(f"{where}: a ring has three vertices or more")
     for index, point in enumerate(ring):
@@ -66,8 +67,8 @@ def turned(ring: Ring, sign: int, where: str, as_given: bool) -> Ring:
 
 
 def operand_of(parts: list[tuple[Ring, list[Ring]]], as_given: bool = False) -> Operand:
-    """An operand of polygons (outer ring, holes); an outer ring of one or two vertices is a
-    point or a segment. Rings are turned as their role demands, or refused if they are taken
+    """Make an operand from polygons (outer ring, holes); an outer ring with one or two vertices
+    gives a point or a segment. Turns rings as their role demands, or refuses wrong turns if
     `as_given`."""
     if any(len(outer) < 3 for outer, _ in parts):
         (outer, holes), *more = parts
@@ -110,9 +111,9 @@ def ring_from_json(value: object) -> Ring:
 
 
 def operand_from_json(value: object, as_given: bool = False) -> Operand:
-    """The operand of `{"polygons": [{"outer": ring, "holes": [ring, ...]}, ...]}`. Coordinates
-    are strings, integers or fractions; a float is refused, since it may not be the number that
-    was meant."""
+    """Read `{"polygons": [{"outer": ring, "holes": [ring, ...]}, ...]}`. Coordinates may be
+    strings, integers or fractions; floats are refused, since a float may differ from the intended
+    number."""
     if not isinstance(value, Mapping) or "polygons" not in value:
         raise InputError("an operand is an object with the member polygons")
     check_members(value, {"polygons"})

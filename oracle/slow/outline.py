@@ -1,15 +1,15 @@
-"""The exact union of the convex sums: its boundary edges, and what no open convex sum covers
-inside.
+"""The exact union of the convex sums: boundary edges, and interior points that no open convex sum
+covers.
 
-On each line the closed intervals of edges are cut by the open intervals inside of a convex sum.
-The rest is on the boundary where edges run one way, and a tight segment where they run both
-ways, since then both sides are covered. A point of an edge that no open sum covers, between two
-stretches that open sums cover, is a tight point if it is neither on the boundary nor on a tight
-segment.
+On each line, cut the closed intervals of edges by the open intervals inside convex sums. The rest
+belongs to the boundary where edges run one way, and to a tight segment where edges run both ways,
+since then both sides are covered. Take a point on an edge that no open sum covers, between two
+stretches that open sums cover: it makes a tight point unless the boundary or a tight segment
+contains it.
 
-Why this finds all of them: a point that the union covers and no open sum does lies on the boundary
-of each convex sum it is in, and on an edge of one of them that comes from a boundary edge of P or Q
-(README.md, "Why inner diagonals may be left out").
+Proof that this finds all: consider a point covered by the union but by no open sum. It lies on the
+boundary of each convex sum that contains it, and for one such sum on an edge that comes from a
+boundary edge of P or Q (README.md, "Why inner diagonals may be left out").
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from .plane import Edge, Node, Plane
 
 @dataclass
 class Outline:
-    """Boundary edges with the sum on their left, cut at all nodes; tight segments and points.
-    `slits` has one edge of the two for each tight segment, cut at the nodes of the boundary and
-    of each other."""
+    """Boundary edges with the sum to their left, cut at all nodes; tight segments and points.
+    `slits` holds each tight segment once, in one direction, cut at boundary nodes and at other
+    tight segments."""
 
     plane: Plane = field(default_factory=Plane)
     edges: list[Edge] = field(default_factory=list)
@@ -36,7 +36,7 @@ class Outline:
 
 
 def outline(cover: Cover) -> Outline:
-    """Cost: as `Cover.lines`, and edges of the result times its nodes."""
+    """Find the outline. Cost: as `Cover.lines`, plus edges times nodes of the result."""
     result = Outline()
     alone: set[Node] = set()
     # Denominators of points are cross(f, d) dot(d, d) < 4 longest^4: see germ.py for the shift.
@@ -79,7 +79,7 @@ def node(plane: Plane, line: Line, place: Place, shift: int) -> Node:
 
 
 def slit_crossings(plane: Plane, slits: list[Edge], shift: int) -> set[Node]:
-    """The nodes, made here, where two tight segments cross: both lines pass there unaware."""
+    """Make and return the nodes where two tight segments cross, unknown to both lines."""
     found = set()
     for a, b in combinations(slits, 2):
         turn = cross(a.d, b.d)
@@ -100,10 +100,10 @@ Stretch = tuple[Place, Place]
 
 
 def stretches(line: Line) -> tuple[list[Stretch], list[Stretch], list[Stretch], list[Place]]:
-    """The line's boundary along d, against d, its tight segments, and places that are covered on
-    both sides only."""
+    """Return the line's boundary along d and against d, its tight segments, and places covered only
+    on both sides."""
     places: dict[Number, Place] = {}
-    # Per place: how many intervals of edges along, against and of inside begin there and end there.
+    # Per place: how many intervals along, against and inside begin there, and how many end there.
     begins: dict[Number, list[int]] = {}
     ends: dict[Number, list[int]] = {}
     for kind, intervals in enumerate((line.along, line.against, line.inside)):
@@ -118,7 +118,7 @@ def stretches(line: Line) -> tuple[list[Stretch], list[Stretch], list[Stretch], 
     found: tuple[list[Stretch], list[Stretch], list[Stretch]] = ([], [], [])
     alone: list[Place] = []
     along = against = inside = 0
-    state = -1  # of the stretch before the place: the list it belongs to, or -1
+    state = -1  # of the stretch before the place: index of its list, or -1
     since: Place | None = None
     for key in sorted(places):
         place = places[key]

@@ -1,9 +1,8 @@
-"""Operands as convex pieces: triangles by clipping ears, then diagonals removed while pieces stay
+"""Operands as convex pieces: triangles from clipped ears, then diagonals removed while pieces stay
 convex.
 
-The pieces' interiors are disjoint, their union is the operand, and each diagonal is an open segment
-in the interior of the operand; no vertex of a piece is. Coordinates are integers. Cost: quadratic
-at worst.
+The pieces have disjoint interiors and unite to the operand. Each diagonal is an open segment inside
+the operand; no piece has a vertex there. Coordinates are integers. Cost: quadratic at worst.
 """
 
 from __future__ import annotations
@@ -22,10 +21,10 @@ from .walks import components
 
 @dataclass
 class Piece:
-    """A convex polygon, counter-clockwise without straight vertices, a segment or a point.
+    """A convex polygon, counter-clockwise without straight vertices, or a segment or a point.
 
-    `edges`: the directions of the edges, with whether a part of the edge is on the boundary of the
-    operand. A segment has both of its directions, a point none.
+    `edges` maps each edge's direction to whether the operand's boundary has part of the edge. A
+    segment has both directions, a point none.
     """
 
     points: list[Vector]
@@ -40,7 +39,7 @@ class Piece:
 
 @dataclass
 class Shape:
-    """The pieces of an operand in integers (coordinates times `unit`), and its inner diagonals."""
+    """An operand's pieces in integers (coordinates times `unit`), and its inner diagonals."""
 
     pieces: list[Piece]
     diagonals: list[tuple[Vector, Vector]]
@@ -56,7 +55,7 @@ def common_denominator(operand: Operand) -> int:
 
 
 def shape_of(operand: Operand, unit: int) -> Shape:
-    """The operand times `unit` (a multiple of its common denominator) in convex pieces."""
+    """Cut an operand, times `unit` (a multiple of its common denominator), into convex pieces."""
     if operand.ends:
         ends = [(int(x * unit), int(y * unit)) for x, y in operand.ends]
         ways = [primitive(b[0] - a[0], b[1] - a[1]) for a in ends for b in ends if a != b]
@@ -77,7 +76,7 @@ def shape_of(operand: Operand, unit: int) -> Shape:
 
 
 def boundary_of(operand: Operand, unit: int) -> tuple[Plane, list[Edge]]:
-    """The rings in integers, straight vertices dropped, edges cut where other rings touch them."""
+    """Convert rings to integers, drop straight vertices, and cut edges where other rings touch."""
     plane = Plane()
     edges: list[Edge] = []
     for ring in operand.rings():
@@ -98,7 +97,7 @@ def boundary_of(operand: Operand, unit: int) -> tuple[Plane, list[Edge]]:
 def merged(
     polygons: list[list[Vector]], boundary: set[tuple[Vector, Vector]]
 ) -> tuple[list[list[Vector]], list[tuple[Vector, Vector]]]:
-    """The polygons, with each diagonal removed that leaves its two sides together convex."""
+    """Remove each diagonal whose two neighbours together stay convex."""
     whose: dict[tuple[Vector, Vector], int] = {}
     for index, polygon in enumerate(polygons):
         for a, b in zip(polygon, polygon[1:] + polygon[:1], strict=True):

@@ -1,4 +1,4 @@
-"""Where a point lies with respect to rings, by the parity of the edges below it. Exact."""
+"""Places a point inside or outside rings, by the parity of the edges below. Exact."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from .exact import Point
 
 
 def inside(rings: Sequence[Sequence[Point]], point: Point) -> bool:
-    """Whether the upward ray from the point crosses the rings an odd number of times. The point
-    must not be on a ring; `on_boundary` tells. Cost: linear."""
+    """Tell whether the point's upward ray crosses the rings an odd number of times. The point must
+    lie on no ring; `on_boundary` tells. Cost: linear."""
     x, y = point
     odd = False
     for ring in rings:
         x0, y0 = ring[-1]
         for x1, y1 in ring:
-            # Half-open in x: a vertex exactly above the point counts for one of its edges.
+            # Half-open in x: a vertex exactly above the point counts for only one edge.
             if (x0 <= x) != (x1 <= x):
                 side = (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)
                 if (side < 0) == (x1 > x0) and side != 0:
@@ -25,7 +25,7 @@ def inside(rings: Sequence[Sequence[Point]], point: Point) -> bool:
 
 
 def on_boundary(rings: Sequence[Sequence[Point]], point: Point) -> bool:
-    """Whether the point is on an edge of a ring."""
+    """Tell whether some ring's edge contains the point."""
     x, y = point
     for ring in rings:
         x0, y0 = ring[-1]

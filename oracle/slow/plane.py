@@ -1,7 +1,7 @@
-"""Directed edges between nodes of the plane, over any ordered kind of numbers.
+"""Directed edges between nodes in the plane, over any ordered kind of numbers.
 
-A node is known by the keys of its coordinates (germ.py): equal iff the points are, in the
-lexicographic order of the points. Whatever else is asked of points is asked here.
+The keys of its coordinates (germ.py) identify a node: keys equal and order lexicographically
+exactly like the points. All other questions about points are answered here.
 """
 
 from __future__ import annotations
@@ -13,13 +13,12 @@ from dataclasses import dataclass, field
 from .exact import Vector
 from .germ import Number
 
-Node = tuple[Number, Number]  # the key of a vertex: equal iff the points are, ordered as they are
+Node = tuple[Number, Number]  # a vertex's key: equality and order as for points
 
 
 @dataclass
 class Edge:
-    """From `start` to `end` in the direction `d` (primitive), on the line cross(d, x) =
-    `offset`."""
+    """An edge from `start` to `end` along `d` (primitive), on the line cross(d, x) = `offset`."""
 
     start: Node
     end: Node
@@ -32,26 +31,26 @@ class Edge:
 
 @dataclass
 class Plane:
-    """The points of the nodes: x and y are the first two over the third, an integer above zero."""
+    """The nodes' points: x and y are the first two numbers over the third, a positive integer."""
 
     points: dict[Node, tuple[Number, Number, int]] = field(default_factory=dict)
 
     def is_on(self, node: Node, edge: Edge) -> bool:
-        """Whether the node lies on the line of the edge."""
+        """Tell whether the edge's line contains the node."""
         x, y, den = self.points[node]
         return bool(y * edge.d[0] - x * edge.d[1] == edge.offset * den)
 
     def contains(self, edge: Edge, node: Node) -> bool:
-        """Whether the node is a point of the closed edge."""
+        """Tell whether the closed edge contains the node."""
         low, high = sorted((edge.start, edge.end))
         return bool(low <= node <= high) and self.is_on(node, edge)
 
     def split(self, edges: list[Edge]) -> list[Edge]:
-        """The edges, cut at every node of them that lies inside of one."""
+        """Cut edges at their nodes."""
         return self.cut(edges, set())
 
     def cut(self, edges: list[Edge], more: set[Node]) -> list[Edge]:
-        """The edges, cut at their nodes and at `more` nodes. Cost: nodes times edges."""
+        """Cut edges at their nodes and at `more` nodes. Cost: nodes times edges."""
         nodes = sorted({end for edge in edges for end in (edge.start, edge.end)} | more)
         parts: list[Edge] = []
         for edge in edges:
@@ -74,13 +73,13 @@ class Plane:
         return x0 * den1 + x1 * den0, y0 * den1 + y1 * den0, 2 * den0 * den1
 
     def holds(self, ring: list[Edge], point: tuple[Number, Number, int]) -> bool:
-        """Whether the point, which is on no edge of the ring, is inside."""
+        """Tell whether the ring surrounds the point, which must lie on no edge."""
         x, _, den = point
         odd = False
         for edge in ring:
             x0, _, den0 = self.points[edge.start]
             x1, _, den1 = self.points[edge.end]
             if (x0 * den <= x * den0) != (x1 * den <= x * den1):
-                # Under the point iff it is on the left of an edge that runs to the right.
+                # Below the point iff the point lies to the left of an edge that runs to the right.
                 odd ^= self.left_of(point, edge) == (edge.d[0] > 0)
         return odd

@@ -1,6 +1,5 @@
-"""The format `.poly` (docs/formats.md): a number of rings; for each a line with its number of
-vertices and `out` or `in`, one vertex a line, and perhaps the order in which it runs through them,
-by indices from 1."""
+"""The format `.poly` (docs/formats.md): the ring count; for each ring a line with its vertex count
+and `out` or `in`, one vertex per line, and perhaps the vertex order, by indices from 1."""
 
 from __future__ import annotations
 
@@ -16,7 +15,7 @@ COMMENT = re.compile(r"(?:^|(?<=[ \t\r\v\f]))#.*")
 
 
 class Lines:
-    """The words of the lines that have any, taken one line after another."""
+    """The words of all nonempty lines, taken line by line."""
 
     def __init__(self, text: str) -> None:
         self.lines: list[tuple[int, list[str]]] = []
@@ -32,7 +31,7 @@ class Lines:
 
     @property
     def next(self) -> list[str]:
-        """The words of the next line, none at the end."""
+        """Return the next line's words, none at the end."""
         return self.lines[self.at][1] if self.at < len(self.lines) else []
 
     def take(self, length: int, what: str) -> list[str]:
@@ -45,7 +44,7 @@ class Lines:
 
 
 def split(word: str) -> list[str]:
-    """Two numbers run together, such as 7.84688.042924, are two words."""
+    """Split two numbers run together, such as 7.84688.042924."""
     if word.count(".") != 2:
         return [word]
     at = word.rindex(".")
@@ -53,7 +52,7 @@ def split(word: str) -> list[str]:
 
 
 def of_poly(text: str) -> Operand:
-    """Rings in any order; a hole belongs to the smallest outer ring that contains it."""
+    """Read rings in any order; a hole belongs to the smallest outer ring that contains the hole."""
     lines = Lines(text)
     outers: list[Ring] = []
     holes: list[Ring] = []

@@ -1,7 +1,7 @@
 """Files: plain JSON, cases (`file.json#P`, `file.json#Q`), well-known text, `.poly`.
 
-The formats are those of docs/formats.md; GeoJSON is not read. Errors are `InputError`s that name
-the file. Cost: linear in the text, and validity.py.
+docs/formats.md describes the formats; GeoJSON is not read. Raises `InputError` with the file's
+name. Cost: linear in the text, plus validity.py.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ MOST_BYTES = 32 << 20
 
 
 def read_operand(name: str, validate: bool = True) -> Operand:
-    """The operand in the file; `case.json#P` and `case.json#Q` are those of a case. Unless
-    `validate`, rings are taken as they are: they may cross."""
+    """Read the operand in a file; `case.json#P` and `case.json#Q` name a case's operands. Without
+    `validate`, rings may cross."""
     path, role = name, ""
     if name.endswith(("#P", "#Q")):
         path, role = name[:-2], name[-1]

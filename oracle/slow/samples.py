@@ -1,9 +1,9 @@
-"""Rational points inside of components at a scale, and where they lie just below or above it.
+"""Rational points inside components at a scale, and their components just below or above.
 
-A point of the sum of the interiors stays in it, with a ball around, at all scales nearby, and so
-does a point of the complement of the sum. So a sample that is on no boundary edge, on no tight
-segment and no tight point at the scale lies inside of one component just below it and of one just
-above it, and no boundary comes close to it.
+A point in the sum of the interiors stays there, with a ball around it, at all nearby scales, and so
+does a point in the sum's complement. So a sample off all boundary edges, tight segments and tight
+points at the scale lies inside one component just below and one just above, and no boundary comes
+close.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from .walks import Component
 def sample(
     plane: Plane, part: Component, edges: Sequence[Edge], unit: int, avoided: Sequence[Node]
 ) -> Point:
-    """A point of the component: from the middle of an edge of the outer ring, a part of the way to
-    the left to the first edge of all `edges`, which contain those of the component and are cut
-    at all nodes; half of it unless one of the `avoided` points is there."""
+    """Find a point in the component: start at the middle of an outer edge and go left half way to
+    the next edge, or a smaller share if `avoided` has that point. `edges` must contain the
+    component's edges, cut at all nodes."""
     start = part.outer[0]
     x, y, den = plane.middle(start)
     middle = (Fraction(x, den), Fraction(y, den))
@@ -32,7 +32,7 @@ def sample(
     taken = {
         (Fraction(x, den), Fraction(y, den)) for x, y, den in map(plane.points.__getitem__, avoided)
     }
-    # One way more than there are points to avoid.
+    # Tries one more share than the number of points to avoid.
     for share in range(2, len(taken) + 3):
         point = (middle[0] + first * way[0] / share, middle[1] + first * way[1] / share)
         if point not in taken:
@@ -41,7 +41,7 @@ def sample(
 
 
 def hits(plane: Plane, middle: Point, way: Vector, edges: Sequence[Edge]) -> Iterator[Fraction]:
-    """The parameters t > 0 at which middle + t way is on an edge."""
+    """Yield the parameters t > 0 where middle + t way hits an edge."""
     mx, my = middle
     level = way[0] * my - way[1] * mx  # cross(way, x) on the ray
     for edge in edges:
@@ -49,7 +49,7 @@ def hits(plane: Plane, middle: Point, way: Vector, edges: Sequence[Edge]) -> Ite
         ends = [plane.points[node] for node in (edge.start, edge.end)]
         sides = [way[0] * y - way[1] * x - level * den for x, y, den in ends]
         if turn == 0:
-            # On the line of the ray an edge is hit at an end.
+            # The ray hits an edge along its line at an end.
             if sides[0] == 0:
                 norm = way[0] ** 2 + way[1] ** 2
                 for x, y, den in ends:
@@ -63,7 +63,7 @@ def hits(plane: Plane, middle: Point, way: Vector, edges: Sequence[Edge]) -> Ite
 
 
 def place_of(state: State, parts: list[Component], point: Point) -> int | None:
-    """The component that holds a sample, or None for none of them."""
+    """Return the component that holds a sample, or None."""
     x, y = point[0] * state.side.unit, point[1] * state.side.unit
     for index, part in enumerate(parts):
         rings = (part.outer, *part.holes)
@@ -73,10 +73,10 @@ def place_of(state: State, parts: list[Component], point: Point) -> int | None:
 
 
 def holds(plane: Plane, side: Side, ring: list[Edge], x: Fraction, y: Fraction) -> bool:
-    """Whether the ring goes around the sample: edges under it, counted by leading coefficients.
+    """Tell whether the ring surrounds the sample: counts the edges below by leading coefficients.
 
-    The order of x is that of germs. An edge under or over the sample has it strictly on one
-    side, by the leading coefficient already, since no edge comes close.
+    Compares x as germs. An edge below or above has the sample strictly on one side, already by the
+    leading coefficient, since no edge comes close.
     """
 
     def is_left(edge: Edge) -> bool:

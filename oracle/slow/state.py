@@ -1,6 +1,6 @@
 """The sum at, just below or just above a scale: components, holes, rings, area.
 
-Holes are components of the open complement: the same boundary edges, reversed, bound it.
+Holes are components of the open complement, bounded by the same edges, reversed.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ Ring = list[tuple[Track, Track]]
 
 @dataclass
 class State:
-    """`rings`: for each component of the interior its outer ring and its holes, in canonical form
-    and order. `interior` and `complement` are the components of both open sets, in the order of
-    their rings; the unbounded component of the complement is not among them. `area` is a0 + a1 (s -
-    s0) + a2 (s - s0)^2.
+    """A state of the sum. `rings` lists for each component of the interior the outer ring and the
+    holes, in canonical form and order. `interior` and `complement` list the components of both open
+    sets in ring order, without the unbounded component. `area` means a0 + a1 (s - s0) + a2 (s -
+    s0)^2.
     """
 
     side: Side
@@ -36,13 +36,12 @@ class State:
 
     @property
     def shape(self) -> list[list[int]]:
-        """The number of vertices of each ring: of each component first the outer one, then the
-        holes."""
+        """List the vertex count of each ring: for each component the outer ring, then the holes."""
         return [[len(ring) for ring in part] for part in self.rings]
 
     @property
     def pinches(self) -> int:
-        """How often the boundary touches itself."""
+        """Count how often the boundary touches itself."""
         return len(self.outline.edges) - len({edge.start for edge in self.outline.edges})
 
     def tracks(self, ring: list[Edge]) -> Ring:
@@ -54,8 +53,8 @@ class State:
 
 
 def state(frame: Frame, scale: Fraction, side: int = 0, explicit: bool = False) -> State:
-    """The sum at the scale (side 0), just below (-1) or just above it (1). Exact. `explicit`
-    computes with `Germ` in place of packed integers, which gives the same and takes longer."""
+    """Compute the sum at the scale (side 0), just below (-1) or just above (1). Exact. `explicit`
+    uses `Germ` instead of packed integers, with the same result and more time."""
     bits = frame.bits(scale.denominator)
     where = side_of(scale, side, frame.P.unit, bits, explicit)
     return state_of(where, outline(Cover(frame, where)))
@@ -81,7 +80,8 @@ def state_of(side: Side, found: Outline) -> State:
 
 
 def area(side: Side, plane: Plane, rings: list[list[Edge]]) -> tuple[Fraction, Fraction, Fraction]:
-    """The area as a polynomial in s - s0, summed in integers; clockwise rings count below zero."""
+    """Compute the area as a polynomial in s - s0, summed in integers; clockwise rings count
+    negatively."""
     unit = lcm(1, *(plane.points[edge.start][2] for ring in rings for edge in ring))
     a = b = c = 0
     for ring in rings:
@@ -96,6 +96,6 @@ def area(side: Side, plane: Plane, rings: list[list[Edge]]) -> tuple[Fraction, F
             b += x0 * v1 + u0 * y1 - x1 * v0 - u1 * y0
             c += u0 * v1 - u1 * v0
             x0, u0, y0, v0 = x1, u1, y1, v1
-    # Just below the scale e is s0 - s.
+    # Just below the scale, e equals s0 - s.
     whole = 2 * (unit * side.unit) ** 2
     return Fraction(a, whole), Fraction(side.side * b, whole), Fraction(c, whole)

@@ -1,7 +1,7 @@
 """Tight segments and points as pieces (docs/definitions.md, "Tight passages", "Pieces").
 
-The segments come from the definition: no sum of the interiors of two pieces covers them, sums of
-closed pieces cover both their sides. Here they are put together to maximal polylines.
+The definition gives the segments: no sum of two pieces' interiors covers them, but sums of closed
+pieces cover both their sides. Here they join to maximal polylines.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from .plane import Edge, Node
 
 
 def pieces(found: Outline) -> list[list[Node]]:
-    """The pieces in canonical form and order. A polyline passes a node where exactly two segments
-    meet.
+    """Return the pieces in canonical form and order. A polyline passes a node where exactly two
+    segments meet.
 
-    Cost: linear, and sorting. Segments are cut at each other's ends and at nodes of the boundary
-    first, so those that cross meet in a node too.
+    Cost: linear, plus sorting. Segments must already be cut at each other's ends and at boundary
+    nodes, so crossing segments also meet at a node.
     """
     at: dict[Node, list[Edge]] = defaultdict(list)
     for edge in found.slits:
@@ -42,7 +42,7 @@ def pieces(found: Outline) -> list[list[Node]]:
         if len(at[node]) != 2:
             lines += [follow(edge) for edge in at[node] if (edge.start, edge.end) not in used]
     for node in sorted(at):
-        # The rest are closed polylines that meet no other.
+        # The rest are closed polylines, each apart from all others.
         lines += [follow(edge) for edge in at[node][:1] if (edge.start, edge.end) not in used]
     found_pieces = [canonical(line) for line in lines]
     found_pieces += [[point] for point in found.points]
@@ -50,7 +50,7 @@ def pieces(found: Outline) -> list[list[Node]]:
 
 
 def canonical(line: list[Edge]) -> list[Node]:
-    """Without straight vertices, in the smaller of the two directions."""
+    """Drop straight vertices, and take the smaller of both directions."""
     bends = [edge.start for i, edge in enumerate(line) if i > 0 and line[i - 1].d != edge.d]
     nodes = [line[0].start, *bends, line[-1].end]
     return min(nodes, nodes[::-1])

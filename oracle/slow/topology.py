@@ -1,5 +1,5 @@
-"""The sum at, just below and just above a scale, and the changes there, without any event being
-known."""
+"""The sum at, just below and just above a scale, and the changes there, without knowing any
+event."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ Cycle = tuple[Corner, ...]
 
 @dataclass(frozen=True)
 class Topology:
-    """`boundary_changes`: vertices of the boundary or their order change at the scale, or the
-    boundary touches itself there and not nearby. `topology_changes`: a hole or component is
-    born, dies, merges, splits or touches."""
+    """Changes at a scale. `boundary_changes`: the boundary changes its vertices or their order, or
+    touches itself there and not nearby. `topology_changes`: a hole or component starts, dies,
+    merges, splits or touches."""
 
     below: State
     at: State
@@ -37,9 +37,9 @@ class Topology:
 def topology(
     P: Operand, Q: Operand, scale: Fraction = Fraction(1), explicit: bool = False
 ) -> Topology:
-    """Exact, by the same computation over numbers a + b e with an infinitesimal e. Raises as
-    `minkowski_sum`; cost: three sums. `explicit`: with germs that say so if a degree is
-    exceeded, slower."""
+    """Compute the states and changes at a scale. Exact, by one computation over numbers a + b e
+    with an infinitesimal e. Raises as `minkowski_sum`; cost: three sums. `explicit`: with slower
+    germs that refuse to exceed their degree."""
     frame = checked_frame(P, Q, scale)
     below, at, above = (state(frame, scale, side, explicit) for side in (-1, 0, 1))
     return Topology(
@@ -54,8 +54,7 @@ def topology(
 
 
 def boundary_changes(below: State, at: State, above: State) -> bool:
-    """Whether the tracks below do not go on above, in the same rings, or the state between is
-    another one."""
+    """Tell whether tracks and rings differ above and below, or the state between differs."""
     return (
         tracks(below) != tracks(above)
         or places(below) != places(at)
@@ -64,7 +63,7 @@ def boundary_changes(below: State, at: State, above: State) -> bool:
 
 
 def tracks(of: State) -> list[list[Cycle]]:
-    """Rings as cycles of vertices with position and velocity, in an order of their own."""
+    """Return rings as cycles of vertices with position and velocity, in a fixed order."""
     return cycles(
         [
             [[(x.value, y.value, x.slope, y.slope) for x, y in ring] for ring in part]
@@ -74,7 +73,7 @@ def tracks(of: State) -> list[list[Cycle]]:
 
 
 def places(of: State) -> list[list[Cycle]]:
-    """Rings as cycles of positions at the scale."""
+    """Return rings as cycles of positions at the scale."""
     return cycles([[[(x.value, y.value) for x, y in ring] for ring in part] for part in of.rings])
 
 

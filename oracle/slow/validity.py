@@ -1,10 +1,11 @@
-"""Whether polygons are a polygon set, from the definition (docs/definitions.md, "Polygon set").
+"""Checks that polygons form a polygon set, from the definition (docs/definitions.md, "Polygon
+set").
 
-- A ring is simple: two of its edges have nothing in common but the vertex between neighbours.
-- Two rings have no stretch in common, and do not cross: cut at the points that they share, one lies
-  inside of the other with all pieces, or outside with all. One point of each piece is looked at.
-- A hole lies inside of its outer ring, and in no other hole of its polygon.
-- Outer rings lie outside of each other, or one in a hole of the other's polygon.
+- A ring is simple: two edges share at most the vertex between neighbours.
+- Two rings share no stretch and do not cross: cut at its points shared with the other ring, each
+  ring has all pieces inside the other, or all outside. One point per piece decides.
+- A hole lies inside its outer ring, and inside no other hole of its polygon.
+- Outer rings lie outside each other, or inside a hole of the other's polygon.
 
 Exact. Cost: pairs of edges whose boxes overlap along x, and shared points times edges.
 """
@@ -22,7 +23,7 @@ Box = tuple[Fraction, Fraction, Fraction, Fraction]  # left, bottom, right, top
 
 
 def refuse_invalid(polygons: Sequence[Polygon]) -> None:
-    """InputError where the polygons are no polygon set. Orientation is not looked at."""
+    """Raise InputError unless the polygons form a polygon set. Ignores orientation."""
     rings = [ring for part in polygons for ring in (part.outer, *part.holes)]
     names = [
         f"polygon {p}, " + (f"hole {h - 1}" if h else "outer ring")
@@ -50,8 +51,8 @@ def refuse_invalid(polygons: Sequence[Polygon]) -> None:
 
 
 def containments(rings: Sequence[Ring], names: Sequence[str]) -> list[set[int]]:
-    """For each ring, the rings around it. InputError where a ring is not simple or two rings
-    overlap or cross."""
+    """Return the rings around each ring. InputError if a ring is not simple or two rings overlap or
+    cross."""
     shared = shared_points(rings, names)
     holders: list[set[int]] = [set() for _ in rings]
     for r, s in overlapping([box_of(ring) for ring in rings]):
@@ -66,8 +67,8 @@ def containments(rings: Sequence[Ring], names: Sequence[str]) -> list[set[int]]:
 
 
 def shared_points(rings: Sequence[Ring], names: Sequence[str]) -> dict[tuple[int, int], set[Point]]:
-    """The points at which two rings touch, or cross at a vertex. InputError where a ring is not
-    simple, and where two rings overlap or cross in the middle of edges."""
+    """Return the points where two rings touch, or cross at a vertex. InputError if a ring is not
+    simple, or if two rings overlap or cross between vertices."""
     edges = [(r, i, *edge) for r, ring in enumerate(rings) for i, edge in enumerate(sides(ring))]
     found: dict[tuple[int, int], set[Point]] = {}
     for k, m in overlapping([box_of(edge[2:]) for edge in edges]):
@@ -89,8 +90,8 @@ def shared_points(rings: Sequence[Ring], names: Sequence[str]) -> dict[tuple[int
 
 
 def meeting(a: Point, b: Point, c: Point, d: Point) -> tuple[bool, set[Point]]:
-    """Whether the segments ab and cd cross within both; and the ends of one that are on the other:
-    two where they overlap."""
+    """Tell whether the segments ab and cd cross inside both; return the ends of each that lie on
+    the other: two for an overlap."""
     of_c, of_d, of_a, of_b = side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b)
     if of_c * of_d < 0 and of_a * of_b < 0:
         return True, set()
@@ -99,7 +100,8 @@ def meeting(a: Point, b: Point, c: Point, d: Point) -> tuple[bool, set[Point]]:
 
 
 def piece_points(ring: Ring, cuts: set[Point]) -> list[Point]:
-    """One point, within an edge, of each piece of the ring between two cuts, which are on it."""
+    """Return one point, inside an edge, for each piece of the ring between cuts, which are points
+    on the ring."""
     stops: list[Point] = []
     for a, b in sides(ring):
         on = [p for p in cuts if p not in (a, b) and spans(a, b, p) and side(a, b, p) == 0]
@@ -113,7 +115,7 @@ def piece_points(ring: Ring, cuts: set[Point]) -> list[Point]:
 
 
 def overlapping(boxes: Sequence[Box]) -> Iterator[tuple[int, int]]:
-    """The pairs of closed boxes that have a point in common, each pair once."""
+    """Yield the pairs of closed boxes that share a point, each pair once."""
     active: list[int] = []
     for k in sorted(range(len(boxes)), key=lambda k: boxes[k][0]):
         left, bottom, _, top = boxes[k]
@@ -134,13 +136,13 @@ def sides(ring: Ring) -> Iterator[tuple[Point, Point]]:
 
 
 def side(a: Point, b: Point, p: Point) -> int:
-    """1 to the left of the line from a to b, 0 on it, -1 to the right."""
+    """Return 1 to the left of the line from a to b, 0 on the line, -1 to the right."""
     turn = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
     return (turn > 0) - (turn < 0)
 
 
 def spans(a: Point, b: Point, p: Point) -> bool:
-    """Whether the point is in the box of the segment."""
+    """Tell whether the segment's box contains the point."""
     return all(min(a[i], b[i]) <= p[i] <= max(a[i], b[i]) for i in (0, 1))
 
 

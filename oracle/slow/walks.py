@@ -1,12 +1,12 @@
-"""From directed boundary edges, with the set on their left, to components, rings and pinches.
+"""From directed boundary edges, with the set to their left, to components, rings and pinches.
 
-The rules are those of docs/definitions.md, "Canonical form": edges are paired so that each pair
-bounds one wedge of the interior, the closed walks are split at repeated vertices into simple rings.
-The same edges reversed bound the complement, so its components come from the same code. An edge
-that is there both ways (a slit) belongs to both sides: what it cuts apart are two components.
+docs/definitions.md, "Canonical form", states the rules: pair edges so that each pair bounds one
+wedge of the interior, then split the closed walks at repeated vertices into simple rings. The same
+edges, reversed, bound the complement, whose components come from the same code. An edge that runs
+both ways (a slit) belongs to both sides and separates two components.
 
-Only directions (integers) and the order of vertices decide anything here, so the coordinates may be
-numbers of any ordered kind; they are seen through `Plane` alone.
+Only directions (integers) and the vertices' order decide anything here, so coordinates may have any
+ordered kind of numbers; this code sees them only through `Plane`.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from .plane import Edge, Node, Plane
 
 @dataclass
 class Component:
-    """One connected component of the open set on the left of the edges."""
+    """A connected component of the open set to the left of the edges."""
 
     outer: list[Edge]
     holes: list[list[Edge]]
 
 
 def leaving(d_in: Vector, out: list[Edge]) -> Edge:
-    """The edge after one that arrives in the direction `d_in`: the first clockwise from where it
-    came."""
+    """Return the edge after an edge that arrives along `d_in`: the first clockwise from the way
+    back."""
     if len(out) == 1:
         return out[0]
     back = (-d_in[0], -d_in[1])
@@ -47,7 +47,7 @@ def leaving(d_in: Vector, out: list[Edge]) -> Edge:
 
 
 def closed_walks(edges: list[Edge]) -> list[list[Edge]]:
-    """Each edge once, wedge by wedge. Edges must already be cut at the nodes on them."""
+    """Walk along each edge once, wedge by wedge. Edges must already be cut at nodes inside them."""
     out: dict[Node, list[Edge]] = defaultdict(list)
     for edge in edges:
         out[edge.start].append(edge)
@@ -71,8 +71,7 @@ def closed_walks(edges: list[Edge]) -> list[list[Edge]]:
 
 
 def simple_rings(walk: list[Edge]) -> list[list[Edge]]:
-    """The walk, split at repeated nodes. Walks do not cross themselves, so the rings are
-    determined."""
+    """Split a walk at repeated nodes. Walks do not cross themselves, so the rings are unique."""
     rings = []
     stack: list[Edge] = []
     depth: dict[Node, int] = {}
@@ -89,7 +88,7 @@ def simple_rings(walk: list[Edge]) -> list[list[Edge]]:
 
 
 def turn_of(ring: list[Edge]) -> int:
-    """1 if a simple ring runs counter-clockwise, -1 if clockwise, 0 if it is a slit there and
+    """Return 1 for a counter-clockwise simple ring, -1 for a clockwise ring, 0 for a slit there and
     back."""
     low = min(range(len(ring)), key=lambda i: ring[i].start)
     turn = cross(ring[low - 1].d, ring[low].d)
@@ -97,8 +96,8 @@ def turn_of(ring: list[Edge]) -> int:
 
 
 def components(plane: Plane, edges: list[Edge]) -> tuple[list[Component], list[list[Edge]]]:
-    """The components of the set on the left of the edges, and the holes that lie in none of them
-    (they bound an unbounded component). Rings that are slits, there and back, bound nothing."""
+    """Return the components of the set to the left of the edges, and the holes outside all
+    components (which bound an unbounded component). Slits, there and back, bound nothing."""
     found: list[Component] = []
     lone: list[list[list[Edge]]] = []
     for walk in closed_walks(edges):
@@ -128,8 +127,8 @@ def components(plane: Plane, edges: list[Edge]) -> tuple[list[Component], list[l
 
 
 def corners(ring: list[Edge]) -> list[Edge]:
-    """The edges that leave the ring's true corners, from the least on; straight vertices are
-    gone."""
+    """List the edges that leave the ring's true corners, starting at the least corner, without
+    straight vertices."""
     kept = [edge for index, edge in enumerate(ring) if ring[index - 1].d != edge.d]
     low = min(range(len(kept)), key=lambda i: kept[i].start)
     return kept[low:] + kept[:low]

@@ -1,5 +1,5 @@
-"""How sP and x - Q meet, by pairs of convex pieces. A common point gives p and q with s p + q =
-x."""
+"""Tells how sP and x - Q meet, by pairs of convex pieces. A common point gives p and q with s p + q
+= x."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ Contact = Literal["disjoint", "touching", "overlapping"]
 
 @dataclass(frozen=True)
 class Meeting:
-    """`overlapping`: the relative interiors have a common point, so x is in the sum of the
-    interiors; `touching`: only the closed sets have. `p` in P and `q` in Q with s p + q = x
-    unless they are disjoint."""
+    """A meeting. `overlapping`: the relative interiors share a point, so the sum of the interiors
+    contains x; `touching`: only the closed sets share a point. Unless disjoint, `p` from P and `q`
+    from Q satisfy s p + q = x."""
 
     contact: Contact
     p: Point | None
@@ -33,7 +33,7 @@ class Meeting:
 
 @dataclass
 class Pieces:
-    """An operand in pieces, once for many questions."""
+    """An operand cut into pieces once, for many questions."""
 
     shape: Shape
 
@@ -43,13 +43,13 @@ class Pieces:
 
 
 def witness(P: Operand | Pieces, Q: Operand | Pieces, scale: Fraction, x: Point) -> Meeting:
-    """Whether sP and x - Q are disjoint, touch or overlap. Exact. Cost: cutting operands in
-    pieces (quadratic at worst), sorting them, and pairs of pieces whose boxes meet."""
+    """Tell whether sP and x - Q are disjoint, touch or overlap. Exact. Cost: cutting operands into
+    pieces (quadratic at worst), sorting the pieces, and pairs of pieces whose boxes meet."""
     if scale <= 0:
         raise InputError(f"a scale is positive, and {scale} is not")
     P = P if isinstance(P, Pieces) else Pieces.of(P)
     Q = Q if isinstance(Q, Pieces) else Pieces.of(Q)
-    # Both sets in integers over one unit.
+    # Both sets as integers over one unit.
     unit = lcm(P.shape.unit * scale.denominator, Q.shape.unit, x[0].denominator, x[1].denominator)
     of_p, of_q = int(scale * unit / P.shape.unit), unit // Q.shape.unit
     at = (int(x[0] * unit), int(x[1] * unit))
@@ -68,7 +68,7 @@ def witness(P: Operand | Pieces, Q: Operand | Pieces, scale: Fraction, x: Point)
         if inside:
             break
     if contact == "touching" and (P.shape.is_flat or Q.shape.is_flat):
-        # The interior of a polygon set also holds its open diagonals.
+        # A polygon set's interior also holds the open diagonals.
         through = along_diagonals(P.shape, Q.shape, of_p, of_q, at)
         if through is not None:
             contact, meeting = "overlapping", through
@@ -79,8 +79,8 @@ def witness(P: Operand | Pieces, Q: Operand | Pieces, scale: Fraction, x: Point)
 
 
 def relative_interior_meets(a: Corners, b: Corners, common: Common) -> bool:
-    """Whether the open pieces meet: the centre of their intersection is then inside of both. The
-    ends of a segment do not count; a single point does."""
+    """Tell whether the open pieces meet: both then contain the centre of their intersection in
+    their interior. A segment's ends do not count; a single point does."""
     x, y = centre(common)
     for piece in (a, b):
         if len(piece) >= 3:
@@ -95,8 +95,8 @@ def relative_interior_meets(a: Corners, b: Corners, common: Common) -> bool:
 def along_diagonals(
     P: Shape, Q: Shape, of_p: int, of_q: int, at: Vector
 ) -> tuple[Fraction, Fraction] | None:
-    """A point that an open diagonal of the one and the relative interior of the other, flat one
-    share."""
+    """Find a point shared by one operand's open diagonal and the relative interior of the other,
+    flat operand."""
 
     def ours(p: Vector) -> Vector:
         return of_p * p[0], of_p * p[1]
@@ -115,8 +115,8 @@ def along_diagonals(
 
 
 def crossing(ends: Corners, a: Vector, b: Vector) -> tuple[Fraction, Fraction] | None:
-    """A common point of the open segment a b and a point, or an open segment; None if there is
-    none."""
+    """Find a common point of the open segment a b and a point or an open segment; None without a
+    common point."""
     ab = (b[0] - a[0], b[1] - a[1])
     norm = ab[0] ** 2 + ab[1] ** 2
     levels = [ab[0] * (y - a[1]) - ab[1] * (x - a[0]) for x, y in ends]

@@ -16,7 +16,7 @@ Parts = list[tuple[Ring, list[Ring]]]
 
 
 class Words:
-    """The tokens of a well-known text, taken one after another."""
+    """A well-known text's tokens, taken one after another."""
 
     def __init__(self, text: str) -> None:
         tokens = [match[1] for match in islice(TOKEN.finditer(text), MOST_WORDS + 1)]

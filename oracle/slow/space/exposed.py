@@ -1,8 +1,8 @@
-"""A polyhedral set by what is exposed in each oriented plane, and its canonical form
+"""A polyhedral set as the exposed region in each oriented plane, and its canonical form
 (docs/definitions.md, "Canonical form"): from faces with disjoint interiors, from text, to text.
 
-In its plane a face is a sum of directed segments. Segments that run both ways cancel, and what is
-left is put together to rings by `walks.py`.
+Within its plane a face equals a sum of directed segments. Segments that run both ways cancel, and
+`walks.py` joins the rest to rings.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ Segment = tuple[Point, Point]
 
 @dataclass(frozen=True)
 class Exposed:
-    """For each plane, by its primitive normal and offset, the polygons of the exposed region, seen
-    along the first axis along which the normal is not zero."""
+    """The exposed polygons for each plane, by primitive normal and offset, seen along the first
+    axis with a nonzero normal component."""
 
     planes: dict[SpacePlane, list[Polygon]]
 
     def text(self) -> str:
-        """Canonical JSON, where the polygons are canonical."""
+        """Write canonical JSON, provided that the polygons are canonical."""
         rows = []
         for (normal, offset), polygons in sorted(self.planes.items()):
             row = {"normal": [str(n) for n in normal], "offset": str(offset)}
@@ -43,7 +43,7 @@ class Exposed:
         return json.dumps({"planes": rows}, separators=(",", ":"))
 
     def recast(self) -> Exposed:
-        """The same set in canonical form. InputError where regions overlap."""
+        """Return the same set in canonical form. InputError if regions overlap."""
         return exposed(
             (plane, segments)
             for plane, polygons in self.planes.items()
@@ -51,7 +51,8 @@ class Exposed:
         )
 
     def mapped(self, rows: tuple[Whole, Whole, Whole], shift: Place) -> Exposed:
-        """Under an integer matrix, not singular, and a translation; canonical again. Exact."""
+        """Map the set by a non-singular integer matrix and a translation; canonical again.
+        Exact."""
         mirrors = inner(rows[0], outer(rows[1], rows[2])) < 0
 
         def image(ring: list[Point], plane: SpacePlane) -> list[Place]:
@@ -74,7 +75,7 @@ class Exposed:
         return exposed(images())
 
     def volume(self) -> Fraction:
-        """By cones from the origin."""
+        """Sum the cones from the origin."""
         triple = Fraction(0)
         for (normal, offset), polygons in self.planes.items():
             seen = sum((twice_area(ring) for ring in rings_of(polygons)), Fraction(0)) / 2
@@ -83,8 +84,8 @@ class Exposed:
 
 
 def of_faces(faces: Iterable[list[Place]]) -> Exposed:
-    """The set of planar faces that run counter-clockwise seen from outside. InputError where faces
-    in one oriented plane do not have disjoint interiors."""
+    """Make the set bounded by planar faces, counter-clockwise seen from outside. InputError if the
+    faces in an oriented plane do not have disjoint interiors."""
 
     def rows() -> Iterable[tuple[SpacePlane, list[Segment]]]:
         for face in faces:
@@ -96,7 +97,7 @@ def of_faces(faces: Iterable[list[Place]]) -> Exposed:
 
 
 def exposed(rows: Iterable[tuple[SpacePlane, list[Segment]]]) -> Exposed:
-    """The set with these directed boundaries, each with the set on its left, seen in its plane."""
+    """Make the set from directed boundaries, seen in their planes, with the set to the left."""
     segments: dict[SpacePlane, list[Segment]] = defaultdict(list)
     for plane, edges in rows:
         segments[plane] += edges
@@ -105,7 +106,7 @@ def exposed(rows: Iterable[tuple[SpacePlane, list[Segment]]]) -> Exposed:
 
 
 def exposed_from_json(value: Any) -> Exposed:
-    """InputError for what is not of the form; rings may be anything."""
+    """Read the JSON form; InputError for other forms. Rings may be anything."""
     try:
         planes: dict[SpacePlane, list[Polygon]] = {}
         for row in value["planes"]:
@@ -131,7 +132,7 @@ def viewing_axis(normal: Whole) -> int:
 
 
 def beside(axis: int) -> tuple[int, int]:
-    """The two other axes, in order."""
+    """Return the two other axes, ascending."""
     return (1 if axis == 0 else 0), (1 if axis == 2 else 2)
 
 
@@ -141,7 +142,7 @@ def seen(point: Place, axis: int) -> Point:
 
 
 def lifted(point: Point, plane: SpacePlane) -> Place:
-    """The point of the plane that is seen there."""
+    """Return the plane's point above a projected point."""
     normal, offset = plane
     axis = viewing_axis(normal)
     u, v = beside(axis)
@@ -152,7 +153,7 @@ def lifted(point: Point, plane: SpacePlane) -> Place:
 
 
 def is_mirrored(normal: Whole) -> bool:
-    """Whether rings counter-clockwise from outside are seen to run clockwise."""
+    """Tell whether rings counter-clockwise from outside appear clockwise in the projection."""
     axis = viewing_axis(normal)
     return (normal[axis] > 0) == (axis == 1)
 
@@ -172,7 +173,8 @@ def twice_area(ring: list[Point]) -> Fraction:
 
 
 def polygons_of(segments: list[Segment]) -> list[Polygon]:
-    """The set on the left of the segments, in canonical form. InputError where they bound none."""
+    """Return the set to the left of the segments, in canonical form. InputError if they bound no
+    set."""
     plane, edges = Plane(), []
     for d, stops in summed(segments).items():
         for a, b, runs in stops:
@@ -195,8 +197,8 @@ def polygons_of(segments: list[Segment]) -> list[Polygon]:
 def summed(
     segments: list[Segment],
 ) -> dict[tuple[Vector, Fraction], list[tuple[Point, Point, int]]]:
-    """For each line, by its direction to the right or upwards, the pieces of it between ends of
-    segments with how many more run that way than back; pieces with none are left out."""
+    """For each line, directed to the right or upwards, return its pieces between segments' ends,
+    with the number of segments forwards minus backwards; pieces with none are left out."""
     steps: dict[tuple[Vector, Fraction], dict[Point, int]] = defaultdict(lambda: defaultdict(int))
     for a, b in segments:
         low, high = min(a, b), max(a, b)

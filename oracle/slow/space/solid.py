@@ -1,4 +1,4 @@
-"""Operands in space, as their text says: faces that are planar rings, or a point, or a segment."""
+"""Operands for space from text: faces (planar rings), or a point, or a segment."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ Whole = tuple[int, int, int]
 
 @dataclass(frozen=True)
 class Solid:
-    """Faces run counter-clockwise seen from outside. Without faces: `ends`, one or two."""
+    """A solid whose faces run counter-clockwise seen from outside; without faces, one or two
+    `ends`."""
 
     faces: list[list[Place]]
     ends: list[Place]
@@ -30,9 +31,9 @@ class Solid:
 
 
 def solid_from_json(value: Any) -> Solid:
-    """From {"vertices": [[x, y, z], ...], "faces": [[i, j, k, ...], ...]}. InputError where it is
-    not of this form, or a face has no area or is not planar. It is taken on trust that the surface
-    closes and does not cross itself."""
+    """Read {"vertices": [[x, y, z], ...], "faces": [[i, j, k, ...], ...]}. InputError for another
+    form, or for a face that has no area or is not planar. Trusts that the surface closes and does
+    not cross itself."""
     if not isinstance(value, dict):
         raise InputError("a polyhedron is an object")
     try:
@@ -58,7 +59,7 @@ def plus(a: Place, b: Place) -> Place:
 
 
 def outer(a: Whole, b: Whole) -> Whole:
-    """The cross product of two directions."""
+    """Return the cross product of two directions."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
@@ -71,13 +72,13 @@ def height(n: Whole, point: Place) -> Fraction:
 
 
 def shortest(v: Whole) -> Whole:
-    """The primitive vector in this direction; not of the zero vector."""
+    """Return the primitive vector in this direction, which must not be zero."""
     common = gcd(*v)
     return v[0] // common, v[1] // common, v[2] // common
 
 
 def wholes(points: list[Place]) -> tuple[int, list[Whole]]:
-    """The points over one denominator."""
+    """Write the points over one denominator."""
     unit = lcm(1, *(value.denominator for point in points for value in point))
     found = []
     for point in points:
@@ -87,7 +88,7 @@ def wholes(points: list[Place]) -> tuple[int, list[Whole]]:
 
 
 def vector_area(ring: list[Place]) -> Whole:
-    """A positive multiple of the vector area, in integers."""
+    """Return a positive multiple of the vector area, in integers."""
     _, points = wholes(ring)
     x = y = z = 0
     for a, b in zip(points, points[1:] + points[:1], strict=True):
@@ -97,6 +98,6 @@ def vector_area(ring: list[Place]) -> Whole:
 
 
 def plane_of(ring: list[Place]) -> tuple[Whole, Fraction]:
-    """The primitive normal, outwards, and the offset of the plane of a face."""
+    """Return the primitive outward normal and the offset of a face's plane."""
     normal = shortest(vector_area(ring))
     return normal, height(normal, ring[0])

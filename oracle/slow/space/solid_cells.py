@@ -1,7 +1,7 @@
-"""Sums of polycubes under a matrix: `s MP + MQ = M(sP + Q)`, and the latter is a polycube again.
+"""Sums of polycubes under a matrix: `s MP + MQ = M(sP + Q)`, where sP + Q is a polycube again.
 
-At the scale n/d the grid has d lines to a unit; a cell of P and one of Q add to a cube of n + d
-cells of it. Sides of cells that no other cell covers are carried over by the matrix.
+At scale n/d the grid has d lines per unit; a cell from P plus a cell from Q gives a cube of n + d
+grid cells along each side. The matrix maps cell sides that no other cell covers.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ IDENTITY: Matrix = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
 class CellSum:
-    """The sum of two sets of cells, each the cube from (i, j, k) to (i + 1, j + 1, k + 1), under an
-    integer matrix given by rows. InputError where the matrix is singular."""
+    """The sum of two sets of cells, each a cube from (i, j, k) to (i + 1, j + 1, k + 1), under an
+    integer matrix given by rows. InputError if the matrix is singular."""
 
     def __init__(
         self, P: Iterable[Whole], Q: Iterable[Whole], scale: Fraction, matrix: Matrix = IDENTITY
@@ -39,7 +39,8 @@ class CellSum:
         return Fraction(len(self.cells) * abs(self.determinant), self.unit**3)
 
     def exposed(self) -> Exposed:
-        """The sum in canonical form. Exact. Linear in the cells, but for rings in one plane."""
+        """Return the sum in canonical form. Exact. Linear in the cells, except for coplanar
+        rings."""
         return of_faces(self._sides())
 
     def _sides(self) -> Iterable[list[Place]]:
@@ -58,9 +59,10 @@ class CellSum:
         return x, y, z
 
     def holds(self, x: Place, interiors: bool = False) -> bool:
-        """Whether the closed sum, or with `interiors` the interior of it, has the point. Exact."""
+        """Tell whether the closed sum, or with `interiors` its interior, contains the point.
+        Exact."""
         a, b, c = self.matrix
-        columns = outer(b, c), outer(c, a), outer(a, b)  # over the determinant, of the inverse
+        columns = outer(b, c), outer(c, a), outer(a, b)  # of the inverse, over the determinant
         place = []
         for k in range(3):
             value = sum((columns[i][k] * x[i] for i in range(3)), Fraction(0))
@@ -73,7 +75,7 @@ class CellSum:
 
 
 def side(cell: Whole, axis: int, step: int) -> list[Whole]:
-    """The side of the cell towards one end of the axis, counter-clockwise seen from there."""
+    """Return the cell's side towards one end of the axis, counter-clockwise seen from outside."""
     u, v = (axis + 1) % 3, (axis + 2) % 3
     ring = []
     for at_u, at_v in ((0, 0), (1, 0), (1, 1), (0, 1))[:: 1 if step else -1]:

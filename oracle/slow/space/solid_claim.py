@@ -1,10 +1,10 @@
-"""A claimed sum in space before the points of the true one.
+"""Tests a claimed sum in space against points of the true sum.
 
-A claim is a closed surface if along every line of space its edges cancel. Then it winds around
-every point off it, and is the sum iff the winding is 1 in the sum and 0 outside. The questions: for
-random points inside each exposed polygon, whether the point just below is in the sum and the point
-just above is not; for random points of space, and for points beside random points of the planes of
-the sums of pairs, whether the surface winds around them as it should.
+A claim is a closed surface if along every line its edges cancel. Then the surface winds around
+every point off it, and is the sum iff the winding is 1 inside the sum and 0 outside. The tests: for
+random points inside each exposed polygon, whether the sum contains the point just below but not the
+point just above; for random points, and for points beside planes of pairwise sums, whether the
+surface winds correctly.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from .solid_sum import SolidSum
 
 @dataclass(frozen=True)
 class Fault:
-    """`what` is wrong at the point; `way` leads a little to the side where it is, (0, 0, 0) where
-    it is the point itself. The point beside it is in the true sum, or not."""
+    """A fault: `what` is wrong at the point, or a little along `way` unless `way` is (0, 0, 0).
+    `in_truth` tells whether the true sum contains this nearby point."""
 
     what: str
     point: Place
@@ -37,7 +37,8 @@ class Fault:
 def faults(
     truth: SolidSum, claim: Exposed, dice: random.Random, inside: int = 1, points: int = 30
 ) -> Iterator[Fault]:
-    """`inside` points of each polygon, `points` of space and as many beside planes. Exact."""
+    """Test `inside` points per polygon, `points` points in the box and as many beside planes.
+    Exact."""
     for plane, polygons in claim.planes.items():
         for part in polygons:
             for _ in range(inside):
@@ -51,7 +52,7 @@ def faults(
 
 
 def of_plane(truth: SolidSum, plane: Plane, x: Place) -> Iterator[Fault]:
-    """For a point claimed to be exposed."""
+    """Test a point claimed to be exposed."""
     a, b, c = n = plane[0]
     if truth.holds(x, [n]):
         yield Fault("just above a face is in the sum", x, n, True)
@@ -61,8 +62,8 @@ def of_plane(truth: SolidSum, plane: Plane, x: Place) -> Iterator[Fault]:
 
 
 def place_of(truth: SolidSum, claim: Exposed, fault: Fault, dice: random.Random) -> Place | None:
-    """A point near that of the fault, that the claim has and the sum has not, or the other way
-    round. None where there is none within 2^-60 of it, as beside a face that bounds nothing."""
+    """Find a point near the fault that only one of claim and sum contains. None without such a
+    point within 2^-60, as beside a face that bounds nothing."""
     for power in range(60):
         t = Fraction(1, 1 << power)
         x, y, z = (p + t * d for p, d in zip(fault.point, fault.way, strict=True))
@@ -73,8 +74,8 @@ def place_of(truth: SolidSum, claim: Exposed, fault: Fault, dice: random.Random)
 
 
 def told_apart(one: Exposed, other: Exposed, dice: random.Random, tries: int = 4) -> Place | None:
-    """A point around which two closed surfaces do not wind alike, next to a face of one that the
-    other has not. None where none is found, as among equals."""
+    """Find a point around which two closed surfaces wind differently, next to a face that only one
+    surface has. None without such a point, as for equal surfaces."""
     for mine, theirs in ((one, other), (other, one)):
         for plane, polygons in mine.planes.items():
             if theirs.planes.get(plane) == polygons:
@@ -101,7 +102,7 @@ def _in_box(truth: SolidSum, dice: random.Random, count: int) -> Iterator[Place]
 
 
 def _beside_planes(truth: SolidSum, dice: random.Random, count: int) -> Iterator[Place]:
-    """Points very near to facets of sums of two pieces, on both sides."""
+    """Yield points very near to facets of pairwise sums, on both sides."""
     for _ in range(count):
         pair = dice.randrange(len(truth.pairs))
         a, b = truth.pairs[pair]
@@ -122,7 +123,8 @@ def _beside_planes(truth: SolidSum, dice: random.Random, count: int) -> Iterator
 
 
 def inner_point(part: Polygon, dice: random.Random) -> Point:
-    """A point inside the polygon: on a random level between two corners, between two sides."""
+    """Return a point inside the polygon: on a random level between two corners, between two
+    sides."""
     levels = sorted({point[1] for point in part.outer})
     k = dice.randrange(len(levels) - 1)
     y = levels[k] + (levels[k + 1] - levels[k]) * Fraction(dice.randint(1, 96), 97)
@@ -138,8 +140,7 @@ def inner_point(part: Polygon, dice: random.Random) -> Point:
 
 
 def open_lines(claim: Exposed) -> int:
-    """The number of lines in space along which edges of the faces do not cancel; 0 of a closed
-    surface. Exact."""
+    """Count the lines along which the faces' edges do not cancel; 0 for a closed surface. Exact."""
     steps: dict[tuple[Whole, Place], dict[Place, int]] = defaultdict(lambda: defaultdict(int))
     for plane, polygons in claim.planes.items():
         for ring in rings_of(polygons):
@@ -157,8 +158,8 @@ def open_lines(claim: Exposed) -> int:
 
 
 def winding(claim: Exposed, x: Place, dice: random.Random) -> int | None:
-    """How often the surface winds around the point, by a ray; None where it lies on the surface.
-    A ray that meets an edge is drawn anew."""
+    """Count the surface's winding around the point by a ray; None for a point on the surface. Draws
+    a new ray if an edge is hit."""
     while True:
         ray = (dice.randint(-999, 999), dice.randint(-999, 999), dice.randint(-999, 999))
         total = 0
@@ -183,7 +184,7 @@ def winding(claim: Exposed, x: Place, dice: random.Random) -> int | None:
 
 
 def hit(polygons: list[Polygon], place: Place, plane: Plane) -> int | None:
-    """1 if the point of the plane is inside of the polygons, 0 outside, None on a side."""
+    """Return 1 for a point in the plane inside the polygons, 0 outside, None on a side."""
     u, v = beside(viewing_axis(plane[0]))
     x, y = place[u], place[v]
     odd = False

@@ -1,8 +1,8 @@
-"""A solid as convex pieces with disjoint interiors: space is halved by planes of its faces until no
-face is left inside a cell.
+"""A solid as convex pieces with disjoint interiors: face planes halve space until no cell has a
+face inside.
 
-A part of a face in a cell is kept as a ring that may run to and fro along one line: cutting a
-ring by a half-space corner by corner keeps its vector area right, and that is all that is asked.
+Each cell keeps its part of a face as a ring that may run to and fro along one line: cutting a ring
+by a half-space, corner by corner, preserves the vector area, and nothing more is needed.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from .solid import Place, Solid, Whole, height, inner, plane_of, shortest, vecto
 
 Plane = tuple[Whole, Fraction]
 Ring = list[Place]
-MOST_CANDIDATES = 24  # planes that are compared before a cell is cut
+MOST_CANDIDATES = 24  # planes compared before cutting a cell
 
 
 @dataclass
 class Piece:
-    """A convex polytope, a segment or a point: its corners are `corners` over `unit`. The normals
-    point outwards; of two opposite directions of edges one is there."""
+    """A convex polytope, a segment or a point with corners `corners` over `unit`. Normals point
+    outwards; `edges` keeps one of two opposite directions."""
 
     unit: int
     corners: list[Whole]
@@ -33,7 +33,7 @@ class Piece:
     supports: dict[Whole, int] = field(default_factory=dict)
 
     def support(self, n: Whole) -> int:
-        """The greatest n . x over the piece, times `unit`."""
+        """Return the greatest n . x on the piece, times `unit`."""
         found = self.supports.get(n)
         if found is None:
             found = self.supports[n] = max(inner(n, corner) for corner in self.corners)
@@ -42,7 +42,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Part:
-    """The part of a face in a cell."""
+    """A face's part in a cell."""
 
     plane: Plane
     ring: Ring
@@ -53,7 +53,7 @@ class Part:
 
 
 def convex_pieces(solid: Solid) -> list[Piece]:
-    """Exact. Grows with the faces times the cells that they cut."""
+    """Cut a solid into convex pieces. Exact. Grows with the faces times the cells that they cut."""
     if solid.ends:
         return [piece_of([solid.ends])]
     parts = [Part(plane_of(ring), ring) for ring in solid.faces]
@@ -63,7 +63,8 @@ def convex_pieces(solid: Solid) -> list[Piece]:
         cell, parts = ahead.pop()
         plane = best_plane(parts)
         behind, front = sided(parts, plane), sided(parts, opposite(plane))
-        # Both halves have a face of the plane on their rim, so one that no face cuts is known.
+        # Both halves have a face of the plane on their rim, so a half without further faces is
+        # decided.
         faced = any(part.plane == plane for part in parts)
         for half, inside, side in ((behind, faced, plane), (front, not faced, opposite(plane))):
             if not half and not inside:
@@ -82,7 +83,7 @@ def opposite(plane: Plane) -> Plane:
 
 
 def best_plane(parts: list[Part]) -> Plane:
-    """The plane that cuts the fewest faces, and then parts them most evenly."""
+    """Return the plane that cuts the fewest faces, and then balances the sides best."""
     planes = list(dict.fromkeys(part.plane for part in parts))
     step = 1 + len(planes) // MOST_CANDIDATES
 
@@ -102,7 +103,7 @@ def best_plane(parts: list[Part]) -> Plane:
 
 
 def sided(parts: list[Part], plane: Plane) -> list[Part]:
-    """The parts below the plane of faces that are not in it."""
+    """Return the parts below the plane, without faces in the plane."""
     kept = []
     for part in parts:
         if part.plane in (plane, opposite(plane)):
@@ -114,7 +115,7 @@ def sided(parts: list[Part], plane: Plane) -> list[Part]:
 
 
 def below(ring: Ring, plane: Plane) -> Ring:
-    """The ring cut to n . x <= offset."""
+    """Cut a ring to n . x <= offset."""
     n, offset = plane
     unit, points = wholes(ring)
     levels = [inner(n, point) * offset.denominator - offset.numerator * unit for point in points]
@@ -133,7 +134,8 @@ def below(ring: Ring, plane: Plane) -> Ring:
 
 
 def halved(cell: list[Ring], plane: Plane) -> list[Ring]:
-    """The convex cell, given by its facets, below the plane, which passes through its inside."""
+    """Return the part below the plane of a convex cell, given as facets; the plane must cut the
+    interior."""
     kept = []
     on: dict[Place, None] = {}
     for facet in cell:
@@ -146,8 +148,8 @@ def halved(cell: list[Ring], plane: Plane) -> list[Ring]:
 
 
 def convex_ring(points: list[Place], normal: Whole) -> Ring:
-    """Points of a plane, in the order of their convex hull, counter-clockwise seen from the side
-    of the normal."""
+    """Return the convex hull of coplanar points as a ring, counter-clockwise seen from the normal's
+    side."""
     axis = next(k for k in range(3) if normal[k])
     u, v = (k for k in range(3) if k != axis)
 
@@ -170,7 +172,7 @@ def convex_ring(points: list[Place], normal: Whole) -> Ring:
 
 
 def box_around(points: list[Place]) -> list[Ring]:
-    """The facets of a box that all points are inside of."""
+    """Return the facets of a box with all points strictly inside."""
     low = [min(point[k] for point in points) - 1 for k in range(3)]
     high = [max(point[k] for point in points) + 1 for k in range(3)]
     facets = []
@@ -187,7 +189,7 @@ def box_around(points: list[Place]) -> list[Ring]:
 
 
 def piece_of(facets: list[Ring]) -> Piece:
-    """The piece of the facets of a polytope, or of one ring of a single point or two."""
+    """Make a piece from a polytope's facets, or from a ring of one or two points."""
     points = list(dict.fromkeys(point for ring in facets for point in ring))
     unit, corners = wholes(points)
     place = dict(zip(points, corners, strict=True))

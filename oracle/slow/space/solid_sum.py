@@ -1,8 +1,8 @@
-"""Points of a sum in space: `sP + Q` is the union of the sums of all pairs of convex pieces.
+"""Tests points in a sum in space: `sP + Q` unites the sums of all pairs of convex pieces.
 
-The sum of two convex pieces is the set of points x with n . x <= max n . a + max n . b for the
-normals n of both and the cross products of their edges: its facets have no other normals, and each
-such n gives a half-space that holds the sum. So there is nothing to construct.
+The sum of two convex pieces contains x iff n . x <= max n . a + max n . b for all normals n of both
+and all cross products of their edges: its facets have no other normals, and each such n gives a
+half-space that holds the sum. No construction is needed.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ HalfSpace = tuple[Whole, int, int]  # n . x <= bound / unit
 
 
 class SolidSum:
-    """For questions about many points. InputError if neither operand has faces."""
+    """A sum prepared for many points. InputError if neither operand has faces."""
 
     def __init__(self, P: Solid, Q: Solid, factors: Place) -> None:
         if P.ends and Q.ends:
@@ -37,9 +37,9 @@ class SolidSum:
         return found
 
     def holds(self, x: Place, ways: Sequence[Whole] = (), interiors: bool = False) -> bool:
-        """Whether the closed sum, or with `interiors` the sum of the (relative) interiors, has the
-        point x; with ways u, v, ... the point x + e u + e^2 v + ... for all small e > 0. Exact. The
-        pairs of pieces times the half-spaces of each at worst."""
+        """Tell whether the closed sum, or with `interiors` the sum of the (relative) interiors,
+        contains x; with ways u, v, ... the point x + e u + e^2 v + ... for all small e > 0. Exact.
+        Cost: pairs of pieces times their half-spaces at worst."""
         w, (whole,) = wholes([x])
         for pair, (unit, (low, high)) in enumerate(self._ends):
             place = (c * unit for c in whole)
@@ -60,7 +60,8 @@ class SolidSum:
                 first = next((step for step in steps if step), 0)
                 if first < 0 or (first == 0 and not interiors):
                     continue
-            bounds.insert(0, bounds.pop(place))  # what parts once will part again
+            bounds.insert(0, bounds.pop(place))  # a half-space that separates once will separate
+                                                 # again
             return False
         return True
 

@@ -1,8 +1,8 @@
-"""The whole of a small sum in space, plane by plane.
+"""Computes a small sum in space completely, plane by plane.
 
-A point of a facet's plane is exposed if the point just below is in the sum and the one just above
-is not. The exposed part ends only where the section of some sum of two pieces ends. So the sides of
-all sections are cut where they meet, and both sides of each part are asked.
+A point on a facet's plane is exposed if the sum contains the point just below but not the point
+just above. The exposed part ends only at an edge of a section through a sum of two pieces. So the
+sections' sides are cut where they meet, and each part is tested on both sides.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ WholeSegment = tuple[Vector, Vector]
 
 
 def whole_sum(truth: SolidSum) -> Exposed:
-    """The sum in canonical form. Exact. For a few dozen pairs of pieces: planes times pairs squared
-    at worst."""
+    """Compute the sum in canonical form. Exact. For a few dozen pairs of pieces: planes times the
+    square of pairs at worst."""
     facets = [facet_planes(truth, pair) for pair in range(len(truth.pairs))]
     planes = sorted({plane for found in facets for plane in found})
     return exposed((plane, list(_rim(truth, facets, plane))) for plane in planes)
 
 
 def facet_planes(truth: SolidSum, pair: int) -> list[Plane]:
-    """Those of its half-spaces that the sum of two pieces has an area in common with."""
+    """Return the half-spaces whose planes touch the sum of two pieces with positive area."""
     found = []
     for n, bound, unit in truth.bounds(pair):
         ways = [way for piece in truth.pairs[pair] for way in ways_along(piece, n)]
@@ -42,15 +42,15 @@ def facet_planes(truth: SolidSum, pair: int) -> list[Plane]:
 
 
 def ways_along(piece: Piece, n: Whole) -> list[Whole]:
-    """From one of its corners that are highest along n to the others."""
+    """Return the ways from one corner farthest along n to the others."""
     most = piece.support(n)
     first, *rest = (corner for corner in piece.corners if inner(n, corner) == most)
     return [(x - first[0], y - first[1], z - first[2]) for x, y, z in rest]
 
 
 def section(truth: SolidSum, pair: int, facets: list[Plane], plane: Plane) -> list[Place]:
-    """The part of the plane in the sum of two pieces, as a ring; none where the part has no area,
-    or all of the sum is below the plane."""
+    """Return the plane's section through the sum of two pieces, as a ring; none if the section has
+    no area, or if the whole sum lies below the plane."""
     (a, b, c), offset = plane
     if height_along(truth, pair, (a, b, c)) < offset:
         return []
@@ -67,19 +67,19 @@ def section(truth: SolidSum, pair: int, facets: list[Plane], plane: Plane) -> li
 
 
 def height_along(truth: SolidSum, pair: int, n: Whole) -> Fraction:
-    """The greatest n . x over the sum of two pieces."""
+    """Return the greatest n . x on the sum of two pieces."""
     a, b = truth.pairs[pair]
     return Fraction(a.support(n) * b.unit + b.support(n) * a.unit, a.unit * b.unit)
 
 
 def square(plane: Plane, low: Fraction, high: Fraction) -> list[Place]:
-    """A part of the plane that is seen as a square."""
+    """Return a part of the plane that appears as a square."""
     corners = [(low, low), (high, low), (high, high), (low, high)]
     return [lifted(corner, plane) for corner in corners]
 
 
 def _rim(truth: SolidSum, facets: list[list[Plane]], plane: Plane) -> Iterator[Segment]:
-    """Where the exposed part of the plane ends, with that part on the left as it is seen."""
+    """Find the exposed part's edges, with the exposed part to the left as seen."""
     axis = viewing_axis(plane[0])
     rings = []
     for pair in range(len(truth.pairs)):
@@ -111,8 +111,8 @@ def over(point: Vector, unit: int) -> Point:
 
 
 def has(segments: set[WholeSegment], point: tuple[int, int, int]) -> bool:
-    """One of the segments of a line has this point of it, whose coordinates are over the third
-    number, a positive one."""
+    """Tell whether a segment contains the point on its line; the third number is the coordinates'
+    positive denominator."""
     x, y, t = point
     return any((a[0] * t, a[1] * t) <= (x, y) <= (b[0] * t, b[1] * t) for a, b in segments)
 
@@ -131,20 +131,21 @@ def _part(truth: SolidSum, plane: Plane, a: Point, b: Point) -> Iterator[Segment
 
 
 def is_exposed(truth: SolidSum, normal: Whole, x: Place, way: Whole) -> bool:
-    """Whether the point of the plane a little from x towards `way` is exposed."""
+    """Tell whether the plane's point a little from x along `way` is exposed."""
     a, b, c = normal
     return truth.holds(x, [way, (-a, -b, -c)]) and not truth.holds(x, [way, normal])
 
 
 def line_of(a: Vector, b: Vector) -> Line:
-    """Its direction, to the right or upwards, and the cross product of that with its points."""
+    """Return the line's direction, to the right or upwards, and its cross product with the line's
+    points."""
     low, high = min(a, b), max(a, b)
     d = primitive(high[0] - low[0], high[1] - low[1])
     return d, cross(d, low)
 
 
 def meeting(one: Line, other: Line) -> tuple[int, int, int] | None:
-    """The point in which two lines meet, over its third number, a positive one; None if they are
+    """Return the intersection of two lines, with a positive third number as denominator; None if
     parallel."""
     (d, c), (e, f) = one, other
     turn = cross(d, e)
