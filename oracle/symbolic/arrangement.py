@@ -14,8 +14,8 @@ from .triples import ends_passed, triple_events
 
 @dataclass(frozen=True, slots=True)
 class ArrangementEvent:
-    """An event of the segments of these indices, ascending; `kind` pair, parallel, triple, or end:
-    a third segment passes an end of one of two that share a segment at all scales nearby."""
+    """An event of segments, indices ascending; `kind` pair, parallel, triple, or end: a third
+    segment passes an end of one segment while two share a segment at all nearby scales."""
 
     kind: str
     segments: tuple[int, ...]
@@ -23,7 +23,7 @@ class ArrangementEvent:
 
 
 def pairwise_events(segments: Sequence[MovingSegment]) -> list[ArrangementEvent]:
-    """The pair and parallel events of all pairs, swaps of end points among them. O(n^2), exact."""
+    """Find all pair and parallel events, including swaps of end points. O(n^2), exact."""
     found = []
     for (i, a), (j, b) in combinations(enumerate(segments), 2):
         kind = "parallel" if parallel(a, b) else "pair"
@@ -33,7 +33,7 @@ def pairwise_events(segments: Sequence[MovingSegment]) -> list[ArrangementEvent]
 
 
 def meet_at_once(found: Sequence[Interval | None]) -> bool:
-    """Whether some scale is in all of these closed intervals."""
+    """Tell whether all these closed intervals share a scale."""
     known = [each for each in found if each is not None]
     low = max((each.low for each in known if each.low is not None), default=None)
     high = min((each.high for each in known if each.high is not None), default=None)
@@ -41,10 +41,10 @@ def meet_at_once(found: Sequence[Interval | None]) -> bool:
 
 
 def threefold_events(segments: Sequence[MovingSegment]) -> list[ArrangementEvent]:
-    """The triple events of all triples, and those of kind `end`. O(n^3), exact.
+    """Find all triple events, and all events of kind `end`. O(n^3), exact.
 
-    At such an event the three share a point, so triples in which no scale has all three pairs in
-    contact have none and are left out."""
+    All three segments share a point at such an event, so triples are left out if at no scale all
+    three pairs are in contact."""
     contact = {(i, j): contact_set(a, b) for (i, a), (j, b) in combinations(enumerate(segments), 2)}
     found = []
     for which in combinations(range(len(segments)), 3):

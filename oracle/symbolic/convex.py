@@ -1,4 +1,4 @@
-"""The facets of sums of convex polyhedra from the definition, by sympy: for small ones."""
+"""The facets of sums of small convex polyhedra from the definition, by sympy."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ Face = frozenset[int]
 
 
 def facets(P: Sequence[Corner], Q: Sequence[Corner], scaling: Corner) -> set[tuple[Face, Face]]:
-    """For each facet of S P + Q, both given by their vertices, the vertices of P and of Q that are
-    farthest along its normal. A direction is one of a facet iff the sum of the two farthest faces
-    is flat: its difference vectors have rank 2. A facet has two edges that are not parallel, each
-    parallel to the difference of two vertices of P or of two of Q, so that all normals are among
-    the products of such differences. Exact. O((m + n)^4) directions."""
+    """Find, for each facet of S P + Q, the vertices of P and Q farthest along its normal; P and Q
+    are given as vertices. A direction is a facet's normal iff the sum of the two farthest faces is
+    flat: its difference vectors have rank 2. Every facet has two edges that are not parallel, each
+    parallel to the difference of two vertices of P or of two vertices of Q, so products of such
+    differences include all normals. Exact. O((m + n)^4) directions."""
     D = sp.diag(*map(sp.Rational, scaling))
     first = [D * _vector(corner) for corner in P]
     second = [_vector(corner) for corner in Q]
@@ -35,7 +35,7 @@ def _vector(corner: Corner) -> sp.Matrix:
 
 
 def _directions(vectors: list[sp.Matrix]) -> list[sp.Matrix]:
-    """One for each line: the first coordinate that is not zero is 1."""
+    """Choose one vector per line, with 1 as the first nonzero coordinate."""
     unique = {}
     for vector in vectors:
         lead = next(number for number in vector if number != 0)

@@ -1,7 +1,7 @@
-"""The edges of the reduced convolution as moving segments, by the rule of compatibility.
+"""The reduced convolution's edges as moving segments, by the rule of compatibility.
 
-docs/definitions.md, Compatibility. An operand is a list of rings, outer ones counter-clockwise and
-holes clockwise; a feature is named by its ring and its index, an edge by its start.
+docs/definitions.md, Compatibility. An operand is a list of rings, outer rings counter-clockwise and
+holes clockwise; ring and index name a feature, and an edge has the index of its start.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Feature = tuple[int, int]
 
 @dataclass(frozen=True, slots=True)
 class ConvolutionEdge:
-    """A moving segment with its parents: an edge of one operand, a vertex of the other."""
+    """A moving segment with its parents: one operand's edge, and the other's vertex."""
 
     segment: MovingSegment
     edge: Feature
@@ -37,7 +37,7 @@ def edges(rings: Sequence[Ring]) -> Iterator[tuple[Feature, Point, Point]]:
 
 
 def convex_vertices(rings: Sequence[Ring]) -> Iterator[tuple[Feature, Point, Point, Point]]:
-    """Strictly convex vertices with the directions of their incoming and outgoing edges."""
+    """Yield strictly convex vertices with the directions of their incoming and outgoing edges."""
     for r, ring in enumerate(rings):
         for i, at in enumerate(ring):
             into, out = minus(at, ring[i - 1]), minus(ring[(i + 1) % len(ring)], at)
@@ -46,7 +46,7 @@ def convex_vertices(rings: Sequence[Ring]) -> Iterator[tuple[Feature, Point, Poi
 
 
 def reduced_convolution(P: Sequence[Ring], Q: Sequence[Ring]) -> list[ConvolutionEdge]:
-    """S-edges, then T-edges, each in the order of the edge, then of the vertex. O(mn), exact."""
+    """Find S-edges, then T-edges, ordered by edge, then by vertex. O(mn), exact."""
     found = []
     for edge, a, b in edges(P):
         d = minus(b, a)

@@ -1,5 +1,5 @@
-"""JSON in and out: what the command reads and prints. Numbers are texts, integers or decimals, read
-as what their text says, and printed as n or n/d."""
+"""JSON documents that the command reads and prints. Numbers may be texts, integers or decimals,
+read exactly as written; they are printed as n or n/d."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ Document = dict[str, Any]
 
 
 class RequestError(ValueError):
-    """A request that cannot be answered: what is wrong and what is asked for."""
+    """A request without an answer; the text says what is wrong and what to ask."""
 
 
 def parsed(source: str) -> Document:
-    """A JSON object; decimals keep their text."""
+    """Parse a JSON object; decimals keep their text."""
     try:
         found = json.loads(source, parse_float=str)
     except ValueError as error:

@@ -1,4 +1,4 @@
-"""Moving segments of the plane, and their places at one scale. docs/definitions.md, Convolution."""
+"""Moving segments in the plane, and their places at one scale. docs/definitions.md, Convolution."""
 
 from __future__ import annotations
 
@@ -16,10 +16,9 @@ KINDS = ("S", "T")
 class MovingSegment:
     """A segment that depends on the scale s > 0.
 
-    `kind` S: the points s (p0 + t (p1 - p0)) + q, `data` is p0, p1, q.
-    `kind` T: the points s p + q0 + t (q1 - q0), `data` is p, q0, q1.
-    0 <= t <= 1; six coordinates, x before y. Raises ValueError for another kind, another number of
-    coordinates, or a parent edge of length zero."""
+    `kind` S: the points s (p0 + t (p1 - p0)) + q, `data` is p0, p1, q. `kind` T: the points s p +
+    q0 + t (q1 - q0), `data` is p, q0, q1. 0 <= t <= 1; six coordinates, x before y. Raises
+    ValueError for another kind, another coordinate count, or a parent edge with length zero."""
 
     kind: str
     data: tuple[Rational, ...]
@@ -31,12 +30,12 @@ class MovingSegment:
             raise ValueError("the parent edge of a moving segment has length zero")
 
     def direction(self) -> Point:
-        """The direction of the parent edge; it does not depend on s."""
+        """The parent edge's direction, the same at all s."""
         x = self.data if self.kind == "S" else self.data[2:]
         return x[2] - x[0], x[3] - x[1]
 
     def at(self, s: Rational) -> Segment:
-        """Both ends at scale s, for t = 0 and t = 1. Exact."""
+        """Return both ends at scale s, for t = 0 and t = 1. Exact."""
         a, b, c, d, e, f = self.data
         if self.kind == "S":
             return (s * a + e, s * b + f), (s * c + e, s * d + f)
@@ -44,12 +43,12 @@ class MovingSegment:
 
 
 def s_edge(p0: Any, p1: Any, q: Any) -> MovingSegment:
-    """The S-edge of the edge p0 p1 of P at the vertex q of Q."""
+    """Make the S-edge from P's edge p0 p1 and Q's vertex q."""
     return MovingSegment("S", rationals((*p0, *p1, *q)))
 
 
 def t_edge(p: Any, q0: Any, q1: Any) -> MovingSegment:
-    """The T-edge of the edge q0 q1 of Q at the vertex p of P."""
+    """Make the T-edge from Q's edge q0 q1 and P's vertex p."""
     return MovingSegment("T", rationals((*p, *q0, *q1)))
 
 
@@ -58,7 +57,7 @@ def cross(u: Point, v: Point) -> Rational:
 
 
 def parallel(first: MovingSegment, second: MovingSegment) -> bool:
-    """Whether the parents have one direction or opposite ones; then so at every scale."""
+    """Tell whether the parents have equal or opposite directions, and so at every scale."""
     return cross(first.direction(), second.direction()) == 0
 
 

@@ -1,9 +1,9 @@
-"""When two moving segments meet: the exact set of scales, and its events.
+"""Contact of two moving segments: the exact set of scales, and its events.
 
-Candidates are the roots of the general solutions; which scales belong to the set is decided at the
-candidates and between neighbours by looking at the two segments there. This is enough: contact
-begins and ends only where an end of the one lies on the line of the other (parallel segments on one
-line: on an end of the other), and all these scales are candidates.
+The general solutions' roots are candidates; looking at the two segments at each candidate, and
+between neighbours, decides which scales belong to the set. This suffices: contact begins and ends
+only where one segment's end lies on the other's line (for parallel segments on one line: on the
+other's end), and all these scales are candidates.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ CONDITIONS = ("t=0", "t=1", "u=0", "u=1")
 
 
 class ContradictionError(AssertionError):
-    """An answer that mathematics rules out: a fault of this package."""
+    """An answer ruled out by mathematics: this package is faulty."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,9 +43,9 @@ class Event:
 
 
 def end_conditions(kinds: str, data: tuple[Rational, ...]) -> list[Rational]:
-    """The scales at which an end of one segment comes to the line of the other. Exact.
+    """Find the scales at which one segment's end comes to the other's line. Exact.
 
-    `kinds` and `data` are those of both segments, which may have length zero."""
+    `kinds` and `data` describe both segments, which may have length zero."""
     return [
         scale
         for condition in CONDITIONS
@@ -54,7 +54,7 @@ def end_conditions(kinds: str, data: tuple[Rational, ...]) -> list[Rational]:
 
 
 def end_meetings(kinds: str, data: tuple[Rational, ...]) -> list[Rational]:
-    """For parallel segments: the scales at which ends are level with each other. Exact."""
+    """Find the scales at which parallel segments have level ends. Exact."""
     return [
         scale
         for t, u in product((0, 1), repeat=2)
@@ -63,14 +63,14 @@ def end_meetings(kinds: str, data: tuple[Rational, ...]) -> list[Rational]:
 
 
 def candidates(first: MovingSegment, second: MovingSegment) -> list[Rational]:
-    """Scales among which are all at which the contact of two segments can begin or end."""
+    """Find scales that include all scales at which two segments' contact can begin or end."""
     kinds, data = first.kind + second.kind, first.data + second.data
     found = end_conditions(kinds, data)
     return found + end_meetings(kinds, data) if parallel(first, second) else found
 
 
 def intervals(marks: list[Rational], member: Callable[[Rational], bool]) -> Iterator[Interval]:
-    """The maximal intervals of a closed set of scales whose ends are among `marks`. Raises
+    """Find the maximal intervals of a closed set of scales with ends among `marks`. Raises
     ContradictionError if the set is not closed."""
     ordered, inner = cells(marks)
     at = [member(mark) for mark in ordered]
@@ -91,10 +91,10 @@ def intervals(marks: list[Rational], member: Callable[[Rational], bool]) -> Iter
 
 
 def contact_set(first: MovingSegment, second: MovingSegment) -> Interval | None:
-    """All s > 0 at which the two segments have a point in common; None if there is none.
+    """Find all s > 0 at which the two segments share a point; None without such s.
 
-    Exact; constant time. The set is an interval: {(s, t, u): X(s, t) = Y(s, u)} becomes convex in
-    the coordinates s, s t or t, s u or u. Raises ContradictionError if it were not one."""
+    Exact; constant time. The set is an interval: {(s, t, u): X(s, t) = Y(s, u)} becomes convex with
+    coordinates s, s t or t, s u or u. Raises ContradictionError for several intervals."""
     found = list(
         intervals(
             candidates(first, second), lambda s: common(first.at(s), second.at(s)) is not None
@@ -106,15 +106,15 @@ def contact_set(first: MovingSegment, second: MovingSegment) -> Interval | None:
 
 
 def pair_events(first: MovingSegment, second: MovingSegment) -> list[Event]:
-    """Birth, death or touch of the contact of two segments that are not parallel, ascending.
-    Raises ValueError for parallel ones, whose events are others."""
+    """Find birth, death or touch of two segments' contact, ascending. Raises ValueError for
+    parallel segments, which have other events."""
     if parallel(first, second):
         raise ValueError("the segments are parallel")
     return bounds(contact_set(first, second), first, second)
 
 
 def bounds(found: Interval | None, first: MovingSegment, second: MovingSegment) -> list[Event]:
-    """The events at the ends of a contact interval."""
+    """Return the events at a contact interval's ends."""
 
     def event(scale: Rational, change: str) -> Event:
         shared: Common = common(first.at(scale), second.at(scale))

@@ -1,6 +1,6 @@
-"""The formulas of Behar & Lien 2012, Section 4, by computer algebra: where two edges of a
-convolution intersect, when that is at an end of one of them, and for which scales they meet. Each
-as printed and in its right form."""
+"""Formulas from Behar & Lien 2012, Section 4, by computer algebra: where two convolution edges
+intersect, when the intersection reaches an end, and for which scales the edges meet. Each as
+printed and corrected."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ EVERY, NONE = "every scale", "no scale"
 
 @dataclass(frozen=True)
 class Edge:
-    """From start to end, two points that are linear in S."""
+    """An edge from start to end, two points linear in S."""
 
     start: sympy.Matrix
     end: sympy.Matrix
@@ -24,12 +24,12 @@ class Edge:
 
 
 def s_edge(p0: tuple[object, object], p1: tuple[object, object], q: tuple[object, object]) -> Edge:
-    """Section 4.1: s e_P + v_Q."""
+    """Make the edge s e_P + v_Q (Section 4.1)."""
     return Edge(S * _vector(p0) + _vector(q), S * _vector(p1) + _vector(q))
 
 
 def t_edge(q0: tuple[object, object], q1: tuple[object, object], p: tuple[object, object]) -> Edge:
-    """Section 4.1: e_Q + s v_P."""
+    """Make the edge e_Q + s v_P (Section 4.1)."""
     return Edge(_vector(q0) + S * _vector(p), _vector(q1) + S * _vector(p))
 
 
@@ -39,8 +39,8 @@ def parallel(a: Edge, b: Edge) -> bool:
 
 
 def intersection(a: Edge, b: Edge, printed: bool) -> sympy.Matrix:
-    """x(s) = x0 + (s - 1) sigma of Section 4.2, from the intersections at the scales 1 and 2: by
-    Observation 1 as printed, or as the solution of l_a(r) = l_b(t)."""
+    """Return x(s) = x0 + (s - 1) sigma from Section 4.2, using the intersections at scales 1 and 2:
+    by Observation 1 as printed, or by solving l_a(r) = l_b(t)."""
     first, second = (_at_scale(a.at(k), b.at(k), printed) for k in (1, 2))
     return first + (S - 1) * (second - first)
 
@@ -56,8 +56,8 @@ def _at_scale(a: Edge, b: Edge, printed: bool) -> sympy.Matrix:
 
 
 def scale_of_contact(x: sympy.Matrix, end: sympy.Matrix, way: str, along: sympy.Matrix) -> object:
-    """The s with x(s) = end(s) (Sections 4.2.1 and 4.2.2): a number, EVERY or NONE. `way`:
-    `printed`, all equations at once; `least-squares`; `corrected`, the equation along the edge."""
+    """Solve x(s) = end(s) (Sections 4.2.1 and 4.2.2): a number, EVERY or NONE. `way`: `printed`,
+    all equations at once; `least-squares`; `corrected`, the equation along the edge."""
     apart = x - end
     if way == "least-squares":
         square = sympy.expand(apart.dot(apart))
@@ -75,9 +75,9 @@ def scale_of_contact(x: sympy.Matrix, end: sympy.Matrix, way: str, along: sympy.
 def region(
     a: Edge, b: Edge, observation: str, solve: str, interval: str
 ) -> tuple[object, object] | None:
-    """The closed interval of scales s > 0 in which two edges that are not parallel meet (Section
-    4.2.3): its bounds, None for one that is not there. As printed the starts bound it from below
-    and the ends from above."""
+    """Find the closed interval of scales s > 0 at which two edges, not parallel, meet (Section
+    4.2.3): its bounds, None for a missing bound. As printed, starts bound the interval from below
+    and ends from above."""
     x = intersection(a, b, observation == "printed")
     lower: list[sympy.Rational] = []
     upper: list[sympy.Rational] = []
@@ -85,7 +85,7 @@ def region(
         along = edge.at(1).end - edge.at(1).start
         for end, is_start in ((edge.start, True), (edge.end, False)):
             scale = scale_of_contact(x, end, solve, along)
-            # Along the edge: not before its start, not beyond its end.
+            # Along the edge: neither before its start nor beyond its end.
             inward = sympy.expand((x - end).dot(along) * (1 if is_start else -1))
             slope = sympy.diff(inward, S)
             if interval == "corrected" and slope == 0:

@@ -1,7 +1,7 @@
 """Exact rational numbers: read from text, written as text, and chosen between two others.
 
-At run time `Rational` is gmpy2.mpq. gmpy2 has no types; a checker is shown fractions.Fraction,
-whose operations mpq shares.
+At run time `Rational` is gmpy2.mpq. Because gmpy2 has no types, type checkers see
+fractions.Fraction, which has the same operations.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ __all__ = ["Rational", "cells", "rational", "rationals", "text"]
 
 
 def rational(value: str | int | Rational) -> Rational:
-    """The number that a text, an integer or a number names: 0.1 is 1/10. Exact.
+    """Convert a text, an integer or a number: 0.1 means 1/10. Exact.
 
-    Raises ValueError for a text that names none, TypeError for a float, which is nobody's exact
-    number here."""
+    Raises ValueError for a text without a number, TypeError for a float, since no float counts as
+    exact here."""
     if isinstance(value, float | bool):
         raise TypeError(f"{value!r} is no exact number; write it as a text or a fraction")
     if isinstance(value, str):
@@ -38,12 +38,12 @@ def rationals(values: Iterable[str | int | Rational]) -> tuple[Rational, ...]:
 
 
 def text(value: Rational) -> str:
-    """`n`, or `n/d` in lowest terms."""
+    """Write `n`, or `n/d` in lowest terms."""
     return str(value)
 
 
 def cells(candidates: Iterable[Rational]) -> tuple[Sequence[Rational], Sequence[Rational]]:
-    """The positive candidates in ascending order, and a rational from each open cell between them:
+    """Return the positive candidates ascending, and a rational from each open cell between them:
     `inner[i]` lies below `marks[i]`, `inner[-1]` above all. Exact, O(n log n)."""
     marks = sorted({mark for mark in candidates if mark > 0})
     if not marks:

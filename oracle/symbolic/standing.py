@@ -1,6 +1,6 @@
-"""The common points of segments at one scale, from the definition: the points that lie on each.
+"""Common points of segments at one scale, from the definition: the points that lie on each.
 
-Nothing here knows that the segments move. Every membership in this package is decided here.
+Nothing here knows that the segments move. This module decides all memberships in this package.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ def minus(a: Point, b: Point) -> Point:
 
 
 def on(point: Point, segment: Segment) -> bool:
-    """Whether the point lies on the closed segment: on its line, and between its ends."""
+    """Tell whether the point lies on the closed segment: on its line, and between its ends."""
     a, b = segment
     along, off = minus(b, a), minus(point, a)
     if not any(along):
@@ -26,7 +26,7 @@ def on(point: Point, segment: Segment) -> bool:
 
 
 def common(first: Segment, second: Segment) -> Common:
-    """All points on both segments: exact. A segment may be a single point. Constant time."""
+    """Return all points on both segments: exact. A segment may be a single point. Constant time."""
     u, v = minus(first[1], first[0]), minus(second[1], second[0])
     c = cross(u, v)
     if c != 0:
@@ -37,13 +37,13 @@ def common(first: Segment, second: Segment) -> Common:
             return None
         x = (first[0][0] + t * u[0], first[0][1] + t * u[1])
         return x, x
-    # On parallel segments the common points are bounded by end points of one that lie on the other.
+    # On parallel segments, each segment's ends on the other bound the common points.
     ends = {point for point in first if on(point, second)}
     ends |= {point for point in second if on(point, first)}
     return (min(ends), max(ends)) if ends else None
 
 
 def common_to_three(first: Segment, second: Segment, third: Segment) -> Common:
-    """All points on all three segments: exact."""
+    """Return all points on all three segments: exact."""
     shared = common(first, second)
     return None if shared is None else common(shared, third)

@@ -1,7 +1,7 @@
 """When three moving segments share a point, and where two of them swap along the third.
 
-Three lines pass through one point at one scale, at none or at all. The scales at which the segments
-do begin and end there, or where two of the segments start or stop meeting.
+Three lines pass through one point at one scale, at none or at all. The segments' own scales begin
+and end there, or where two segments start or stop meeting.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Triple = tuple[MovingSegment, MovingSegment, MovingSegment]
 
 
 def concurrency(triple: Triple) -> list[Rational]:
-    """The isolated scale, if any, at which the three lines pass through one point."""
+    """Find the isolated scale, if any, at which the three lines pass through one point."""
     ordered = sorted(triple, key=lambda segment: segment.kind)
     kinds = "".join(segment.kind for segment in ordered)
     data = (number for segment in ordered for number in segment.data)
@@ -27,7 +27,8 @@ def concurrency(triple: Triple) -> list[Rational]:
 
 
 def turning_points(triple: Triple) -> list[Rational]:
-    """All scales between which nothing changes: who meets whom, and in which order."""
+    """Find all scales between which nothing changes: neither which segments meet nor their
+    order."""
     pairs = combinations(triple, 2)
     return concurrency(triple) + [s for a, b in pairs for s in candidates(a, b)]
 
@@ -37,15 +38,15 @@ def shared_at(triple: Triple, s: Rational) -> Common:
 
 
 def meeting_scales(triple: Triple) -> list[Interval]:
-    """All s > 0 at which three moving segments have a point in common, as maximal intervals,
-    ascending; an isolated scale is an interval with equal ends. Exact; constant time."""
+    """Find all s > 0 at which three moving segments share a point, as maximal intervals, ascending;
+    an isolated scale gives an interval with equal ends. Exact; constant time."""
     return list(intervals(turning_points(triple), lambda s: shared_at(triple, s) is not None))
 
 
 def swaps(triple: Triple) -> Iterator[tuple[Event, int]]:
-    """Where two segments swap along the third: the three share a point, and just below and just
-    above the other two both meet the third, at one point each, in opposite orders. With each event
-    the place (0, 1, 2) of the third. Ascending; exact; constant time."""
+    """Find where two segments swap along the third: the three share a point, and just below and
+    just above both other segments meet the third, each at one point, in opposite orders. Adds the
+    third's place (0, 1, 2) to each event. Ascending; exact; constant time."""
     marks, inner = cells(turning_points(triple))
     for i, mark in enumerate(marks):
         shared = shared_at(triple, mark)
@@ -58,19 +59,19 @@ def swaps(triple: Triple) -> Iterator[tuple[Event, int]]:
 
 
 def triple_events(triple: Triple) -> list[Event]:
-    """The triple events of three segments: one for each scale at which two swap along the third,
-    whichever that is. docs/definitions.md, Critical scales."""
+    """Find the triple events of three segments: one per scale and point at which any two swap along
+    the third. docs/definitions.md, Critical scales."""
     return list(dict.fromkeys(event for event, _ in swaps(triple)))
 
 
 def ends_passed(triple: Triple) -> Iterator[tuple[Event, int]]:
-    """Where two segments pass each other along the third, one or both of them being on its line
-    at all scales: both meet the third just below, at and just above the scale, those on its line
-    along a segment, and an end of theirs there passes the other's place or end, within the third.
-    With each event the place of the third.
+    """Find where two segments pass each other along the third, with one or both always on the
+    third's line: both meet the third just below, at and just above the scale, a segment on the line
+    along a whole segment, whose end passes the other's place or end, inside the third. Adds the
+    third's place to each event.
 
-    The order of a point and a segment that it enters is a matter of words, so this is kept apart
-    from `swaps`. Contact of the first two begins or ends there, or they have a swap of their own.
+    The order of a point and a segment that the point enters is only a convention, so this stays
+    apart from `swaps`. The first two begin or end contact there, or have a swap of their own.
     Ascending for each third; exact."""
     for third, (one, other) in ((0, (1, 2)), (1, (0, 2)), (2, (0, 1))):
         first, second, along = triple[one], triple[other], triple[third]
@@ -83,10 +84,10 @@ def ends_passed(triple: Triple) -> Iterator[tuple[Event, int]]:
             if not all(a) or not all(b):
                 continue
             passed = set()
-            # The ends are in one order along the third at every scale.
+            # The ends keep their order along the third at every scale.
             for m, n in product((0, 1), repeat=2):
                 below, there, above = (x[m] - y[n] for x, y in zip(a, b, strict=True))
-                # Where the third ends, so does what they share with it: that is no end of theirs.
+                # Where the third ends, the shared part ends too: no end of either segment.
                 within = all(0 < x[k] < 1 for k, x in ((m, a[0]), (m, a[2]), (n, b[0]), (n, b[2])))
                 if there == 0 and below * above < 0 and within:
                     passed.add(place(along, a[1][m], mark))
@@ -95,7 +96,7 @@ def ends_passed(triple: Triple) -> Iterator[tuple[Event, int]]:
 
 
 def reach(segment: MovingSegment, along: MovingSegment, s: Rational) -> list[Rational]:
-    """Both ends of what a segment shares with another, as parameters on the other; or nothing."""
+    """Return both ends of two segments' common part, as parameters on `along`; or nothing."""
     shared = common(segment.at(s), along.at(s))
     if shared is None:
         return []
@@ -111,8 +112,8 @@ def place(along: MovingSegment, t: Rational, s: Rational) -> Point:
 
 
 def order_along(triple: Triple, third: int, s: Rational) -> int:
-    """1, -1 or 0: whether the first of the two others meets segment `third` further along, nearer,
-    or at the same point; 0 too unless each meets it in one point at scale s."""
+    """Return 1, -1 or 0: whether the first of the two others meets segment `third` farther along,
+    nearer, or at the same point; also 0 unless each meets the third in one point at scale s."""
     along = triple[third]
     places: list[Point] = []
     for index, other in enumerate(triple):

@@ -61,7 +61,7 @@ class SolidSum:
                 if first < 0 or (first == 0 and not interiors):
                     continue
             bounds.insert(0, bounds.pop(place))  # a half-space that separates once will separate
-                                                 # again
+            # again
             return False
         return True
 

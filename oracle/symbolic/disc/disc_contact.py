@@ -1,4 +1,4 @@
-"""Where features of a swept disc touch, whether the features themselves are there, and all events
+"""Where features of a swept disc touch, whether the features themselves reach there, and all events
 of a polygon: every pair of features, every condition."""
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ Feature = Offset | Arc
 
 @dataclass(frozen=True, slots=True)
 class DiscEvent:
-    """Two features come to touch as `name` says, at the point `at`; `meet`: it lies on both, and
-    not only on the line and circle that they are parts of."""
+    """A touch of two features as `name` says, at the point `at`; `meet`: both features contain the
+    point, not just their line and circle."""
 
     name: str
     first: Feature
@@ -32,14 +32,14 @@ class DiscEvent:
 
 
 def moved_out(point: Point, edge: Offset, r: Rational, s: Radical) -> Place:
-    """A point of an edge, offset: point + s r n. Exact."""
+    """Offset a point on an edge: point + s r n. Exact."""
     x, y = edge.edge
     out = s * r / square_root(x * x + y * y)
     return number(point[0]) + out * y, number(point[1]) - out * x
 
 
 def on_offset(x: Place, edge: Offset, s: Radical, r: Rational) -> bool:
-    """Whether a point lies on an offset edge at scale s, by the definition. Exact."""
+    """Tell whether an offset edge contains a point at scale s, by the definition. Exact."""
     start = moved_out(edge.p, edge, r, s)
     off, e = (x[0] - start[0], x[1] - start[1]), edge.edge
     reach = off[0] * e[0] + off[1] * e[1]
@@ -48,7 +48,8 @@ def on_offset(x: Place, edge: Offset, s: Radical, r: Rational) -> bool:
 
 
 def on_arc(x: Place, arc: Arc, s: Radical, r: Rational) -> bool:
-    """Whether a point lies on an arc at scale s: at its radius, between its normals. Exact."""
+    """Tell whether an arc contains a point at scale s: at its radius, between its normals.
+    Exact."""
     off = (x[0] - arc.centre[0], x[1] - arc.centre[1])
     (a, b), (c, d) = arc.before.edge, arc.after.edge
     radius = s * r
@@ -65,7 +66,7 @@ def on(x: Place, feature: Feature, s: Radical, r: Rational) -> bool:
 
 
 def ends(feature: Feature) -> list[tuple[Point, Offset]]:
-    """The ends of a feature: points of edges that are offset."""
+    """List a feature's ends, each a point on an offset edge."""
     if isinstance(feature, Offset):
         return [(feature.p, feature), (feature.q, feature)]
     return [(feature.centre, feature.before), (feature.centre, feature.after)]
@@ -74,7 +75,7 @@ def ends(feature: Feature) -> list[tuple[Point, Offset]]:
 def pair_conditions(
     first: Feature, second: Feature, r: Rational
 ) -> Iterator[tuple[str, AlgebraicScale, Callable[[Radical], Place]]]:
-    """Every condition of two features, solved, with the point of contact at a scale."""
+    """Yield every condition on two features, solved, with the contact point at a scale."""
     for feature, other in ((first, second), (second, first)):
         for end, edge in ends(feature):
             if isinstance(other, Offset):
@@ -88,13 +89,14 @@ def pair_conditions(
         yield "circles", disc.circles(first, second, r), lambda s: middle
     for arc, line in ((first, second), (second, first)):
         if isinstance(arc, Arc) and isinstance(line, Offset):
-            # From the centre against the normal of the line.
+            # From the centre, against the line's normal.
             place = partial(moved_out, arc.centre, line, -r)
             yield "circle on line", disc.circle_on_line(arc, line, r), place
 
 
 def pair_disc_events(first: Feature, second: Feature, r: Rational) -> list[DiscEvent]:
-    """All conditions of two features, those at no or every scale among them. Exact."""
+    """Find all conditions on two features, including conditions at no scale or every scale.
+    Exact."""
     found = []
     for name, scale, place in pair_conditions(first, second, r):
         at, meet = None, None
@@ -106,13 +108,13 @@ def pair_disc_events(first: Feature, second: Feature, r: Rational) -> list[DiscE
 
 
 def adjacent(first: Feature, second: Feature) -> bool:
-    """Whether an end of the one is an end of the other at every scale."""
+    """Tell whether the features share an end at every scale."""
     return any(end in ends(second) for end in ends(first))
 
 
 def polygon_events(polygon: Sequence[Any], r: Rational) -> list[DiscEvent]:
-    """The events of a disc of radius s r swept along one ring, ascending: where two features
-    that are not adjacent touch, themselves. O(n^2), exact."""
+    """Find the events for a disc of radius s r swept along one ring, ascending: touches of two
+    features that are not adjacent, on the features themselves. O(n^2), exact."""
     features: list[Feature] = [*disc.offsets(polygon), *disc.arcs(polygon)]
     found = [
         event
@@ -125,7 +127,7 @@ def polygon_events(polygon: Sequence[Any], r: Rational) -> list[DiscEvent]:
 
 
 class Ascending:
-    """Sums of radicals in their order as numbers."""
+    """Sums of radicals, ordered as numbers."""
 
     def __init__(self, value: Radical) -> None:
         self.value = value

@@ -1,9 +1,9 @@
-"""Corners of the outer Voronoi diagram of a polygon, and places between two features: the squared
-distances that these single out, as algebraic numbers.
+"""Corners of a polygon's outer Voronoi diagram, and places between two features: their squared
+distances as algebraic numbers.
 
-A feature is a vertex or an edge with the polygon to its left, whose line is meant. Nothing is asked
-of other features, nor of where on the line the place is: these are candidates. Each comes with its
-place where there are two.
+A feature is a vertex, or an edge with the polygon to its left, which stands for its line. These are
+candidates: other features do not count, nor the place's position along a line. With two candidates,
+each has its place.
 """
 
 from __future__ import annotations
@@ -27,15 +27,14 @@ from .radicals import Radical, number, primes_of, square_root
 Feature = Point | Offset
 Bounds = tuple[Rational, Rational]
 ONE = Rational(1)
-BITS = 256  # of bounds
+BITS = 256  # for bounds
 LETTERS = ["a0", "a1", "b", "c", "d0", "d1", "e", "f"]
 
 
 @dataclass(frozen=True, slots=True)
 class SquaredRadius:
-    """`polynomial`: minimal, coprime integers, the highest power first; `bounds` hold the number
-    and no other root of it. `place`: bounds of both coordinates, None where there is but one
-    candidate."""
+    """A squared radius. `polynomial`: minimal, coprime integers, the highest power first; `bounds`
+    contain no other root. `place`: bounds for both coordinates, None for a single candidate."""
 
     polynomial: tuple[int, ...]
     bounds: Bounds
@@ -43,7 +42,7 @@ class SquaredRadius:
 
 
 def between(first: Feature, second: Feature) -> list[SquaredRadius]:
-    """Right between two vertices, or a vertex and a line. Exact."""
+    """Find the place halfway between two vertices, or between a vertex and a line. Exact."""
     if isinstance(second, Offset):
         first, second = second, first
     if isinstance(second, Offset):
@@ -55,7 +54,8 @@ def between(first: Feature, second: Feature) -> list[SquaredRadius]:
 
 
 def in_front(end: Point, edge: Offset, other: Feature) -> list[SquaredRadius]:
-    """Right in front of an end of an edge, and as far from a third feature. Exact."""
+    """Find the place right in front of an edge's end, and equally far from a third feature.
+    Exact."""
     if isinstance(other, Offset):
         w = minus(end, other.p)
         return squared(disc.solve("end on line", ONE, w=w, d=edge.edge, e=other.edge))
@@ -63,7 +63,7 @@ def in_front(end: Point, edge: Offset, other: Feature) -> list[SquaredRadius]:
 
 
 def equidistant(features: Sequence[Feature]) -> list[SquaredRadius]:
-    """As far from three, of which no vertex is on a line. Exact."""
+    """Find the places equally far from three features, none of them a vertex on a line. Exact."""
     points = [feature for feature in features if not isinstance(feature, Offset)]
     lines = [feature for feature in features if isinstance(feature, Offset)]
     if not points:
@@ -80,7 +80,7 @@ def equidistant(features: Sequence[Feature]) -> list[SquaredRadius]:
 
 
 def squared(scale: AlgebraicScale) -> list[SquaredRadius]:
-    """The square of a distance that is a sum of square roots."""
+    """Square a distance given as a sum of square roots."""
     if scale.value is None:
         return []
     return [of_radical(scale.value * scale.value)]
@@ -91,7 +91,7 @@ def of_radical(value: Radical) -> SquaredRadius:
 
 
 def through(line: Offset, origin: Point) -> list[Radical]:
-    """a, b and c of a line."""
+    """Return a, b and c for a line."""
     x, y = line.edge
     w = minus(line.p, origin)
     length = square_root(x * x + y * y)
@@ -99,7 +99,7 @@ def through(line: Offset, origin: Point) -> list[Radical]:
 
 
 def half_way(v: Point) -> list[Radical]:
-    """a, b and c of another point."""
+    """Return a, b and c for another point."""
     square = v[0] * v[0] + v[1] * v[1]
     return [number(v[0]), number(v[1]), number(square / 2), number(0)]
 
@@ -137,7 +137,7 @@ def from_quadratic(data: list[Radical]) -> list[SquaredRadius]:
 
 
 def root(quadratic: Sequence[Radical], way: int) -> Bounds | None:
-    """Bounds of one of the two roots, if it is positive; of a linear equation way 1 has it."""
+    """Bound one of the two roots, if positive; a linear equation has its root for way 1."""
     a, b, c = quadratic
     if a.sign() == 0:
         if way < 0 or b.sign() == 0 or (c / b).sign() >= 0:
@@ -147,7 +147,7 @@ def root(quadratic: Sequence[Radical], way: int) -> Bounds | None:
     sign = discriminant.sign()
     if sign < 0 or (sign == 0 and way < 0):
         return None
-    # The root is (-b + w) / 2 a with w = way sqrt(discriminant): signs are told exactly.
+    # The root is (-b + w) / 2 a with w = way sqrt(discriminant): signs are exact.
     w_sign, b_sign = way * sign, b.sign()
     larger = (discriminant - b * b).sign()  # of |w| and |b|
     top_sign = w_sign if larger > 0 or b_sign == 0 else -b_sign if larger < 0 else w_sign - b_sign
@@ -160,7 +160,7 @@ def root(quadratic: Sequence[Radical], way: int) -> Bounds | None:
 
 
 def bounds(value: Radical) -> Bounds:
-    """To some relative precision, unless it is zero."""
+    """Bound a number to a fixed relative precision, unless it is zero."""
     bits = BITS
     while True:
         low, high = value.bounds(bits)
@@ -183,7 +183,7 @@ def hull(first: Bounds, second: Bounds) -> Bounds:
 
 
 def quotient(top: Bounds, below: Bounds) -> Bounds:
-    """The quotient of intervals, the second without zero."""
+    """Divide intervals; the second must not contain zero."""
     ends = [a / b for a in top for b in below]
     return min(ends), max(ends)
 
@@ -196,8 +196,8 @@ def moved(found: SquaredRadius, origin: Point) -> SquaredRadius:
 
 
 def minimal(quadratic: Sequence[Radical], square: Bounds) -> tuple[int, ...]:
-    """The minimal polynomial of the square of a root of a r^2 + b r + c, which is in `square`. It
-    divides the product of (a R + c)^2 - b^2 R over the conjugates."""
+    """Find the minimal polynomial for the square of a root of a r^2 + b r + c, given bounds
+    `square`. It divides the product of (a R + c)^2 - b^2 R over the conjugates."""
     a, b, c = quadratic
     own = [a * a, 2 * a * c - b * b, c * c]
     product = own

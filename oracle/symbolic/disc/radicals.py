@@ -1,9 +1,9 @@
 """Sums of square roots of rationals: exact sums, products, quotients, signs, minimal polynomials.
 
-A number is the sum of c sqrt(m) over different squarefree integers m > 0, c rational. The square
-roots of different squarefree integers are independent over Q (Besicovitch 1940), so a number is
-zero iff all its c are: every zero test is exact. Its conjugates change the signs of the roots of
-the primes; all are real, and the different ones are the roots of its minimal polynomial.
+A number is the sum of c sqrt(m) over different squarefree integers m > 0, c rational. Square roots
+of different squarefree integers are independent over Q (Besicovitch 1940), so a number is zero iff
+all c are: every zero test is exact. Conjugates change signs of primes' roots; all are real, and the
+different conjugates are the roots of the minimal polynomial.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def primes_of(m: int) -> tuple[int, ...]:
 
 @dataclass(frozen=True, slots=True)
 class Radical:
-    """The number sum of c sqrt(m); `terms` are (m, c) in ascending m, no c zero."""
+    """The number sum of c sqrt(m); `terms` are (m, c) by ascending m, no c zero."""
 
     terms: tuple[tuple[int, Rational], ...]
 
@@ -70,7 +70,7 @@ class Radical:
         return self * number(other).inverse()
 
     def inverse(self) -> Radical:
-        """One over it, by making the denominator rational prime after prime. Raises
+        """Invert the number, by making the denominator rational prime after prime. Raises
         ZeroDivisionError."""
         if not self.terms:
             raise ZeroDivisionError("the inverse of zero")
@@ -81,18 +81,18 @@ class Radical:
         return mirrored * (self * mirrored).inverse()
 
     def flipped(self, prime: int) -> Radical:
-        """The conjugate in which the square root of a prime has the other sign."""
+        """Return the conjugate with the opposite sign for a prime's square root."""
         return Radical(tuple((m, -c if m % prime == 0 else c) for m, c in self.terms))
 
     def conjugates(self) -> list[Radical]:
-        """All different ones, itself first."""
+        """List all different conjugates, this number first."""
         found = [self]
         for prime in sorted({p for m, _ in self.terms for p in primes_of(m)}):
             found = list(dict.fromkeys([*found, *(x.flipped(prime) for x in found)]))
         return found
 
     def minimal_polynomial(self) -> list[int]:
-        """Coefficients, coprime integers, the highest power first and positive. Exact."""
+        """Return coprime integer coefficients, the highest power first and positive. Exact."""
         product = [number(1)]
         for root in self.conjugates():
             raised = [*product, number(0)]
@@ -103,7 +103,7 @@ class Radical:
         return [c // gcd(*whole) for c in whole]
 
     def bounds(self, bits: int) -> tuple[Rational, Rational]:
-        """Rationals below and above (or equal to) the number, each root within 2^-bits."""
+        """Return rationals below and above (or equal to) the number, each root within 2^-bits."""
         low = high = Rational(0)
         for m, c in self.terms:
             floor = isqrt(m << 2 * bits)
@@ -113,7 +113,7 @@ class Radical:
         return low / (1 << bits), high / (1 << bits)
 
     def sign(self) -> int:
-        """-1, 0 or 1: exact, since only zero has no terms."""
+        """Return -1, 0 or 1: exact, since only zero has no terms."""
         bits = 32
         while self.terms:
             low, high = self.bounds(bits)
@@ -123,8 +123,8 @@ class Radical:
         return 0
 
     def isolated(self) -> tuple[Rational, Rational]:
-        """An interval with rational ends that holds this root of its minimal polynomial and no
-        other; of length zero if it is rational."""
+        """Return an interval with rational ends and no other root of the minimal polynomial; its
+        length is zero for a rational."""
         others, bits = self.conjugates()[1:], 16
         if not others:
             value = dict(self.terms).get(1, Rational(0))
@@ -142,7 +142,7 @@ def number(value: Radical | Rational | int) -> Radical:
 
 
 def square_root(value: Rational) -> Radical:
-    """The positive square root of a rational that is not negative; factors its integers."""
+    """Return the positive square root of a nonnegative rational; factors its integers."""
     n, d = int(value.numerator), int(value.denominator)
     if n < 0:
         raise ValueError("the square root of a negative number")

@@ -1,9 +1,9 @@
-"""The events of three moving convex facets of which two, or all, lie in one plane at all scales:
-where a side of each in that plane passes through one point. docs/definitions.md, In space.
+"""Events of three moving convex facets, two or all of them coplanar at all scales: a side of each
+coplanar facet passes through one common point. docs/definitions.md, In space.
 
-The planes that stand on two such sides, the plane itself, and the plane of the third facet or the
-plane on its side come to pass through one point: a condition of four planes. The change there is
-seen from facets that stand still.
+The planes standing on two such sides, the facets' plane, and the third facet's plane or its side's
+standing plane come to pass through one point: a condition on four planes. Facets that stand still
+show the change there.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ Facets = Sequence[MovingFacet]
 
 @dataclass(frozen=True, slots=True, order=True)
 class TupleEvent:
-    """At scale s and the point `at`; `change` birth, death, touch or, of facets two of which lie
-    in one plane, pass."""
+    """At scale s and the point `at`; `change` birth, death, touch or, if two facets are coplanar,
+    pass."""
 
     s: Rational
     change: str
@@ -37,8 +37,8 @@ def always_in_one_plane(first: MovingFacet, second: MovingFacet) -> bool:
 
 
 def coplanar_triple_events(facets: Facets) -> list[TupleEvent]:
-    """Ascending; without those at whose scale and point two of the three have an event. Exact.
-    Raises ValueError where no two lie in one plane."""
+    """Find the events, ascending, except where two of the three have an event at the same scale and
+    point. Exact. Raises ValueError unless two facets are coplanar."""
     flat = [pair for pair in combinations(range(3), 2) if always_in_one_plane(*_two(facets, pair))]
     if not flat:
         raise ValueError("no two of the facets lie in one plane at all scales")
@@ -51,7 +51,7 @@ def coplanar_triple_events(facets: Facets) -> list[TupleEvent]:
 
 
 def walls(facet: MovingFacet) -> Iterator[Plane]:
-    """The planes that stand on the sides."""
+    """Yield the planes standing on the sides."""
     normal = facet.plane()[:3]
     for side in facet.edges():
         start: SpaceVertex = side.start
@@ -60,7 +60,7 @@ def walls(facet: MovingFacet) -> Iterator[Plane]:
 
 
 def through_one_point(planes: Sequence[Plane]) -> Rational | None:
-    """The only scale at which four planes pass through one point, if there is one."""
+    """Find the only scale at which four planes pass through one point, if any."""
     case, s = branch(*function("four planes", (5, 5, 5, 5))(*(x for p in planes for x in p)))
     return s if case == "once" else None
 
@@ -70,7 +70,7 @@ def _two(facets: Facets, pair: tuple[int, int]) -> tuple[MovingFacet, MovingFace
 
 
 def _events(flat: Facets, across: MovingFacet | None) -> list[TupleEvent]:
-    """The events of facets in one plane, with one across or without."""
+    """Find events of coplanar facets, with or without a facet across."""
     every = [*flat, *([] if across is None else [across])]
     plane = flat[0].plane()
     found: set[tuple[Rational, Vector]] = set()
@@ -98,7 +98,8 @@ def _events(flat: Facets, across: MovingFacet | None) -> list[TupleEvent]:
 def _changes(
     found: list[tuple[Rational, Vector]], others: list[Rational], every: Facets
 ) -> Iterator[tuple[Rational, str, Vector]]:
-    """Whether all share points just below and just above: nothing happens in between."""
+    """Name each change by whether all share points just below and just above: nothing happens
+    between events."""
     ordered, inner = cells([s for s, _ in found] + others)
     names = {
         (True, True): "pass", (False, True): "birth", (True, False): "death",
@@ -110,7 +111,7 @@ def _changes(
 
 
 def _share(every: Facets, s: Rational) -> bool:
-    """Whether three facets share a point at a scale, the first two being in one plane."""
+    """Tell whether three facets share a point at a scale, the first two coplanar."""
     corners = [facet.corners(s) for facet in every]
     if planes_parallel(every[0], every[2]):
         return bool(shared_by_convex(corners))

@@ -1,9 +1,9 @@
-"""The events of two moving convex facets: where the segment that they share is born, dies, or has
-an end that turns. docs/definitions.md, In space.
+"""Events of two moving convex facets: their common segment is born, dies, or turns one of its ends.
+docs/definitions.md, In space.
 
-The scales that come into question are those of the derived solutions: a corner in a plane, two
-sides in one plane. The change there is seen from facets that stand still, at each such scale and
-between scales; the ends of the shared segment move evenly between.
+The derived solutions give the possible scales: a corner on a plane, two coplanar sides. Facets that
+stand still show the change, at each such scale and between scales; the common segment's ends move
+evenly between.
 """
 
 from __future__ import annotations
@@ -33,8 +33,9 @@ class FacetEvent:
 
 @dataclass(frozen=True, slots=True)
 class FacetEvents:
-    """`standing`: parallel planes are "once" in one, "always" or "never"; else "crossing".
-    `degenerate`: scales coincide, or something touches at all scales."""
+    """The events, and how the planes stand. `standing`: "once", "always" or "never" if parallel
+    planes coincide so; else "crossing". `degenerate`: scales coincide, or something always
+    touches."""
 
     standing: str
     events: tuple[FacetEvent, ...]
@@ -42,7 +43,7 @@ class FacetEvents:
 
 
 def facet_events(first: MovingFacet, second: MovingFacet) -> FacetEvents:
-    """All with s > 0, ascending. Exact."""
+    """Find all events with s > 0, ascending. Exact."""
     if planes_parallel(first, second):
         coming = plane_event(first, second)
         if coming.case == "always":
@@ -56,7 +57,7 @@ def facet_events(first: MovingFacet, second: MovingFacet) -> FacetEvents:
 
 
 def _marks(first: MovingFacet, second: MovingFacet) -> tuple[list[Rational], bool]:
-    """Scales at which something may happen, and whether something touches at all scales."""
+    """Find scales at which something may happen, and tell whether something always touches."""
     marks, always = [], False
     for facet, other in ((first, second), (second, first)):
         for vertex in other.vertices():
@@ -104,14 +105,14 @@ def _crossing(
 
 
 def _along(first: MovingFacet, second: MovingFacet, found: Segment3) -> Segment3:
-    """In the direction of the line in which the planes cross, the same at all scales."""
+    """Order the ends along the planes' common line, whose direction never changes."""
     direction = cross(first.plane()[:3], second.plane()[:3])
     ends = sorted(found, key=lambda x: sum(a * b for a, b in zip(x, direction, strict=True)))
     return ends[0], ends[1]
 
 
 def _straight(a: Vector, r: Rational, x: Vector, s: Rational, b: Vector, t: Rational) -> bool:
-    """Whether a point that is at a, x, b at the scales r < s < t may move evenly."""
+    """Tell whether a point at a, x, b at the scales r < s < t may move evenly."""
     before = [(y - z) / (s - r) for y, z in zip(x, a, strict=True)]
     return before == [(y - z) / (t - s) for y, z in zip(b, x, strict=True)]
 
@@ -123,14 +124,14 @@ def _change(below: bool, above: bool) -> str:
 
 
 def _once(first: MovingFacet, second: MovingFacet, s: Rational) -> Iterator[FacetEvent]:
-    """The event where the planes are one at this scale."""
+    """Find the event where the planes coincide at this scale."""
     f, g = first.corners(s), second.corners(s)
     if polygons_meet(f, g):
         yield FacetEvent(s, "parallel" if share_an_area(f, g) else "vertex", "touch", None)
 
 
 def _in_one_plane(first: MovingFacet, second: MovingFacet) -> Iterator[FacetEvent]:
-    """The events where the planes are one at all scales: corners come to lie on sides."""
+    """Find the events of always coplanar facets: corners come to lie on sides."""
     marks = [s for a, b in product(first.edges(), second.edges()) for s in _ends_on_lines(a, b)]
     found: dict[Rational, set[Vector]] = {}
     for s in cells(marks)[0]:

@@ -1,9 +1,8 @@
-"""The events of three moving convex facets, and of four: where they start or stop to share a point,
-or share one at one scale. docs/definitions.md, In space.
+"""Events of three moving convex facets, and of four: they start or stop sharing a point, or share a
+point at one scale. docs/definitions.md, In space.
 
-A point of three planes moves evenly; it may enter or leave a facet where it comes to lie in the
-plane that stands on a side, which is a condition of four planes. The change there is seen from
-facets that stand still.
+The common point of three planes moves evenly; it may enter or leave a facet only on a plane
+standing on a side, which is a condition on four planes. Facets that stand still show the change.
 """
 
 from __future__ import annotations
@@ -30,8 +29,8 @@ Facets = Sequence[MovingFacet]
 
 
 def triple_events(facets: Facets) -> list[TupleEvent]:
-    """The events of three facets, ascending, without those at whose scale and point two facets have
-    an event. Parallel facets count only where they lie in one plane at all scales. Exact."""
+    """Find the events of three facets, ascending, except where two facets have an event at the same
+    scale and point. Parallel facets count only if they are always coplanar. Exact."""
     if any(always_in_one_plane(a, b) for a, b in combinations(facets, 2)):
         return coplanar_triple_events(facets)
     if parallel_among(facets):
@@ -46,8 +45,8 @@ def triple_events(facets: Facets) -> list[TupleEvent]:
 
 
 def quadruple_event(facets: Facets) -> TupleEvent | None:
-    """The event of four facets, no two of them parallel; None where fewer of them have an event at
-    its scale and point. Exact."""
+    """Find the event of four facets, no two parallel; None if fewer facets have an event at its
+    scale and point. Exact."""
     normals = [facet.plane()[:3] for facet in facets]
     if not any(dot(cross(a, b), c) for a, b, c in combinations(normals, 3)):
         return None
@@ -65,7 +64,7 @@ def parallel_among(facets: Facets) -> bool:
 
 
 def _is_of_fewer(facets: Facets, count: int, event: TupleEvent) -> bool:
-    """Whether so many of the facets have an event at the same scale and point."""
+    """Tell whether `count` facets have an event at the same scale and point."""
     for some in combinations(facets, count):
         known: Sequence[object] = (
             facet_events(some[0], some[1]).events if count == 2 else triple_events(some)
@@ -95,8 +94,8 @@ def _of_a_track(facets: Facets, planes: Sequence[Plane]) -> Iterator[TupleEvent]
 
 
 def _of_a_line(facets: Facets, planes: Sequence[Plane]) -> Iterator[TupleEvent]:
-    """Events where all planes are parallel to one line: they share a line at one scale, if not
-    always or never, and the facets then perhaps a segment."""
+    """Find events where all planes are parallel to one line: unless always or never, they share a
+    line at one scale, and the facets then perhaps a segment."""
     n = [plane[:3] for plane in planes]
     along = cross(n[0], n[1])
     a, b = (dot(cross(u, v), along) / dot(along, along) for u, v in ((n[2], n[1]), (n[0], n[2])))

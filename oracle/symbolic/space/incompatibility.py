@@ -1,5 +1,5 @@
-"""The degree of incompatibility of Behar & Lien 2012, Section 6, by computer algebra, and the
-descent on it: as printed and in its right form."""
+"""The degree of incompatibility from Behar & Lien 2012, Section 6, by computer algebra, and the
+descent along it: as printed and corrected."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ T = sp.Symbol("t", real=True)
 def degrees(
     facet: Sequence[Corner], vertex: Corner, others: Sequence[Corner], scaling: Corner
 ) -> dict[str, list[sp.Rational]]:
-    """For each edge from the vertex to one of the others its part of IC(f, v) squared. `facet`:
-    the corners of a facet of P, counter-clockwise seen from outside, not yet scaled. The plane of
-    the scaled facet is moved to the vertex. `printed`: the longest distance of a point on the edge
-    from it; `corrected`: of a point above it. Exact."""
+    """Compute each edge's part of IC(f, v) squared, from the vertex to each of the others. `facet`:
+    a facet's corners on P, counter-clockwise seen from outside, before scaling. The scaled facet's
+    plane moves to the vertex. `printed`: the longest distance from the plane along the edge;
+    `corrected`: only above the plane. Exact."""
     normal = _normal(facet, scaling)
     start = _vector(vertex)
     square = normal.dot(normal)
@@ -25,7 +25,7 @@ def degrees(
     for other in others:
         point = start + T * (_vector(other) - start)  # t from 0 to 1
         height = sp.expand(normal.dot(point - start))
-        ends = [height.subs(T, t) for t in (0, 1)]  # it is linear in t
+        ends = [height.subs(T, t) for t in (0, 1)]  # linear in t
         found["printed"].append(max(end**2 for end in ends) / square)
         found["corrected"].append(max(ends) ** 2 / square)
     return found
@@ -39,9 +39,9 @@ def descent(
     scaling: Corner,
     form: str,
 ) -> tuple[list[tuple[int, set[int], sp.Rational]], int | None]:
-    """From a vertex along witnesses until no edge is above the plane: for each vertex on the way
-    the other ends of its witnesses, and IC squared; and the end, None where a vertex is met again.
-    Where there are several witnesses, the text does not say which is taken: the way ends there."""
+    """Descend from a vertex along witnesses until no edge rises above the plane. Returns for each
+    vertex on the way the other ends of its witnesses, and IC squared; then the end, None if a
+    vertex repeats. The text does not choose among several witnesses: the way ends there."""
     way: list[tuple[int, set[int], sp.Rational]] = []
     while vertex not in [at for at, _, _ in way]:
         others = list(neighbours[vertex])
@@ -51,7 +51,7 @@ def descent(
         most = max(found[form])
         witnesses = {k for k, own in zip(others, found[form], strict=True) if own == most}
         way.append((vertex, witnesses, most))
-        if len(witnesses) > 1:  # which is taken is not said
+        if len(witnesses) > 1:  # the text does not choose
             return way, None
         (vertex,) = witnesses
     return way, None

@@ -1,5 +1,5 @@
-"""The events of moving facets and edges in space. Each answer says at which scales the planes or
-lines come together, and whether the facets or edges themselves do."""
+"""Events of moving facets and edges in space: the scales at which planes or lines come together,
+and whether the facets or edges themselves meet."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .space_standing import in_polygon, polygons_meet, shared
 @dataclass(frozen=True, slots=True)
 class Coming:
     """When planes come together: `case` once (at `s`), always or never (s None). `meet`: whether
-    the facets themselves have a point in common at s; None unless `case` is once."""
+    the facets themselves share a point at s; None unless `case` is once."""
 
     case: str
     s: Rational | None = None
@@ -36,7 +36,7 @@ def function(name: str, sizes: tuple[int, ...]) -> Any:
 
 
 def vertex_event(facet: MovingFacet, vertex: SpaceVertex) -> Coming:
-    """When a moving vertex lies in the plane of a facet; `meet`: in the facet. Exact."""
+    """Find when a moving vertex lies in a facet's plane; `meet`: whether in the facet. Exact."""
     case, s = branch(*function("vertex in plane", (5, 6))(*facet.plane(), *vertex.p, *vertex.q))
     if s is None:
         return Coming(case)
@@ -49,8 +49,8 @@ def planes_parallel(first: MovingFacet, second: MovingFacet) -> bool:
 
 
 def plane_event(first: MovingFacet, second: MovingFacet) -> Coming:
-    """When parallel planes coincide; always: the facets are coplanar at every scale. Raises
-    ValueError for planes that are not parallel. Exact."""
+    """Find when parallel planes coincide; always: the facets are coplanar at every scale. Raises
+    ValueError unless the planes are parallel. Exact."""
     if not planes_parallel(first, second):
         raise ValueError("the planes are not parallel")
     a, b = first.plane(), second.plane()
@@ -62,9 +62,9 @@ def plane_event(first: MovingFacet, second: MovingFacet) -> Coming:
 
 
 def four_event(facets: Sequence[MovingFacet]) -> Coming:
-    """When the planes of four facets pass through one point, no direction being parallel to all;
-    `meet`: whether it is in all four facets. `always` and `never` as the determinant has it. For
-    normals in one plane there is no single point: raises ValueError. Exact."""
+    """Find when the planes of four facets, not all parallel to one direction, pass through one
+    point; `meet`: whether all four facets contain the point. The determinant decides `always` and
+    `never`. Raises ValueError for normals in one plane, which give no single point. Exact."""
     planes = [facet.plane() for facet in facets]
     free = [t for t in TRIPLES if dot(cross(planes[t[0]][:3], planes[t[1]][:3]), planes[t[2]][:3])]
     if len(planes) != 4 or not free:
@@ -80,7 +80,7 @@ TRIPLES = ((0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3))
 
 
 def common_point(planes: Sequence[Vector], s: Rational) -> Vector:
-    """The common point of three planes at scale s, by Cramer's rule."""
+    """Return the common point of three planes at scale s, by Cramer's rule."""
     n, h = [p[:3] for p in planes], [p[3] * s + p[4] for p in planes]
     weights = (cross(n[1], n[2]), cross(n[2], n[0]), cross(n[0], n[1]))
     return tuple(
@@ -90,19 +90,19 @@ def common_point(planes: Sequence[Vector], s: Rational) -> Vector:
 
 
 def lines_polynomial(first: SpaceSegment, second: SpaceSegment) -> list[Rational]:
-    """The polynomial in s, highest power first, whose roots are the scales at which the lines of
-    two edges lie in one plane. Degree 1 for S- and T-edges, 2 with one diagonal of an ee-facet,
-    3 with two (leading zeros included)."""
+    """Return the polynomial in s, highest power first, with the scales as roots at which two edges'
+    lines are coplanar. Degree 1 for S- and T-edges, 2 with one diagonal of an ee-facet, 3 with two
+    (leading zeros included)."""
     sizes = (len(first.data), len(second.data))
     name = f"lines {first.kind}{second.kind}"
     return list(function(name, sizes)(*first.data, *second.data))
 
 
 def edge_contact(first: SpaceSegment, second: SpaceSegment) -> Interval | None:
-    """All s > 0 at which two moving S- or T-edges have a point in common: exact.
+    """Find all s > 0 at which two moving S- or T-edges share a point: exact.
 
-    Candidates: the scale at which the lines are in one plane; and, for lines that always are, where
-    an end lies on the other's line, which then so in each projection."""
+    Candidates: the scale at which the lines are coplanar; and, for lines always coplanar, scales
+    with an end on the other's line, which then holds for each projection."""
     slope, constant = lines_polynomial(first, second)
     marks = root(-constant, slope)
     kinds = first.kind + second.kind
@@ -114,8 +114,8 @@ def edge_contact(first: SpaceSegment, second: SpaceSegment) -> Interval | None:
 
 
 def facet_contact(first: MovingFacet, second: MovingFacet) -> list[Interval]:
-    """All s > 0 at which two facets that are always coplanar have a point in common, as maximal
-    intervals. It begins and ends where sides do so. Raises ValueError for other facets. Exact."""
+    """Find all s > 0 at which two always coplanar facets share a point, as maximal intervals.
+    Contact begins and ends where sides' contact does. Raises ValueError for other facets. Exact."""
     if plane_event(first, second).case != "always":
         raise ValueError("the facets are not coplanar at all scales")
     marks = []

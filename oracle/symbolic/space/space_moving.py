@@ -47,9 +47,9 @@ class SpaceVertex:
 
 @dataclass(frozen=True, slots=True)
 class SpaceSegment:
-    """The segment between two moving vertices with a parent in common (`kind` S: one vertex of Q,
-    T: one of P), or the diagonal of an ee-facet (`kind` D: neither). Raises ValueError for another
-    kind, and for one that does not go with the vertices."""
+    """The segment between two moving vertices with a common parent (`kind` S: one vertex of Q, T:
+    one vertex of P), or an ee-facet's diagonal (`kind` D: no common parent). Raises ValueError for
+    another kind, or if kind and vertices disagree."""
 
     kind: str
     start: SpaceVertex
@@ -65,7 +65,7 @@ class SpaceSegment:
 
     @property
     def data(self) -> Vector:
-        """The coordinates in the order of the derivation."""
+        """The coordinates as the derivation orders them."""
         first, last = self.start, self.end
         if self.kind == "S":
             return (*first.p, *last.p, *first.q)
@@ -74,14 +74,14 @@ class SpaceSegment:
         return (*first.p, *last.p, *first.q, *last.q)
 
     def direction(self) -> Vector:
-        """The direction of the parent edge of an S- or T-edge."""
+        """Return the parent edge's direction for an S- or T-edge."""
         if self.kind == "D":
             raise ValueError("a diagonal turns as s changes")
         a, b = (self.start.p, self.end.p) if self.kind == "S" else (self.start.q, self.end.q)
         return minus(b, a)
 
     def projections(self) -> list[Vector]:
-        """Data of the projections on the planes yz, zx, xy; they may have length zero."""
+        """Return the projections' data on the planes yz, zx, xy; they may have length zero."""
         triples = (self.data[0:3], self.data[3:6], self.data[6:9])
         return [
             tuple(x for point in triples for x in (point[i], point[j]))
@@ -92,8 +92,8 @@ class SpaceSegment:
 @dataclass(frozen=True, slots=True)
 class MovingFacet:
     """A facet of the convolution: `kind` fv (corners of P's facet, one vertex of Q), vf (one vertex
-    of P, corners of Q's facet) or ee (two ends, two ends). Facets are planar and simple, their
-    first three corners not on one line."""
+    of P, corners of Q's facet) or ee (two ends each). Facets are planar and simple, their first
+    three corners not collinear."""
 
     kind: str
     P: tuple[Vector, ...]
@@ -113,7 +113,7 @@ class MovingFacet:
                 raise ValueError("the corners of the facet do not lie in one plane")
 
     def vertices(self) -> list[SpaceVertex]:
-        """In order around the facet."""
+        """List the vertices around the facet."""
         if self.kind == "ee":
             (a, b), (c, d) = self.P, self.Q
             return [SpaceVertex(p, q) for p, q in ((a, c), (b, c), (b, d), (a, d))]
@@ -123,13 +123,14 @@ class MovingFacet:
         return [vertex.at(s) for vertex in self.vertices()]
 
     def edges(self) -> list[SpaceSegment]:
-        """The sides: S-edges and T-edges; diagonals are none."""
+        """List the sides: S-edges and T-edges, never diagonals."""
         around = self.vertices()
         sides = zip(around, [*around[1:], around[0]], strict=True)
         return [SpaceSegment("S" if a.q == b.q else "T", a, b) for a, b in sides]
 
     def plane(self) -> Plane:
-        """From the derived solution; the same for all corners of a planar facet. Exact."""
+        """Evaluate the derived solution, which is the same for all corners of a planar facet.
+        Exact."""
         corners = (*self.P[:3], *self.Q[:3])
         found: Plane = plane_function(self.kind)(*(x for corner in corners for x in corner))
         return found

@@ -1,4 +1,4 @@
-"""The common points of segments and facets in space at one scale, from the definition."""
+"""Common points of segments and facets in space at one scale, from the definition."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Segment3 = tuple[Vector, Vector]
 
 
 def on_segment(x: Vector, segment: Segment3) -> bool:
-    """Also of a segment that is a point."""
+    """Tell whether a segment, or a single point, contains x."""
     a, b = segment
     if a == b:
         return x == a
@@ -20,7 +20,7 @@ def on_segment(x: Vector, segment: Segment3) -> bool:
 
 
 def shared(first: Segment3, second: Segment3) -> Segment3 | None:
-    """The common points of two closed segments, as those between two points. Exact."""
+    """Return the common points of two closed segments, as a segment between two points. Exact."""
     u, v = minus(first[1], first[0]), minus(second[1], second[0])
     off, c = minus(second[0], first[0]), cross(u, v)
     if any(c):
@@ -37,8 +37,8 @@ def shared(first: Segment3, second: Segment3) -> Segment3 | None:
 
 
 def in_polygon(x: Vector, corners: Sequence[Vector]) -> bool:
-    """Whether x lies in the closed planar simple polygon: on its plane and boundary, or on its
-    plane and inside, by the crossings of a ray in a projection that keeps the plane. Exact."""
+    """Tell whether the closed planar simple polygon contains x: on the boundary, or inside on the
+    plane, by a ray's crossings in a projection that keeps the plane. Exact."""
     sides = list(zip(corners, [*corners[1:], corners[0]], strict=True))
     if any(on_segment(x, side) for side in sides):
         return True
@@ -57,7 +57,7 @@ def in_polygon(x: Vector, corners: Sequence[Vector]) -> bool:
 
 
 def polygons_meet(first: Sequence[Vector], second: Sequence[Vector]) -> bool:
-    """Whether two polygons of one plane have a point in common. Exact, O(mn)."""
+    """Tell whether two coplanar polygons share a point. Exact, O(mn)."""
     sides = [list(zip(p, [*p[1:], p[0]], strict=True)) for p in (first, second)]
     if any(shared(a, b) for a in sides[0] for b in sides[1]):
         return True
@@ -65,8 +65,8 @@ def polygons_meet(first: Sequence[Vector], second: Sequence[Vector]) -> bool:
 
 
 def shared_by_polygons(first: Sequence[Vector], second: Sequence[Vector]) -> Segment3 | None:
-    """The common points of two convex polygons in planes that cross, as those between two points:
-    where the first meets the plane of the second, cut off at the sides of the second. Exact."""
+    """Return the common points of two convex polygons on crossing planes, as a segment between two
+    points: cuts the first by the second's plane, then at the second's sides. Exact."""
     normal = _normal(second)
     heights = [dot(normal, minus(x, second[0])) for x in first]
     on_plane = [x for x, height in zip(first, heights, strict=True) if height == 0]
@@ -91,8 +91,8 @@ def shared_by_polygons(first: Sequence[Vector], second: Sequence[Vector]) -> Seg
 
 
 def shared_by_convex(polygons: Sequence[Sequence[Vector]]) -> list[Vector]:
-    """The corners of what convex polygons of one plane have in common, in order, perhaps repeated:
-    the first, cut off at the sides of the others. Exact."""
+    """Return the common corners of coplanar convex polygons, ordered, perhaps repeated: cuts the
+    first at the sides of the others. Exact."""
     left = list(polygons[0])
     for own in polygons[1:]:
         normal = _normal(own)
@@ -111,7 +111,7 @@ def shared_by_convex(polygons: Sequence[Sequence[Vector]]) -> list[Vector]:
 
 
 def share_an_area(first: Sequence[Vector], second: Sequence[Vector]) -> bool:
-    """Whether two convex polygons of one plane do: no side of one has the other behind it."""
+    """Tell whether two coplanar convex polygons overlap: no side of one has the other behind it."""
     for own, other in ((first, second), (second, first)):
         normal = _normal(own)
         for i, corner in enumerate(own):
