@@ -15,7 +15,7 @@ from .triples import ends_passed, triple_events
 @dataclass(frozen=True, slots=True)
 class ArrangementEvent:
     """An event of segments, indices ascending; `kind` pair, parallel, triple, or end: a third
-    segment passes an end of one segment while two share a segment at all nearby scales."""
+    segment passes an end of a segment that overlaps another along a line at all nearby scales."""
 
     kind: str
     segments: tuple[int, ...]

@@ -59,8 +59,8 @@ def swaps(triple: Triple) -> Iterator[tuple[Event, int]]:
 
 
 def triple_events(triple: Triple) -> list[Event]:
-    """Find the triple events of three segments: one per scale and point at which any two swap along
-    the third. docs/definitions.md, Critical scales."""
+    """Find the triple events of three segments: one per scale at which any two swap along the
+    third. docs/definitions.md, Critical scales."""
     return list(dict.fromkeys(event for event, _ in swaps(triple)))
 
 
