@@ -1,4 +1,4 @@
-"""The convolution of a pair of operands, as values: what `minkref convolution` lists."""
+"""The convolution of two operands, as values: the list of `minkref convolution`."""
 
 from __future__ import annotations
 
@@ -22,10 +22,9 @@ PlacedRow = tuple[
 
 @dataclass(frozen=True)
 class ConvolutionEdge:
-    """An edge of the convolution, exactly. `kind`: S, an edge of P at a vertex of Q, or T, an edge
-    of Q at a vertex of P. `edge` and `vertex`: its parents, each by ring and index; an edge is
-    named by the vertex where it starts. `sign`: -1 at reflex vertices, else 1. `direction`: from
-    `start` to `end`."""
+    """An exact edge of the convolution. `kind`: S, an edge of P at a vertex of Q, or T, an edge of
+    Q at a vertex of P. `edge` and `vertex`: the parents by ring and index; an edge has the index of
+    its start. `sign`: -1 at reflex vertices, else 1. `direction`: from `start` to `end`."""
 
     kind: str
     edge: tuple[int, int]
@@ -37,8 +36,8 @@ class ConvolutionEdge:
 
 
 class Convolution(Sequence[ConvolutionEdge]):
-    """The edges of a convolution at one scale, S-edges first. They are held as the library has
-    them: an edge is made when it is asked for, in some microseconds."""
+    """The edges of a convolution at one scale, S-edges first. The library holds them: an edge takes
+    some microseconds when asked for."""
 
     def __init__(self, found: _core.Convolution, full: bool, compatible: str) -> None:
         self._found, self.full, self.compatible = found, full, compatible
@@ -74,16 +73,16 @@ def convolution(
     full: bool = False,
     compatible: str = "half-open",
 ) -> Convolution:
-    """The convolution of P, scaled by `scale` > 0 about the origin, and Q: every edge of the one at
-    each compatible vertex of the other, with its parents. Exact.
+    """Compute the convolution of P, scaled by `scale` > 0 about the origin, and Q: every edge of
+    each operand at each compatible vertex of the other, with the parents. Exact.
 
-    The reduced convolution, or with `full` also the edges at reflex vertices, of the sign -1.
-    `compatible`: which ends of the turn at a vertex belong to it. `half-open` is right, and covers
-    the boundary of the sum; the other readings differ where edges of P and Q have one direction:
-    `open` may lose parts of the boundary, `closed` covers parts twice. Both operands are validated
-    first. O((m + n) log(m + n) + N) for operands of m and n vertices and N edges. Raises BadInput;
-    Refusal for an unknown reading; LimitExceeded where the edges need more memory than there is.
-    Behar & Lien 2012, Sec. 3, 4.1; docs/definitions.md, "Convolution"."""
+    Returns the reduced convolution, or with `full` also edges at reflex vertices, with the sign -1.
+    `compatible`: the ends that belong to the turn at a vertex. `half-open` is right, and covers the
+    sum's boundary; other readings differ if edges of P and Q have one direction: `open` may lose
+    parts of the boundary, `closed` covers parts twice. Both operands are validated first. O((m + n)
+    log(m + n) + N) for operands with m and n vertices and N edges. Raises BadInput; Refusal for an
+    unknown reading; LimitExceeded if the edges need more memory than available. Behar & Lien 2012,
+    Sec. 3, 4.1; docs/definitions.md, "Convolution"."""
     expect_sets(P=P, Q=Q)
     if text_of("compatible", compatible) not in COMPATIBLE:
         mend = choice(compatible, COMPATIBLE)

@@ -1,4 +1,4 @@
-"""The language of `minkref events --where`: which events are wanted.
+"""The language of `minkref events --where`: a condition that selects events.
 
 kind = triple and s > 7/5 and change = swap
 1 <= s < 2 and x in [0, 5/2] and y in (-1, 1)
@@ -50,7 +50,7 @@ _NUMBERS = ("s", "x", "y", "rank")
 _OF_TOPOLOGY = ("feature", "before", "after", "parts")
 _EXAMPLE = "write, for example, 'change = birth and 1 < s <= 7/5'"
 _MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
-_SAID = {  # of the tokens of the grammar, for people
+_SAID = {  # grammar tokens, for people
     "NAME": "a field or word", "NUMBER": "a number", "COMPARISON": "a sign (= != < <= > >=)",
     "LPAR": "'('", "RPAR": "')'", "LSQB": "'['", "RSQB": "']'", "COMMA": "a comma",
     "EDGE": "S or T", "PLACE": "RING.INDEX, as 0.12", "$END": "the end",
@@ -63,9 +63,9 @@ _INSTEAD = {
 
 
 def read_filter(text: str, kind: str) -> _core.EventCondition:
-    """The condition that `text` says, on events of one kind. Refuses what is no condition, fields
-    and words that these events never have, and numbers that are none: by the place in the text.
-    Numbers are read exactly."""
+    """Read a condition on events of one kind. Refuses text that is no condition, fields and words
+    that these events never have, and malformed numbers, naming the place in the text. Reads numbers
+    exactly."""
     if len(text) > LONGEST:
         what = f"the condition has more than {LONGEST} characters"
         raise Refusal(what, "--where", "use several runs, or a file and jq", "limit")
@@ -113,7 +113,7 @@ def _place(text: str, position: int) -> str:
 
 @v_args(inline=True)
 class _Conditions(Transformer[Token, Any]):
-    """Makes conditions of what is parsed."""
+    """Turns parsed text into conditions."""
 
     def __init__(self, text: str, kind: str) -> None:
         super().__init__()
@@ -220,7 +220,7 @@ class _Conditions(Transformer[Token, Any]):
         return ("kind", "change", "feature") if self._kind == "topology" else ("kind", "change")
 
     def _check(self, name: Token, fitting: tuple[str, ...], value: Token) -> None:
-        """Refuses a field that these events do not have, or that is not asked like this."""
+        """Refuse a field that these events do not have, or that needs another question."""
         topology = self._kind == "topology"
         if name in fitting and (topology or name not in _OF_TOPOLOGY):
             return
@@ -243,7 +243,7 @@ class _Conditions(Transformer[Token, Any]):
         self._refuse(name, f"this is not a condition on {name}", f"write {how}")
 
     def _of(self, name: str) -> tuple[str, ...]:
-        """The words that a field may be."""
+        """List a field's possible words."""
         if name == "kind":
             return self._kinds
         return _CHANGES[self._kind] if name == "change" else ("hole", "component")

@@ -1,4 +1,4 @@
-"""Lists of events, whatever their kind: counts, and the events in order."""
+"""Lists of events of any kind: counts, and the events in order."""
 
 from __future__ import annotations
 
@@ -15,29 +15,30 @@ from minkref.plane.parents import parents
 class EventList(Protocol):
     """Exact events, ascending."""
 
-    seconds: float  # of finding them
+    seconds: float  # to find the events
 
     def __len__(self) -> int: ...
 
     @property
     def distinct(self) -> int:
-        """Different scales."""
+        """The number of different scales."""
         ...
 
     def keep(self, condition: _core.EventCondition) -> None:
-        """Takes out all events that do not meet it; ranks stay those among all."""
+        """Drop all events that fail the condition; ranks still count all events."""
         ...
 
     def events(self, first: int, last: int) -> list[dict[str, Any]]:
-        """As the published schema has them."""
+        """List events in the form of the published schema."""
         ...
 
     def json(self, first: int, last: int, end: str) -> bytes:
-        """The same as JSON texts, each followed by `end`."""
+        """Write the events as JSON texts, each followed by `end`."""
         ...
 
     def features(self) -> dict[str, Any]:
-        """`holes` and `components` through the scales, for topology events; null otherwise."""
+        """Return `holes` and `components` through the scales, for topology events; null
+        otherwise."""
         ...
 
 
@@ -45,7 +46,7 @@ NO_FEATURES: dict[str, Any] = {"holes": None, "components": None}
 
 
 class _EventsOfEdges:
-    """Events that are kept in C++, of edges that are written out once."""
+    """Events kept in C++, with their edges written once."""
 
     def __init__(
         self,
@@ -129,7 +130,7 @@ class BoundaryEventList:
         kind: str,
         window: Sequence[str | None] = (None, None),
     ) -> None:
-        """`window`: a part of that of `found`."""
+        """Keep the events inside `window`, a part of the window of `found`."""
         self.found = found
         self._low, self._high = (None if b is None else Fraction(b) for b in window)
         self.seconds = found.seconds
@@ -156,7 +157,7 @@ class BoundaryEventList:
         return (self._low is None or s >= self._low) and (self._high is None or s <= self._high)
 
     def _life(self, name: int, birth: str | None, death: str | None) -> dict[str, Any] | None:
-        """With what happens in the window; none if that holds no scale of it."""
+        """Describe a life with its events inside the window; None without scales inside."""
         if birth is not None and self._high is not None and Fraction(birth) > self._high:
             return None
         if death is not None and self._low is not None and Fraction(death) < self._low:
@@ -213,7 +214,7 @@ class BoundaryEventList:
 def find_events(
     P: _core.PolygonSet, Q: _core.PolygonSet, window: list[str | None], kind: str, form: str
 ) -> EventList:
-    """Events of one kind within the closed window. Exact."""
+    """Find events of one kind within the closed window. Exact."""
     if kind in ("pair", "parallel"):
         return PairEventList(_core.pair_events(P, Q, window[0], window[1], kind, form))
     if kind in ("triple", "arrangement"):
@@ -222,7 +223,7 @@ def find_events(
 
 
 def _row(event: dict[str, Any]) -> Any:
-    """As the extension module asks for it."""
+    """Convert an event to the extension module's row."""
     edges = [(edge["kind"], 1, *edge["edge"], *edge["vertex"]) for edge in event["parents"]]
     x, y = event["at"]
     common = (event["s"], event["rank"], event["kind"], event["change"], edges, (x, y))

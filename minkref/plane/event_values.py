@@ -1,4 +1,4 @@
-"""Events of a pair of operands, as values: what `minkref events` lists."""
+"""Events of two operands, as values: the list of `minkref events`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from minkref.plane.event_lists import BoundaryEventList, EventList, find_events
 
 KINDS = ("pair", "parallel", "triple", "arrangement", "boundary", "topology")
 PAIR_KINDS = ("pair", "parallel")
-ROUTED_KINDS = ("boundary", "topology")  # those that each of ROUTES finds
+ROUTED_KINDS = ("boundary", "topology")  # found by each of ROUTES
 ROUTES = ("dynamic", "index")
 FORMS = ("corrected", "printed")
 Number = str | int | Fraction
@@ -23,8 +23,8 @@ Place = tuple[Fraction, Fraction]
 
 @dataclass(frozen=True)
 class Parent:
-    """An edge of the convolution: the kind S or T, ring and index of the edge (of P for S, of Q for
-    T), ring and index of the vertex of the other operand."""
+    """An edge of the convolution: the kind S or T, ring and index of the edge (on P for S, on Q for
+    T), ring and index of the other operand's vertex."""
 
     kind: str
     edge: tuple[int, int]
@@ -33,9 +33,9 @@ class Parent:
 
 @dataclass(frozen=True)
 class Event:
-    """A change at a critical scale, exact. `rank`: how many different scales of the list lie below.
-    `change`: birth, death, touch, overlap, swap, merge or split. `at`: its place; `to`: the other
-    end where parallel edges share a segment. A topology event also names its feature (hole or
+    """An exact change at a critical scale. `rank`: the number of different scales below in the
+    list. `change`: birth, death, touch, overlap, swap, merge or split. `at`: the place; `to`: the
+    other end if parallel edges share a segment. A topology event also names its feature (hole or
     component), the feature's numbers before and after, and its number of parts at the scale. Terms:
     docs/definitions.md."""
 
@@ -54,8 +54,8 @@ class Event:
 
 @dataclass(frozen=True)
 class Life:
-    """The scales between which a hole or component lives; None: it begins, or ends, outside of the
-    window. Hole 0 is the outside."""
+    """The scales between which a hole or component lives; None for a beginning or end outside the
+    window. Hole 0 means the outside."""
 
     number: int
     birth: Fraction | None
@@ -63,8 +63,8 @@ class Life:
 
 
 class Events(Sequence[Event]):
-    """A list of events, ascending by scale. Millions are held as the library has them: an event is
-    made when it is asked for, in some microseconds."""
+    """A list of events, ascending by scale. The library holds millions: an event takes some
+    microseconds when asked for."""
 
     def __init__(self, found: EventList, kind: str) -> None:
         self._found, self.kind = found, kind
@@ -93,17 +93,17 @@ class Events(Sequence[Event]):
 
     @property
     def distinct(self) -> int:
-        """Different scales."""
+        """The number of different scales."""
         return self._found.distinct
 
     @property
     def holes(self) -> list[Life]:
-        """All holes ever, by their numbers; for topology events only."""
+        """All holes ever, by number; for topology events only."""
         return self._lives("holes")
 
     @property
     def components(self) -> list[Life]:
-        """All components ever, by their numbers; for topology events only."""
+        """All components ever, by number; for topology events only."""
         return self._lives("components")
 
     def _lives(self, name: str) -> list[Life]:
@@ -125,15 +125,16 @@ def events(
     form: str = "corrected",
     where: str | None = None,
 ) -> Events:
-    """All events of one kind in the closed window of scales, exact, ascending: `pair`, `parallel`,
-    `triple` and `arrangement` of the reduced convolution, `boundary` and `topology` of the sum.
+    """Find all events of one kind in the closed window of scales, exact, ascending: `pair`,
+    `parallel`, `triple` and `arrangement` for the reduced convolution, `boundary` and `topology`
+    for the sum.
 
     Without bounds, all scales above 0. `route`: `dynamic` or `index`, which give the same boundary
     and topology events; the index is faster for large operands. `form`: `printed` for the paper's
-    own rule of pair and parallel events. `where`: only those that meet a condition, as `minkref
-    events --where` has it. Pair events take O(n^2 log n) for n edges of the convolution; for the
-    others and the index see docs/scale-index.md. Raises BadInput, Refusal. Behar & Lien 2012,
-    Sec. 4."""
+    own rule for pair and parallel events. `where`: keeps only events that meet a condition, as in
+    `minkref events --where`. Pair events take O(n^2 log n) for n edges of the convolution;
+    docs/scale-index.md has the cost of the index and of other events. Raises BadInput, Refusal.
+    Behar & Lien 2012, Sec. 4."""
     expect_sets(P=P, Q=Q)
     names = (("kind", kind, KINDS), ("route", route, ROUTES), ("form", form, FORMS))
     for name, word, known in names:
@@ -156,7 +157,7 @@ def events(
     else:
         found = find_events(P, Q, window, kind, form)
     if where is not None:
-        from minkref.plane.event_filter import read_filter  # its parser takes longest to import
+        from minkref.plane.event_filter import read_filter  # the parser takes longest to import
 
         found.keep(read_filter(text_of("where", where), kind))
     return Events(found, kind)

@@ -1,4 +1,5 @@
-"""Sets of any size in the frame of a picture: moved and scaled exactly, then rounded to doubles."""
+"""Sets of any size, fitted to a picture's frame: moved and scaled exactly, then rounded to
+doubles."""
 
 from __future__ import annotations
 
@@ -18,7 +19,7 @@ Polygons = list[list[Ring]]
 
 
 def exact_polygons(region: _core.PolygonSet) -> ExactPolygons:
-    """The rings of a set; of a point or a segment one of one or two points."""
+    """List a set's rings; a point or a segment gives a ring of one or two points."""
     return [
         [
             [(Fraction(x), Fraction(y)) for x, y in ring]
@@ -29,7 +30,7 @@ def exact_polygons(region: _core.PolygonSet) -> ExactPolygons:
 
 
 def box_of(polygons: ExactPolygons) -> ExactBox | None:
-    """The bounding box; None of the empty set."""
+    """Return the bounding box; None for the empty set."""
     outer = [point for polygon in polygons for point in polygon[0]]
     if not outer:
         return None
@@ -38,7 +39,7 @@ def box_of(polygons: ExactPolygons) -> ExactBox | None:
 
 
 def box_text(box: ExactBox) -> str:
-    """Where it lies: `x 0 to 7/5, y -1 to 1`; long numbers rounded."""
+    """Write a box as `x 0 to 7/5, y -1 to 1`; rounds long numbers."""
     left, bottom, right, top = (_short(str(number)) for number in box)
     return f"x {left} to {right}, y {bottom} to {top}"
 
@@ -51,14 +52,14 @@ def _short(number: str) -> str:
 
 @dataclass(frozen=True)
 class Frame:
-    """`left` and `bottom` become 0, and lengths are multiplied by `factor`."""
+    """A frame: `left` and `bottom` become 0, and `factor` multiplies lengths."""
 
     left: Fraction
     bottom: Fraction
     factor: Fraction
 
     def polygons(self, exact: ExactPolygons) -> Polygons:
-        """The rings, each number rounded once."""
+        """Return the rings, with each number rounded once."""
         return [[self.ring(ring) for ring in polygon] for polygon in exact]
 
     def ring(self, ring: Sequence[Exact]) -> Ring:
@@ -69,8 +70,7 @@ class Frame:
 
 
 def fitted(box: ExactBox, width: int, height: int) -> Frame:
-    """The frame in which the box fits into `width` by `height`, as large as can be; a point has the
-    factor 1."""
+    """Fit the box into `width` by `height`, as large as possible; a point gets the factor 1."""
     left, bottom, right, top = box
     factors = [
         room / length for room, length in ((width, right - left), (height, top - bottom)) if length

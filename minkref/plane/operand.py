@@ -1,4 +1,4 @@
-"""An operand of the command line: a file, or the name of a model, read exactly and validated."""
+"""An operand on the command line: a file, or a model's name, read exactly and validated."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from minkref.plane.operand_text import is_text, source_of, text_and_form
 
 FORMATS = tuple(f".{name}" for name, is_read in _core.SET_FORMATS.items() if is_read)
 MESHES = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
-LONGEST_NAME = 255  # characters, which no system's names of files exceed
+LONGEST_NAME = 255  # characters; no system allows longer names
 
 
 @dataclass(frozen=True)
@@ -28,14 +28,15 @@ class Operand:
 
     @property
     def file(self) -> Path:
-        """Also of an operand of a case (`case.json#Q`)."""
+        """The operand's file, also for an operand in a case (`case.json#Q`)."""
         path = Path(self.source)
         return path if path.exists() else Path(self.source.removesuffix("#P").removesuffix("#Q"))
 
 
 def read_operand(name: str) -> Operand:
-    """A file wins over a model of the same name, and both over a text: `-` is standard input, WKT
-    and JSON are operands themselves. Refuses what does not exist or is not valid."""
+    """Read an operand. A file wins over a model with the same name, and both over a text: `-` means
+    standard input; WKT and JSON texts are operands themselves. Refuses missing or invalid
+    operands."""
     if not name:
         raise Refusal("the name is empty", "operand", "name a file or a model", "no-such-file")
     path = Path(name)
@@ -94,8 +95,8 @@ def _of_text(name: str) -> Operand:
 
 
 def is_file(name: str) -> bool:
-    """A file that can be read as an operand: a regular one, a pipe with an ending that names its
-    format, or one operand of a case (`case.json#Q`)."""
+    """Tell whether a name means a file that can hold an operand: a regular file, a pipe whose
+    ending names the format, or an operand in a case (`case.json#Q`)."""
     path = Path(name)
     if name.endswith(("#P", "#Q")) and is_regular(Path(name[:-2])):
         return True
@@ -103,7 +104,7 @@ def is_file(name: str) -> bool:
 
 
 def is_regular(path: Path) -> bool:
-    """Whether there is a file; a text that is no name of one, as it is too long, names none."""
+    """Tell whether a regular file exists; a text too long for a name means none."""
     try:
         return len(path.name) <= LONGEST_NAME and path.is_file()
     except (OSError, ValueError):
@@ -111,7 +112,7 @@ def is_regular(path: Path) -> bool:
 
 
 def read_set(path: Path) -> tuple[_core.PolygonSet, list[str]]:
-    """The set in a file, not validated, and the warnings of its reader."""
+    """Read the set in a file, not validated, with the reader's warnings."""
     source = str(path)
     if is_utf8(source):
         read = refusing(source, lambda: _core.read_file(source))

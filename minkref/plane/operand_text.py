@@ -1,4 +1,4 @@
-"""Operands that are texts: on standard input, or on the command line itself."""
+"""Operands given as texts: on standard input, or on the command line itself."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ MEND = "write WKT, GeoJSON, or the plain JSON of docs/formats.md"
 
 
 def is_text(name: str) -> bool:
-    """Standard input, WKT or JSON; a file or model of the same name is looked for first."""
+    """Tell whether a name means standard input, WKT or JSON; files and models with the name come
+    first."""
     return name == STANDARD_INPUT or is_inline(name)
 
 
@@ -26,8 +27,8 @@ def is_inline(name: str) -> bool:
 
 
 def text_and_form(name: str, inline: bool = False) -> tuple[str, str]:
-    """The text, and the format that it is in, by how it begins; `inline`: `-` is no name of
-    standard input. Refuses others, and what is longer than a file may be."""
+    """Return the text and its format, which the beginning shows; with `inline`, `-` does not mean
+    standard input. Refuses other formats, and texts longer than a file may be."""
     text = name if inline else text_of(name)
     if starts_wkt(text):
         return text, "wkt"
@@ -40,7 +41,7 @@ def text_and_form(name: str, inline: bool = False) -> tuple[str, str]:
 
 
 def text_of(name: str) -> str:
-    """All of standard input if the name is `-`; else the name itself."""
+    """Read all of standard input if the name is `-`; else return the name itself."""
     if name != STANDARD_INPUT:
         return name
     text = decoded(_standard_input(), source_of(name))
@@ -55,8 +56,8 @@ def starts_wkt(text: str) -> bool:
 
 
 def _standard_input() -> bytes:
-    """At most one byte more than a file may have. Refuses a stream that is closed, or that cannot
-    be read, as one that is open for writing only, or a folder."""
+    """Read at most one byte more than a file may have. Refuses a closed stream, or an unreadable
+    stream such as a folder or a stream opened only for writing."""
     why = "it is closed"
     if sys.stdin is not None:
         try:
@@ -68,7 +69,7 @@ def _standard_input() -> bytes:
 
 
 def source_of(name: str) -> str:
-    """The name of the operand in a message."""
+    """Name the operand in a message."""
     if name == STANDARD_INPUT:
         return "standard input"
     return name if len(name) <= 60 else f"{name[:57]}..."
@@ -78,5 +79,5 @@ def _is_geojson(text: str) -> bool:
     try:
         value = json.loads(text)
     except (ValueError, RecursionError):
-        return False  # the reader of plain JSON says what is wrong
+        return False  # the reader of plain JSON tells the fault
     return isinstance(value, dict) and "type" in value

@@ -1,4 +1,4 @@
-"""The parents of a convolution edge, as documents name them."""
+"""A convolution edge's parents, as documents name them."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ PassageRows = list[tuple[list[tuple[str, str]], list[list[EdgeRow]]]]
 
 
 def parents(row: tuple[str, int, int, int, int, int]) -> dict[str, Any]:
-    """A row of the extension module: the kind of the edge, ring and index of the edge (of P for S,
-    of Q for T) and of the vertex of the other operand."""
+    """Name the parents in a row from the extension module: the edge's kind, ring and index of the
+    parent edge (on P for S, on Q for T) and of the other operand's vertex."""
     kind, _, edge_ring, edge, vertex_ring, vertex = row
     return {"kind": kind, "edge": [edge_ring, edge], "vertex": [vertex_ring, vertex]}
 
 
 def passages_of(rows: PassageRows) -> list[dict[str, Any]]:
-    """Tight passages, from the rows of the extension module."""
+    """List tight passages from the extension module's rows."""
     return [
         {
             "points": [list(point) for point in points],

@@ -10,6 +10,6 @@ if TYPE_CHECKING:
 
 
 def from_least(ring: Sequence[SupportsRichComparisonT]) -> list[SupportsRichComparisonT]:
-    """From its least member on: equal for equal closed lists."""
+    """Start a closed list at its least member: equal for equal closed lists."""
     first = ring.index(min(ring))
     return [*ring[first:], *ring[:first]]

@@ -18,7 +18,8 @@ MOST_SCALES = 1_000_000
 
 
 def evenly_spaced(first: str, last: str, count: int) -> list[str]:
-    """`count` scales from `first` to `last`, both included (for one, `first` only), exact."""
+    """Return `count` scales from `first` to `last`, both included (a single scale is `first`),
+    exact."""
     if count == 1:
         return [first]
     begin, end = Fraction(first), Fraction(last)
@@ -26,13 +27,13 @@ def evenly_spaced(first: str, last: str, count: int) -> list[str]:
 
 
 def read_scales(path: Path) -> list[str]:
-    """The scales in a file, one a line, in its order. A # begins a comment; lines may be blank.
-    Refuses by file and line."""
+    """Read the scales in a file, one per line, in file order. A # begins a comment; lines may be
+    blank. Refusals name file and line."""
     return lines_of_scales(path, read_scale)
 
 
 def lines_of_scales(path: Path, read: Callable[[str, str], S]) -> list[S]:
-    """The result of `read` for each line of a file of scales."""
+    """Apply `read` to each line in a file of scales."""
     name = escaped(str(path))
     scales: list[S] = []
     for number, line in enumerate(_text(path, name).splitlines(), start=1):

@@ -1,8 +1,8 @@
-"""The parts of a set from what Python programs hold: coordinates in sequences and arrays,
-GeoJSON, objects of other geometry libraries.
+"""Converts Python's shapes to the parts of a set: coordinates in sequences and arrays, GeoJSON,
+objects from other geometry libraries.
 
 Every number counts by its exact value: an int, a Fraction, a Decimal, a float (0.1 is the double
-next to a tenth), a scalar of NumPy, a text (`"0.1"` is a tenth, `"7/5"`).
+next to a tenth), a NumPy scalar, a text (`"0.1"` is a tenth, `"7/5"`).
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from minkref.exact import read_number
 from minkref.plane.operand_text import source_of, text_and_form
 
 Ring = list[tuple[str, str]]
-#: The GeoJSON type, or RINGS, whose rings need not be closed; and the rings, of which the second
-#: and later ones are holes.
+#: The GeoJSON type, or RINGS, whose rings need not be closed; and the rings: after the first,
+#: holes.
 Part = tuple[str, list[Ring]]
 RINGS = "rings"
 
@@ -31,15 +31,15 @@ ACCEPTED = (
     "of polygons, GeoJSON, or an object with __geo_interface__"
 )
 DEEPEST = 4  # levels of sequences: polygons, rings, points, coordinates
-LARGEST_EXPONENT = 10_000  # of a Decimal
+LARGEST_EXPONENT = 10_000  # for a Decimal
 MOST_NESTED = 64  # collections within collections
 _COLLECTIONS = {"FeatureCollection": "features", "GeometryCollection": "geometries"}
 _GEOMETRIES = ("Point", "LineString", "Polygon", "MultiPolygon")
 
 
 def set_or_parts(shape: Any) -> _core.PolygonSet | list[Part]:
-    """The material of the constructor of PolygonSet: a set as it is, the set of a text as a command
-    reads texts (WKT, GeoJSON, plain JSON), or parts. Raises BadInput."""
+    """Prepare the argument of PolygonSet's constructor: a set stays, a text is read as by a command
+    (WKT, GeoJSON, plain JSON), anything else gives parts. Raises BadInput."""
     if isinstance(shape, _core.PolygonSet):
         return shape
     if isinstance(shape, str):
@@ -49,11 +49,10 @@ def set_or_parts(shape: Any) -> _core.PolygonSet | list[Part]:
 
 
 def parts_of(shape: Any) -> list[Part]:
-    """The parts of a shape, their coordinates as exact texts, turned as they are given. Sequences
-    count by their depth: a point, a ring of points, a polygon, polygons; a first point that is
-    repeated at the end of a ring is left out. A mapping is GeoJSON, or the project's JSON. Whether
-    the parts are a set the readers of files say. Linear. Raises Refusal for anything else, naming
-    the place."""
+    """Split a shape into parts, with coordinates as exact texts, oriented as given. A sequence's
+    depth decides: a point, a ring of points, a polygon, polygons; drops a first point repeated at
+    the end of a ring. A mapping is GeoJSON, or the project's JSON. Does not check that the parts
+    form a set: the file readers do. Linear. Raises Refusal for anything else, naming the place."""
     if not isinstance(shape, Mapping) and hasattr(shape, "__geo_interface__"):
         shape = shape.__geo_interface__
     if isinstance(shape, Mapping):
@@ -107,7 +106,7 @@ def _mapping(given: Any, where: str) -> Mapping[str, Any]:
 
 
 def _members(shape: Mapping[str, Any], name: str, needed: tuple[str, ...]) -> list[Any]:
-    """A list of mappings that have what is needed."""
+    """Return a list of mappings with all needed members."""
     members = _sequence(shape.get(name), f'"{name}"')
     for number, member in enumerate(members):
         if not isinstance(member, Mapping) or any(part not in member for part in needed):
@@ -117,7 +116,7 @@ def _members(shape: Mapping[str, Any], name: str, needed: tuple[str, ...]) -> li
 
 
 def _depth(shape: Any) -> int:
-    """Levels of sequences, looking at the first of each; 0 of an empty one, -1 of a number."""
+    """Count levels of sequences along first members; 0 for an empty sequence, -1 for a number."""
     levels = 0
     while _is_sequence(shape):
         levels += 1
@@ -141,7 +140,7 @@ def _of_sequences(shape: Any, levels: int) -> list[Part]:
 
 
 def _rings(rings: Any, where: str) -> list[Ring]:
-    """The outer ring and the holes as they are given."""
+    """Read the outer ring and the holes as given."""
     return [
         _points(ring, f"{where}{'the outer ring' if r == 0 else f'hole {r}'}")
         for r, ring in enumerate(_sequence(rings, f"{where}its rings"))
@@ -153,7 +152,7 @@ def _points(points: Any, where: str) -> Ring:
 
 
 def _opened(ring: Ring) -> Ring:
-    """Without the repetition of the first point; a ring is left that has three other ones."""
+    """Drop a repeated first point, if three other points remain."""
     return ring[:-1] if len(ring) > 3 and ring[0] == ring[-1] else ring
 
 
@@ -174,7 +173,7 @@ def _sequence(given: Any, where: str) -> Any:
 
 
 def _is_sequence(given: Any) -> bool:
-    """Also an array, but one without dimensions."""
+    """Tell whether an object is a sequence or an array with dimensions."""
     if isinstance(given, (str, bytes, bytearray, Mapping, Set)) or getattr(given, "ndim", 1) == 0:
         return False
     return hasattr(given, "__len__") and hasattr(given, "__getitem__")
@@ -185,7 +184,7 @@ def _a(given: Any) -> str:
 
 
 def number_text(value: Any, where: str) -> str:
-    """`n` or `n/d`, the exact value of a number. Raises Refusal for what is none."""
+    """Write a number's exact value as `n` or `n/d`. Raises Refusal for anything else."""
     if isinstance(value, str):
         mend = "give a number, as 7/5 or 0.1"
         return _fraction(read_number(value.strip(), "coordinate", where, mend))
@@ -211,8 +210,8 @@ def number_text(value: Any, where: str) -> str:
 
 
 def _of_bits(double: float) -> Fraction:
-    """The exact number of a finite double, from its bits: a process that flushes subnormal numbers
-    would compute 0 of them."""
+    """Read a finite double's exact value from its bits: a process that flushes subnormal numbers
+    would compute 0."""
     (bits,) = struct.unpack("<q", struct.pack("<d", double))
     exponent, fraction = bits >> 52 & 0x7FF, bits & (1 << 52) - 1
     magnitude = fraction | (1 << 52 if exponent else 0)
@@ -227,7 +226,7 @@ def _fraction(value: Fraction) -> str:
 
 
 def _digits(value: int) -> str:
-    """Writes a number of any length: `str` refuses more than 4,300 digits."""
+    """Write a number of any length: `str` refuses more than 4,300 digits."""
     return str(value) if value.bit_length() < 14_000 else format(Decimal(value), "f")
 
 
