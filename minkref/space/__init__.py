@@ -1,1 +1,1 @@
-"""Operands and sums in space, for the commands that take them."""
+"""Operands and sums in space for commands."""

@@ -1,4 +1,4 @@
-"""Sums in space of which one operand is the empty set, a point or a segment."""
+"""Sums in space with the empty set, a point or a segment."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ ONCE: Scaling = ("1", "1", "1")
 
 
 def degenerate_sum(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling) -> SpaceSum:
-    """Exact. A point or a segment beside anything but a polyhedron is refused."""
+    """Compute the sum exactly. Refuses a point or a segment unless the other operand is a
+    polyhedron."""
     start = time.perf_counter()
     if 0 in (P.surface.vertices, Q.surface.vertices):
         empty = _core.Polyhedron([], [])
@@ -43,7 +44,7 @@ def _only_one(P: SpaceOperand, Q: SpaceOperand) -> None:
 
 
 def _with_corners(body: SpaceOperand, scaling: Scaling, corners: list[Scaling]) -> SpaceSum:
-    """The scaled body and a point or a segment."""
+    """Add a point or a segment to the scaled body."""
     if len(corners) == 2:
         first, last = corners
         made = refusing(

@@ -1,4 +1,4 @@
-"""The facets of a sum in space by their kinds: which faces of P and Q each is the sum of."""
+"""Kinds of facets for a sum in space: each facet sums a face of P and a face of Q."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from minkref.space.space_sum import SpaceSum
 
-#: The first letter is of the face of P, the second of that of Q. The first three are the paper's
-#: (Behar & Lien 2012, Sec. 3); the others occur where faces are parallel.
+#: The first letter describes the face of P, the second the face of Q. The first three kinds come
+#: from the paper (Behar & Lien 2012, Sec. 3); the others need parallel faces.
 KINDS = {
     "fv": "a facet of P at a vertex of Q",
     "vf": "a vertex of P at a facet of Q",
@@ -21,8 +21,8 @@ _LETTERS = {1: "v", 2: "e"}
 
 @dataclass(frozen=True)
 class Facet:
-    """`P` and `Q`: its parents by their vertices, numbered as in the operands in canonical form.
-    `ring`: its vertices, of the sum."""
+    """A facet. `P` and `Q`: the parents' vertices, numbered as in the operands' canonical form.
+    `ring`: the facet's vertices in the sum."""
 
     kind: str
     P: list[int]
@@ -31,7 +31,7 @@ class Facet:
 
 
 def facets_of(answer: SpaceSum) -> list[Facet]:
-    """In canonical order. Exact."""
+    """List the facets in canonical order. Exact."""
     return [
         Facet(_letter(p) + _letter(q), list(p), list(q), list(ring))
         for (p, q), ring in zip(answer.facet_parents, answer.surface.rings(), strict=True)

@@ -1,4 +1,4 @@
-"""Sums in space of which an operand is not convex, or which are asked of a route for such."""
+"""Sums in space with an operand that is not convex, or by a route for such operands."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from minkref.space.operand import SpaceOperand
 from minkref.space.scaling import Scaling
 from minkref.space.sum_surface import SumSurface, sum_surface
 
-#: docs/space-sums.md. Those of convex polyhedra are in sums.py.
+#: docs/space-sums.md; sums.py has the routes for convex polyhedra.
 GENERAL_ROUTES = ("edges", "definition")
 Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True)
 class GeneralSum:
-    """`convex` is the set where it is convex, else None; `statistics`, what the route counted."""
+    """A general sum. `convex`: the set if convex, else None; `statistics`: the route's counts."""
 
     P: SpaceOperand
     Q: SpaceOperand
@@ -32,7 +32,8 @@ class GeneralSum:
     seconds: float
 
     def canonical_json(self) -> str:
-        """A convex set has the form of a convex polyhedron (docs/definitions.md)."""
+        """Write canonical JSON; a convex set takes the form of a convex polyhedron
+        (docs/definitions.md)."""
         if self.convex is not None:
             return self.convex.surface().canonical_json()
         return self.set.canonical_json()
@@ -42,8 +43,8 @@ class GeneralSum:
         return digest(self.canonical_json())
 
     def mesh(self, triangles: bool = False) -> _core.Polyhedron:
-        """A closed mesh. Made of faces as they are, the mesh is not manifold where the set touches
-        itself; made of triangles, the mesh is manifold, by the numbers of its vertices."""
+        """Make a closed mesh. With whole faces the mesh is not manifold where the set touches
+        itself; with triangles the mesh is manifold, by its vertices' numbers."""
         if self.convex is None:
             return self.surface.boundary.mesh(triangles)
         surface = self.convex.surface()
@@ -57,8 +58,8 @@ class GeneralSum:
 def chosen_space_route(
     P: SpaceOperand, Q: SpaceOperand, route: str | None, of_convex: tuple[str, ...]
 ) -> str:
-    """`route`, or where there is none the first of those that the operands allow. Refuses one that
-    is none, and one for convex operands where one is not."""
+    """Return `route`, or by default the first route that the operands allow. Refuses an unknown
+    route, and a convex route with an operand that is not convex."""
     if route is not None and route not in (*of_convex, *GENERAL_ROUTES):
         mend = f"in space: {choice(route, (*of_convex, *GENERAL_ROUTES))}"
         raise Refusal(f"there is no route {route!r} in space", "--route", mend)
@@ -83,8 +84,8 @@ def general_sum(
     threads: int = 1,
     progress: Progress | None = None,
 ) -> GeneralSum:
-    """S P ⊕ Q, exact. Refuses two operands without a volume; the route `definition`, a plane
-    polygon."""
+    """Compute S P ⊕ Q, exactly. Refuses two operands without volume; the route `definition` refuses
+    a plane polygon."""
     where = f"{P.name} and {Q.name}"
     if not (P.is_solid or Q.is_solid):
         mend = "beside a plane polygon, a segment or a point give a polyhedron"

@@ -1,4 +1,4 @@
-"""A polyhedron of the command line: a file, or the name of a model, read exactly and validated."""
+"""A polyhedron on the command line: a file, or a model's name, read exactly and validated."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ CONVEX_ONLY = "give a convex polyhedron; `minkref sum` and `minkref view` take a
 
 @dataclass(frozen=True)
 class SpaceOperand:
-    """`body` is None of what is not convex, and of the empty set, a point, a segment and a plane
-    polygon, which have no volume."""
+    """An operand in space. `body` is None unless the operand is convex and has a volume; the empty
+    set, points, segments and plane polygons have none."""
 
     name: str
     file: Path
@@ -33,25 +33,27 @@ class SpaceOperand:
 
     @property
     def is_solid(self) -> bool:
-        """It has a volume."""
+        """Whether the operand has a volume."""
         return self.surface.faces > 1
 
     @property
     def is_thin(self) -> bool:
-        """The empty set, a point or a segment."""
+        """Whether the operand is the empty set, a point or a segment."""
         return self.surface.faces == 0
 
     def canonical(self) -> _core.Polyhedron:
-        """In canonical form where it is convex and has a volume, else as it was given."""
+        """Return the canonical form of a convex operand with a volume; any other operand as
+        given."""
         return self.surface if self.body is None else self.body.surface()
 
 
 def in_space(P: str, Q: str) -> bool:
-    """Whether two names mean polyhedra. Refuses one of the plane beside one in space."""
+    """Tell whether two names mean polyhedra. Refuses an operand in the plane beside an operand in
+    space."""
     kinds = [_is_polyhedron(name) for name in (P, Q)]
     if kinds[0] != kinds[1]:
         flat, solid = (P, Q) if kinds[1] else (Q, P)
-        read_operand(flat)  # what is no operand at all lies nowhere: that is said first
+        read_operand(flat)  # a name without any operand lies nowhere: say so first
         raise Refusal(
             f"this operand lies in the plane, but {solid} lies in space",
             flat,
@@ -62,8 +64,8 @@ def in_space(P: str, Q: str) -> bool:
 
 
 def read_space_operand(name: str) -> SpaceOperand:
-    """A file wins over a model of the same name. Refuses what does not exist, is not valid, or is
-    not convex."""
+    """Read a convex operand. A file wins over a model with the same name. Refuses missing, invalid
+    or non-convex operands."""
     operand = read_summand(name, convex=True)
     if operand.surface.faces == 1:
         source = escaped(str(operand.file))
@@ -72,8 +74,8 @@ def read_space_operand(name: str) -> SpaceOperand:
 
 
 def read_summand(name: str, convex: bool = False) -> SpaceOperand:
-    """The same, but a polyhedron of any shape, and a plane polygon as well. `convex`: refuses a
-    polyhedron that is not."""
+    """Read a polyhedron of any shape, or a plane polygon. `convex`: refuses a polyhedron that is
+    not convex."""
     path = Path(name)
     if not path.is_file():
         path = _models().get(name, path)
@@ -91,7 +93,8 @@ def read_summand(name: str, convex: bool = False) -> SpaceOperand:
 
 
 def _body(surface: _core.Polyhedron, source: str, convex: bool) -> _core.ConvexPolyhedron | None:
-    """Refuses what is not valid; None where it is not convex, which `convex` refuses too."""
+    """Make a convex body. Refuses invalid surfaces; None for a surface that is not convex, unless
+    `convex` refuses."""
     try:
         return _core.ConvexPolyhedron(surface, source)
     except _core.BadInput as error:
@@ -104,14 +107,14 @@ def _body(surface: _core.Polyhedron, source: str, convex: bool) -> _core.ConvexP
 
 
 def refuse_thin(operand: SpaceOperand) -> None:
-    """Refuses the empty set, a point and a segment."""
+    """Refuse the empty set, a point and a segment."""
     if operand.is_thin:
         mend = "give a polyhedron by its faces, or a plane polygon"
         raise Refusal("the operand has no volume", operand.name, mend, "not-solid")
 
 
 def solid(operand: SpaceOperand) -> _core.ConvexPolyhedron:
-    """Refuses what is not convex or has no volume."""
+    """Return the convex body. Refuses an operand without one."""
     if operand.body is None:
         raise Refusal(
             "the operand has no volume",
@@ -138,7 +141,8 @@ def _is_polyhedron(name: str) -> bool:
 
 
 def _holds_vertices(path: Path) -> bool:
-    """Whether the file is a JSON object with a member `vertices`. The reader tells other faults."""
+    """Tell whether the file is a JSON object with a member `vertices`. The reader tells other
+    faults."""
     try:
         with path.open("rb") as stream:
             document: Any = json.loads(stream.read(LONGEST), parse_int=str, parse_float=str)

@@ -1,4 +1,4 @@
-"""Scalings by a factor for each axis: texts and lists of them, exact."""
+"""Scalings with a factor for each axis: texts and lists, exact."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ Scaling = tuple[str, str, str]
 
 
 def read_scaling(text: str, option: str = "--scale") -> Scaling:
-    """`S`, the same for all axes, or `SX,SY,SZ`, in lowest terms. Refuses what is not positive."""
+    """Read `S`, the same for all axes, or `SX,SY,SZ`, in lowest terms. Refuses factors that are not
+    positive."""
     parts = text.split(",")
     if len(parts) == 1:
         factor = read_scale(text, option)
@@ -32,11 +33,11 @@ def read_scaling(text: str, option: str = "--scale") -> Scaling:
 
 
 def read_scalings(path: Path) -> list[Scaling]:
-    """The scalings in a file, one a line. Refuses by file and line."""
+    """Read the scalings in a file, one per line. Refusals name file and line."""
     return lines_of_scales(path, read_scaling)
 
 
 def text_of(scaling: Scaling) -> str:
-    """`S` or `SX,SY,SZ`, for people: long numbers are rounded."""
+    """Write `S` or `SX,SY,SZ` for people, with long numbers rounded."""
     x, y, z = (factor if len(factor) <= 20 else scientific(factor) for factor in scaling)
     return x if len(set(scaling)) == 1 else f"{x},{y},{z}"

@@ -1,4 +1,4 @@
-"""A sum in space as the commands pass it on."""
+"""A sum in space, as commands pass it on."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Face = tuple[list[int], list[int]]
 
 @dataclass(frozen=True)
 class SpaceSum:
-    """In canonical form; `facet_parents` are faces of P and Q by their vertices."""
+    """A sum in canonical form; `facet_parents` names faces of P and Q by their vertices."""
 
     surface: _core.Polyhedron
     vertex_parents: list[tuple[int, int]]

@@ -1,4 +1,4 @@
-"""The boundary of a sum in space as the commands pass it on."""
+"""The boundary of a sum in space, as commands pass it on."""
 
 from __future__ import annotations
 
@@ -12,10 +12,9 @@ from minkref.space.space_sum import Face
 
 @dataclass(frozen=True)
 class SumFacet:
-    """A connected part of the boundary in one plane, whose number in the canonical form `plane` is.
-    `rings`: the outer one first, then those of holes, and those there and back along edges in its
-    inside; `tips`: vertices that touch its inside; `parents`: faces of P and Q by their
-    vertices."""
+    """A connected part of the boundary within the plane numbered `plane` in the canonical form.
+    `rings`: the outer ring first, then holes, then rings that run there and back along inner edges;
+    `tips`: vertices that touch the inside; `parents`: faces of P and Q by their vertices."""
 
     plane: int
     rings: list[list[int]]
@@ -25,7 +24,7 @@ class SumFacet:
 
 @dataclass(frozen=True)
 class SumSurface:
-    """Exact. Vertices stand also where an edge goes straight on and another begins."""
+    """An exact surface. Has vertices also where an edge goes straight on and another begins."""
 
     boundary: _core.SumSurface
     facets: list[SumFacet]
@@ -43,7 +42,7 @@ class SumSurface:
 def sum_surface(
     found: _core.PolyhedralSet, P: SpaceOperand, Q: SpaceOperand, scaling: Scaling
 ) -> SumSurface:
-    """The surface of S P ⊕ Q. Parents are numbered as in the operands in canonical form."""
+    """Compute the surface of S P ⊕ Q. Parents have the numbers of the operands' canonical form."""
     boundary = found.surface()
     parents = boundary.parents(P.canonical(), Q.canonical(), scaling)
     facets = [

@@ -1,4 +1,4 @@
-"""The fields of a sum in space in every document."""
+"""Fields common to all documents about sums in space."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ ROUTES = ("traversal", "brute-force", "dynamic")
 
 
 def compute(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str) -> SpaceSum:
-    """S P ⊕ Q, exact. One operand may be the empty set, a point or a segment; what route is taken
-    does not matter then."""
+    """Compute S P ⊕ Q, exactly. One operand may be the empty set, a point or a segment, whatever
+    the route."""
     if P.body is None or Q.body is None:
         return degenerate_sum(P, Q, scaling)
     first, second = P.body, Q.body
@@ -41,7 +41,7 @@ def timed(where: str, call: Callable[[], _core.ConvexSum]) -> SpaceSum:
 
 
 def sum_fields(answer: SpaceSum) -> dict[str, Any]:
-    """Exact, but for `volume_approximate`."""
+    """Return the fields, exact except `volume_approximate`."""
     volume = str(Fraction(answer.surface.sextuple_volume()) / 6)
     rings = answer.surface.rings()
     return {

@@ -1,4 +1,4 @@
-"""Tight passages of a sum in space."""
+"""Tight passages in space."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ NONE: dict[str, Any] = {"lines": [], "points": [], "sheets": []}
 
 
 def tight_passages(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling) -> dict[str, Any]:
-    """All of them, exact (docs/space-sums.md). Refuses a plane polygon, and more pairs of convex
-    pieces than are looked at."""
+    """Find all tight passages, exactly (docs/space-sums.md). Refuses a plane polygon, and too many
+    pairs of convex pieces."""
     refuse_polygon("tight passages are not found with a plane polygon", LEAVE, P, Q)
     try:
         found = _core.tight_passages_in_space(P.surface, Q.surface, scaling)
     except _core.BadInput as error:
         refusal = refusal_of(error, f"{P.name} and {Q.name}")
-        if refusal.code in TOO_MANY:  # no other route to passages is there to be taken
+        if refusal.code in TOO_MANY:  # no other route finds passages
             raise Refusal(refusal.what, refusal.where, LEAVE, refusal.code) from error
         raise refusal from error
     return dict(json.loads(found))
