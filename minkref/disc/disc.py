@@ -17,14 +17,14 @@ MEND = "give a positive number, as disc:7/5, disc:0.25 or disc:sqrt:2"
 
 @dataclass(frozen=True)
 class Disc:
-    """The points within a radius of the origin; its square is a rational number."""
+    """The points within a radius around the origin; the radius's square is rational."""
 
     name: str
     squared_radius: Fraction
 
     @property
     def radius(self) -> str:
-        """`n`, `n/d`, or `sqrt:` and the square."""
+        """The radius as `n`, `n/d`, or `sqrt:` and the square."""
         top, bottom = self.squared_radius.as_integer_ratio()
         if isqrt(top) ** 2 == top and isqrt(bottom) ** 2 == bottom:
             return str(Fraction(isqrt(top), isqrt(bottom)))
@@ -34,8 +34,8 @@ class Disc:
         return Disc(self.name, self.squared_radius * factor**2)
 
     def bounds(self, bits: int) -> tuple[Fraction, Fraction]:
-        """Two numbers with the radius between, or equal to it, that differ by some 2^-bits of it;
-        their square roots are not needed."""
+        """Return two numbers around the radius, or equal to it, that differ by about 2^-bits of the
+        radius; uses only integer square roots."""
         top, bottom = self.squared_radius.as_integer_ratio()
         root = Fraction(isqrt(top), isqrt(bottom))
         if root**2 == self.squared_radius:
@@ -47,12 +47,12 @@ class Disc:
 
 
 def is_disc(name: str) -> bool:
-    """`disc` alone is one of any radius, where radii are looked for."""
+    """Tell whether a name means a disc; `disc` alone means any radius, where radii are wanted."""
     return name.startswith(PREFIX) or name == ANY
 
 
 def read_disc(name: str) -> Disc:
-    """Refuses what is not a positive finite number after the prefix."""
+    """Read a disc. Refuses anything but a positive finite number after the prefix."""
     if name == ANY:
         raise Refusal("the disc has no radius", name, MEND, "bad-radius")
     text = name.removeprefix(PREFIX)

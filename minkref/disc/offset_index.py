@@ -1,4 +1,4 @@
-"""A sum with a disc at all radii, as a value."""
+"""Sums with a disc at all radii, as a value."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Bounds = tuple[float, float]
 
 
 def square_of(radius: Number | None, squared_radius: Number | None, where: str) -> str:
-    """The square of a radius of which it or the radius is given."""
+    """Return a radius's square, from the radius or the square."""
     if (radius is None) == (squared_radius is None):
         raise Refusal("one radius is asked for", where, "give radius or squared_radius")
     name, given = ("squared_radius", squared_radius) if radius is None else ("radius", radius)
@@ -29,10 +29,10 @@ def square_of(radius: Number | None, squared_radius: Number | None, where: str) 
 
 @dataclass(frozen=True)
 class OffsetEvent:
-    """Where the boundary changes. `kind`: corner, joint, saddle, ridge or maximum. The radius lies
-    between two doubles next to each other, or is one; its square is a root of the polynomial, the
-    lowest coefficient first, and `squared_radius` where that is known to be rational. `place`: the
-    nearest doubles. `features`: all that are as near, as ("vertex", x, y) or ("edge", ring,
+    """A change of the boundary. `kind`: corner, joint, saddle, ridge or maximum. The radius equals
+    a double or lies between two neighbouring doubles; its square is a root of `polynomial`, the
+    lowest coefficient first, and equals `squared_radius` if known to be rational. `place`: the
+    nearest doubles. `features`: all equally near features, as ("vertex", x, y) or ("edge", ring,
     number). Terms: docs/disc.md."""
 
     kind: str
@@ -44,11 +44,11 @@ class OffsetEvent:
 
 
 class OffsetIndex:
-    """`P` + a disc about the origin at all radii: the outer Voronoi diagram of P, found once; any
-    radius is then read off. Exact: the events are proven, and that none is missing. The build takes
-    O(n log n + k) for k candidates that are compared, on `threads`; P may be a segment or a point,
-    and is validated first. Raises BadInput; LimitExceeded where 1,024 bits do not tell two places
-    apart. Behar & Lien 2012, Appendix; docs/disc.md."""
+    """`P` + a disc about the origin at all radii: finds the outer Voronoi diagram of P once, then
+    answers for any radius. Exact: proves the events, and their completeness. Building takes O(n log
+    n + k) for k compared candidates, on `threads`; P may be a segment or a point, and is validated
+    first. Raises BadInput; LimitExceeded if 1,024 bits do not separate two places. Behar & Lien
+    2012, Appendix; docs/disc.md."""
 
     def __init__(self, P: _core.PolygonSet, threads: int = 1) -> None:
         expect_sets(P=P)
@@ -63,41 +63,41 @@ class OffsetIndex:
 
     @property
     def radii(self) -> list[Bounds]:
-        """Bounds of the radii of events, each radius once, ascending: doubles next to each other,
-        or equal if the radius is one. Found when they are first asked for, some 150 µs each."""
+        """Bounds for the events' radii, each radius once, ascending: neighbouring doubles, or equal
+        doubles for a double. Found when first asked for, about 150 µs each."""
         return self._index.radii()
 
     def events(self) -> list[OffsetEvent]:
-        """All of them, by radius. Some 30 µs for each."""
+        """List all events by radius. About 30 µs each."""
         return [_event(*row) for row in self._index.rows(0, len(self._index.kinds()))]
 
     def components_and_holes(
         self, radius: Number | None = None, squared_radius: Number | None = None
     ) -> tuple[int, int]:
-        """Exact, at events too. O(n)."""
+        """Count components and holes. Exact, at events too. O(n)."""
         return self._index.counts(square_of(radius, squared_radius, "components_and_holes"))
 
     def area_and_length(
         self, radius: Number | None = None, squared_radius: Number | None = None
     ) -> tuple[Bounds, Bounds]:
-        """Area of the sum and length of its boundary, each between two doubles that differ by less
-        than 2^-36 of the value. O(n) comparisons of whole numbers, and O(k) for k corners, without
-        the boundary; where these bounds are not sharp enough, by the exact boundary."""
+        """Return the sum's area and its boundary's length, each between two doubles that differ by
+        less than 2^-36 of the value. O(n) comparisons of whole numbers, and O(k) for k corners,
+        without the boundary; the exact boundary decides if these bounds are not sharp enough."""
         return self._index.measures(square_of(radius, squared_radius, "area_and_length"))
 
     def canonical_json(
         self, radius: Number | None = None, squared_radius: Number | None = None
     ) -> str:
-        """The canonical form, exact: read off in O(n log n), or at the radius of an event that of
-        the static sum."""
+        """Write the canonical form, exactly: read off within O(n log n), or computed by the static
+        sum at an event's radius."""
         return self._index.canonical_json(square_of(radius, squared_radius, "canonical_json"))
 
     def vertices(self, radius: float) -> tuple[Any, Any]:
-        """All vertices of the boundary, ring by ring, the sum on the left: an array of x, y and a
-        bound of the error of both, at most 2^-42 of the size of P and of the radius and 2^-50 of
-        the coordinates; and the row at which each ring starts. At the radius of an event those just
-        above it. Raises LimitExceeded for vertices beyond doubles. Microseconds, and some 100 µs
-        for a corner that takes exact numbers."""
+        """Return all boundary vertices, ring by ring, the sum to the left: an array of x, y and an
+        error bound for both, at most 2^-42 of the radius and the size of P, and 2^-50 of the
+        coordinates; and the row at which each ring starts. At an event's radius, returns the
+        vertices just above the event. Raises LimitExceeded for vertices beyond doubles.
+        Microseconds, and about 100 µs for a corner that needs exact numbers."""
         return self._index.vertices(double("radius", radius))
 
 

@@ -1,4 +1,4 @@
-"""Sums with a disc as polygons that a file can hold: inside of the true sum, or around it."""
+"""Sums with a disc as polygons for files: inside the true sum, or around it."""
 
 from __future__ import annotations
 
@@ -11,16 +11,17 @@ from minkref.errors import Refusal
 from minkref.exact import set_json
 
 MOST_CORNERS = 100_000
-GAP = 64  # of the tolerance, or the radius if that is less: what roundings may use
+GAP = 64  # roundings' share: the tolerance, or a smaller radius, divided by this
 ATTEMPTS = 8
 Ring = list[tuple[Fraction, Fraction]]
 
 
 def sum_near(P: _core.PolygonSet, disc: Disc, within: Fraction, outside: bool) -> _core.PolygonSet:
-    """A polygon set inside of the sum of P and a disc, from which no point of that is farther than
-    `within`; or around it, with no point farther from it. All coordinates are finite decimals, so
-    that a file holds this very set. Proof: docs/disc.md, "What is written". Refuses more than
-    MOST_CORNERS corners of the disc's polygon, and a sum whose gaps no short decimals tell."""
+    """Make a polygon set inside the sum of P and a disc, at most `within` away from every point of
+    the sum; or around the sum, with every point at most `within` away from it. All coordinates are
+    finite decimals, so a file holds exactly this set. Proof: docs/disc.md, "What is written".
+    Refuses more than MOST_CORNERS corners for the disc's polygon, and a sum whose gaps need longer
+    decimals."""
     least = min(within, disc.bounds(80)[0])
     for attempt in range(ATTEMPTS):
         gap = least / (GAP + 9 * attempt)
@@ -31,7 +32,7 @@ def sum_near(P: _core.PolygonSet, disc: Disc, within: Fraction, outside: bool) -
         try:
             found.validate("")
         except _core.BadInput:
-            continue  # rings that are too near to each other: other radii and finer decimals
+            continue  # rings too close to each other: try other radii and finer decimals
         return found
     raise Refusal(
         "rings of the sum are nearer to each other than short decimals tell",
@@ -44,10 +45,10 @@ def sum_near(P: _core.PolygonSet, disc: Disc, within: Fraction, outside: bool) -
 def polygon_near(
     disc: Disc, within: Fraction, outside: bool, gap: Fraction, unit: Fraction
 ) -> _core.PolygonSet:
-    """A convex polygon whose corners are multiples of a unit, at most a quarter of `gap`. It is
-    inside of the disc, and half of `gap` away from its circle, and no point of the disc is farther
-    from it than `within` less half of `gap`. Or so around the disc. Refuses more than MOST_CORNERS
-    corners."""
+    """Make a convex polygon whose corners are multiples of a unit, at most a quarter of `gap`. The
+    polygon lies inside the disc, half of `gap` away from the circle, and every point of the disc is
+    at most `within` less half of `gap` away from the polygon. Or the same around the disc. Refuses
+    more than MOST_CORNERS corners."""
     low, high = disc.bounds(80)
     ratio = float((within - gap) / high) if within < high else 1.0
     corners = 4 * max(1, math.ceil(math.pi / (2 * math.acos(max(1 - ratio, -1.0)) or 1.0) / 2))
@@ -74,7 +75,7 @@ def polygon_near(
 def _is_near(
     ring: Ring, low: Fraction, high: Fraction, within: Fraction, outside: bool, gap: Fraction
 ) -> bool:
-    """Whether corners and sides are as far from the origin as polygon_near says. Exact."""
+    """Check that corners and sides are as far from the origin as polygon_near says. Exact."""
     nearest, farthest = (high + gap, low + within - gap) if outside else (
         high - within + gap, low - gap,
     )  # fmt: skip
@@ -87,7 +88,7 @@ def _is_near(
 
 
 def _rounded(region: _core.PolygonSet, unit: Fraction) -> _core.PolygonSet:
-    """Each vertex moved to a multiple of a unit. Rings of which nothing is left are left out."""
+    """Move each vertex to a multiple of a unit. Drops rings with fewer than three vertices left."""
     polygons = []
     for rings in region.rings():
         moved = [
@@ -108,14 +109,14 @@ def _set_of(polygons: list[list[Ring]]) -> _core.PolygonSet:
 
 
 def _power_of_ten_below(value: Fraction) -> Fraction:
-    """The greatest power of ten that is not above a positive number."""
+    """Return the greatest power of ten at most equal to a positive number."""
     power = Fraction(10) ** (len(str(value.numerator)) - len(str(value.denominator)))
     return power if power <= value else power / 10
 
 
 def _marks(count: int) -> Ring:
-    """Rational points of the unit circle, about evenly, counter-clockwise: a quarter by tangents of
-    half angles, and turned."""
+    """Return rational points on the unit circle, about evenly, counter-clockwise: a quarter from
+    half angles' tangents, then turned."""
     quarter = count // 4
     found: Ring = []
     for k in range(quarter):
@@ -133,6 +134,6 @@ def _neighbours(ring: Ring) -> list[tuple[tuple[Fraction, Fraction], tuple[Fract
 def _crossing(
     radius: Fraction, a: tuple[Fraction, Fraction], b: tuple[Fraction, Fraction]
 ) -> tuple[Fraction, Fraction]:
-    """The crossing of the tangents at two points of a circle."""
+    """Return the crossing of two points' tangents to a circle."""
     turn = a[0] * b[1] - a[1] * b[0]
     return radius * (b[1] - a[1]) / turn, radius * (a[0] - b[0]) / turn
