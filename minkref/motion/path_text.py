@@ -1,4 +1,4 @@
-"""A path of the command line: a polyline in a file or a text, read exactly."""
+"""A path on the command line: a polyline from a file or a text, read exactly."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ ExactSpacePoint = tuple[str, str, str]
 Vertex = tuple[str, ...]
 
 _LINE = re.compile(r"\s*(LINESTRING|POINT)\s*(Z?)\s*\((.*)\)\s*;?\s*", re.IGNORECASE | re.DOTALL)
-_ROW = re.compile(r"[\s\ufeff]*([xX]\s*,\s*[yY]|[+-]?[\d.][^,\n]*,\s*[+-]?[\d.])")  # of CSV
+_ROW = re.compile(r"[\s\ufeff]*([xX]\s*,\s*[yY]|[+-]?[\d.][^,\n]*,\s*[+-]?[\d.])")  # for CSV
 _MEND = {
     2: "give two numbers, for example 1/3 and -0.25",
     3: "give three numbers, for example 1/3, -0.25 and 2",
@@ -35,7 +35,7 @@ _POSITIONS = {2: "[[0, 0], [4, 3]]", 3: "[[0, 0, 0], [4, 3, 1]]"}
 
 @dataclass(frozen=True)
 class PathText:
-    """A polyline as it was read. `name`: what messages call it; `file`: None of an inline text."""
+    """A polyline as read. `name`: its name in messages; `file`: None for an inline text."""
 
     name: str
     file: Path | None
@@ -44,7 +44,7 @@ class PathText:
 
 @dataclass(frozen=True)
 class SpacePathText:
-    """The same in space."""
+    """A polyline in space, likewise."""
 
     name: str
     file: Path | None
@@ -52,22 +52,23 @@ class SpacePathText:
 
 
 def read_path(name: str) -> PathText:
-    """A WKT LINESTRING or POINT, a GeoJSON LineString or Point (also in a Feature), or CSV with a
-    vertex `x,y` in each line, perhaps below a line of names: in a file, a text, or `-` for standard
-    input. Numbers are those that the text says. Refuses others with the file and the vertex.
+    """Read a WKT LINESTRING or POINT, a GeoJSON LineString or Point (or a Feature with one), or CSV
+    with a vertex `x,y` per line, perhaps below a line of names: from a file, a text, or `-` for
+    standard input. Takes numbers exactly as written. Refuses other input, naming file and vertex.
     Linear."""
     source, file, vertices = _read(name, 2)
     return PathText(source, file, [(x, y) for x, y in vertices])
 
 
 def read_space_path(name: str) -> SpacePathText:
-    """The same in space: LINESTRING Z, positions of three numbers, or lines `x,y,z`."""
+    """Read a path in space likewise: LINESTRING Z, positions with three numbers, or lines
+    `x,y,z`."""
     source, file, vertices = _read(name, 3)
     return SpacePathText(source, file, [(x, y, z) for x, y, z in vertices])
 
 
 def _read(name: str, count: int) -> tuple[str, Path | None, list[Vertex]]:
-    """`count`: coordinates of a vertex."""
+    """Read a path whose vertices have `count` coordinates."""
     if not name:
         raise Refusal("the name is empty", "PATH", f"name a file ({_endings()})", "no-such-file")
     file = Path(name)
@@ -108,7 +109,7 @@ def _counted(points: list[Vertex], source: str) -> list[Vertex]:
 
 
 def _vertex(numbers: Iterable[Any], k: int, source: str, count: int) -> Vertex:
-    """The vertex k of the path, counted from 0."""
+    """Read the path's vertex k, counted from 0."""
     where = f"{source}, vertex {k}"
     words = [str(number).strip() for number in numbers]
     if len(words) != count:

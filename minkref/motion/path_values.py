@@ -1,4 +1,4 @@
-"""For which scales a part passes along a path, fits or is trapped, as values."""
+"""Scales for which a part passes along a path, fits or is trapped, as values."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ Place = tuple[Fraction, Fraction]
 
 @dataclass(frozen=True)
 class Feature:
-    """A vertex, or the edge that starts at it (`is_edge`), by ring and index."""
+    """A vertex, or the edge that starts there (`is_edge`), by ring and index."""
 
     is_edge: bool
     ring: int
@@ -44,9 +44,9 @@ class Feature:
 
 @dataclass(frozen=True)
 class PathBound:
-    """Where valid scales end (`blocks`: those just above are not valid) or begin, and the contact
-    that is the cause: the place on the path (the segment, how far along it, the point), the
-    features of part and obstacles that touch there, and where they do."""
+    """An end of valid scales (`blocks`: scales just above are not valid) or a beginning, and the
+    contact that causes it: the place on the path (segment, fraction of the segment, point), the
+    touching features of part and obstacles, and the touching point."""
 
     scale: Fraction
     blocks: bool
@@ -60,9 +60,9 @@ class PathBound:
 
 @dataclass(frozen=True)
 class ValidScales(ScalesInRanges):
-    """The scales at which a part passes along a path: `ranges`, ascending; `bounds`, the ends that
-    are no end of the window; whether the part is `star_shaped` about its origin (the ranges are
-    then one that starts at 0); how it was found (`statistics`)."""
+    """The scales at which a part passes along a path: `ranges`, ascending; `bounds`, their ends
+    inside the window; `star_shaped`, whether the part is star-shaped about its origin (the ranges
+    are then a single range from 0); `statistics` of the computation."""
 
     bounds: tuple[PathBound, ...]
     star_shaped: bool
@@ -71,9 +71,10 @@ class ValidScales(ScalesInRanges):
 
 @dataclass(frozen=True)
 class BadPolygon:
-    """Places and scales at which a convex piece of the part and one of the obstacles collide on a
-    segment of the path: a convex polygon with corners (t, s), counter-clockwise, t being how far
-    along the segment, s the scale. Pieces have their corners, those of the part at scale 1."""
+    """Places and scales at which a convex piece of the part collides with a convex piece of the
+    obstacles on a segment of the path: a convex polygon with corners (t, s), counter-clockwise, t
+    the fraction of the segment, s the scale. Pieces are given by their corners, the part's piece at
+    scale 1."""
 
     segment: int
     part: tuple[Place, ...]
@@ -83,9 +84,9 @@ class BadPolygon:
 
 @dataclass(frozen=True)
 class FreeBound:
-    """Where scales of a fit or a trap end (`ends`) or begin. `event`: "contact" where the part
-    touches at a place that was asked for, as `contact` says; otherwise what happens to a hole of
-    the sum of obstacles and turned part at the place `at`: birth, death, merge, split, touch."""
+    """An end (`ends`) or a beginning of scales for a fit or a trap. `event`: "contact" if the part
+    touches at a given place, described by `contact`; otherwise the change, at the place `at`, of a
+    hole in the sum of obstacles and turned part: birth, death, merge, split, touch."""
 
     scale: Fraction
     ends: bool
@@ -133,15 +134,15 @@ def valid_scales(
     to_scale: Number | None = None,
     route: str = "pieces",
 ) -> ValidScales | SpaceValidScales:
-    """The scales at which the robot, scaled about its origin and carried along the polyline with
-    its origin on it, never turned, does not meet the obstacles: with contact allowed their
+    """Find the scales at which the robot, scaled about its origin and moved along the polyline with
+    its origin on the path, never turned, does not meet the obstacles: with contact allowed their
     interiors, with contact forbidden the closed sets. Exact: ranges with open and closed ends, and
     single scales. Without bounds, all scales above 0. `route`: pieces, contacts or index, which
     share little.
 
-    Both are sets in the plane, or both polyhedra, of any shape, and the path in space: then
-    `route` is pieces or contacts, and one of them may be a point, a segment or a plane polygon.
-    Both are validated first. Cost: docs/paths.md. Raises BadInput, Refusal."""
+    Robot and obstacles are both sets in the plane, or both polyhedra of any shape with a path in
+    space: then `route` is pieces or contacts, and either may be a point, a segment or a plane
+    polygon. Both are validated first. Cost: docs/paths.md. Raises BadInput, Refusal."""
     rule, way = word_of("contact", contact, CONTACTS), word_of("route", route, PATH_ROUTES)
     window = window_of(from_scale, to_scale)
     if isinstance(robot, Surface):
@@ -179,12 +180,12 @@ def bad_polygons(
     from_scale: Number | None = None,
     most: int = 100_000,
 ) -> tuple[BadPolygon, ...]:
-    """The picture that explains the valid scales up to one: the robot collides at the place t of a
-    segment, 0 < t < 1, and at a scale s inside of the window iff (t, s) is inside of one of these
-    convex polygons (with contact forbidden: inside or on a side). A scale inside of the window is
-    valid iff the line of this s meets none so. Exact. Cost: docs/paths.md, and an exact polygon for
-    each triple of two pieces and a segment that collides. Raises BadInput, Refusal; LimitExceeded
-    for more than `most` polygons."""
+    """Return the diagram that explains the valid scales up to `to_scale`: the robot collides at the
+    place t of a segment, 0 < t < 1, and at a scale s inside the window iff some convex polygon
+    contains (t, s) inside (with contact forbidden: inside or on a side). A scale inside the window
+    is valid iff no polygon meets the line of this s so. Exact. Cost: docs/paths.md, and an exact
+    polygon for each triple of two pieces and a segment that collides. Raises BadInput, Refusal;
+    LimitExceeded for more than `most` polygons."""
     expect_sets(robot=robot, obstacles=obstacles)
     robot.validate("robot")
     obstacles.validate("obstacles")
@@ -231,11 +232,11 @@ def largest_fit(
     between: Sequence[Sequence[Number]] | None = None,
     contact: str = "allowed",
 ) -> FreeScales | SpaceFitScales:
-    """The scales at which the part, scaled about its origin, lies in the container: with its origin
-    at a place (`at`), at some place (neither `at` nor `between`), or at two places and all along
-    some way from one to the other (`between`), by translations. `largest` is the scale that is
-    asked for as a rule. Exact. Both sets are validated first. For polyhedra only `at` is answered.
-    Cost: docs/paths.md. Raises BadInput, Refusal."""
+    """Find the scales at which the container holds the part, scaled about its origin: with the
+    origin at a place (`at`), at some place (neither `at` nor `between`), or at two places and all
+    along some way between them (`between`), by translations. `largest` is the usual answer. Exact.
+    Both sets are validated first. Polyhedra support only `at`. Cost: docs/paths.md. Raises
+    BadInput, Refusal."""
     rule = word_of("contact", contact, CONTACTS)
     if at is not None and between is not None:
         what = "a place and two places are different questions"
@@ -272,9 +273,9 @@ def trapped_scales(
     from_scale: Number | None = None,
     to_scale: Number | None = None,
 ) -> FreeScales:
-    """The scales at which the part, scaled about its origin and with it at a place, does not meet
-    the assembly, and no translation takes it away without a collision. A rotation may free it all
-    the same. Exact. Without bounds, all scales above 0. Both sets are validated first. Cost:
+    """Find the scales at which the part, scaled about its origin and put at a place, does not meet
+    the assembly, and no translation removes the part without a collision. A rotation may still free
+    the part. Exact. Without bounds, all scales above 0. Both sets are validated first. Cost:
     docs/paths.md. Raises BadInput, Refusal."""
     expect_sets(part=part, assembly=assembly)
     part.validate("part")

@@ -1,5 +1,5 @@
-"""Ranges of scales, the answers of paths, fits and traps, as values; and how arguments of these are
-read."""
+"""Ranges of scales, as values that answer paths, fits and traps; and the reading of their
+arguments."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ NUMBERS = "exact numbers: strs as '7/5' or '0.1', ints or Fractions"
 
 @dataclass(frozen=True)
 class ScaleRange:
-    """Scales from one to another; each end belongs to the range or does not. `high` is None where
-    there is no end. A single scale is a range with equal ends."""
+    """Scales from one to another; each end belongs to the range or not. `high` is None without an
+    end. A single scale is a range with equal ends."""
 
     low: Fraction
     high: Fraction | None
@@ -50,18 +50,18 @@ class ScalesInRanges:
 
     @property
     def largest(self) -> Fraction | None:
-        """The least number that no scale exceeds; None where there is none, or no scale."""
+        """The least number that no scale exceeds; None without such a number, or without scales."""
         return self.ranges[-1].high if self.ranges else None
 
     @property
     def smallest(self) -> Fraction | None:
-        """The greatest number that no scale is below; None where there is no scale."""
+        """The greatest number at most equal to every scale; None without scales."""
         return self.ranges[0].low if self.ranges else None
 
 
 def ranges_of(window: ScaleRange, valid: Sequence[ScaleRange]) -> list[tuple[ScaleRange, bool]]:
-    """A window in ranges that follow each other: those that are given, ascending, and what is
-    between them, which are the ones that are not valid."""
+    """Split a window into consecutive ranges: the given valid ranges, ascending, and the invalid
+    ranges between them."""
     parts: list[tuple[ScaleRange, bool]] = []
     low, low_in = window.low, window.low_in
     for one in valid:
@@ -101,7 +101,7 @@ def window_of(from_scale: Any, to_scale: Any) -> tuple[str | None, str | None]:
 
 
 def coordinates(name: str, value: Any, count: int) -> list[str]:
-    """The texts of the numbers of a place."""
+    """Write the coordinates of a place as texts."""
     if isinstance(value, str) or not isinstance(value, Sequence) or len(value) != count:
         told = f"{'a pair of' if count == 2 else 'three'} {NUMBERS}"
         raise TypeError(f"{name} has to be {told}, and is of type {type(value).__name__}")

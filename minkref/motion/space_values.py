@@ -1,4 +1,4 @@
-"""For which scales a polyhedron passes along a path in space or fits at a place, as values."""
+"""Scales for which a polyhedron passes along a path in space or fits at a place, as values."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ SpacePlace = tuple[Fraction, Fraction, Fraction]
 
 @dataclass(frozen=True)
 class SpaceFeature:
-    """A feature that touches: a "vertex" by its number, an "edge" by its two vertices, or the
-    inside of a "face" by its number."""
+    """A touching feature: a "vertex" by number, an "edge" by two vertices, or a "face"'s inside by
+    number."""
 
     kind: str
     numbers: tuple[int, ...]
@@ -26,7 +26,7 @@ class SpaceFeature:
 
 @dataclass(frozen=True)
 class SpacePathBound:
-    """As PathBound, in space."""
+    """A bound like PathBound, in space."""
 
     scale: Fraction
     blocks: bool
@@ -40,7 +40,7 @@ class SpacePathBound:
 
 @dataclass(frozen=True)
 class SpaceValidScales(ScalesInRanges):
-    """As ValidScales, in space."""
+    """Scales like ValidScales, in space."""
 
     bounds: tuple[SpacePathBound, ...]
     star_shaped: bool
@@ -50,8 +50,8 @@ class SpaceValidScales(ScalesInRanges):
 @dataclass(frozen=True)
 class SpaceFitScales(ScalesInRanges):
     """The scales at which a polyhedron fits at a place: `ranges`, ascending; `bounds`, their ends;
-    `proofs`, scales at, just below and just above each end and whether it fits there, decided
-    anew."""
+    `proofs`, scales at, just below and just above each end, with a fresh decision whether the
+    polyhedron fits there."""
 
     bounds: tuple[SpacePathBound, ...]
     proofs: tuple[tuple[Fraction, bool], ...]
