@@ -10,7 +10,7 @@ _BODIES = chain(
     "-2.4,-2.2,1.6 6.4,1.4,0.5 3.4,-5.4,1.3 8.6,-7.6,0.7 -8.4,-9,1.7 -0.8,-8.6,0.8 "
     "5.2,-12.4,0.9 -3.6,-13,0.5"
 )
-# pairs of bodies, with the sideways bend of the fibre
+# pairs of bodies, with the fibre's sideways bend
 _FIBRES = """
 0 1 0.4  0 1 -0.9  0 2 0.3  0 3 0.3  1 3 0.5  1 3 -0.6  2 3 0.4  2 4 -0.3  3 4 0.4  2 5 0.3  4 6 0.3
 5 6 0.7  5 6 -0.5  3 6 0.4  3 7 -0.3  1 7 0.3  7 8 0.4  6 8 0.4  6 8 -0.5  8 9 0.3  7 9 -0.5
@@ -27,7 +27,8 @@ _LOOSE = """
 
 
 def _fibre(start: Nib, end: Nib, bend: int, thick: int, chance: Chance) -> list[Nib]:
-    """A trembling arc of ten nibs, thicker at its ends; `bend` in thousandths of its length."""
+    """Draw a trembling arc of ten nibs, thicker at its ends, bent by `bend` thousandths of its
+    length."""
     (ax, ay, _), (bx, by, _) = start, end
     result = []
     for k in range(11):
@@ -41,7 +42,7 @@ def _fibre(start: Nib, end: Nib, bend: int, thick: int, chance: Chance) -> list[
 
 
 def cells() -> Drawing:
-    """Connected, with 18 holes: a planar net of 14 bodies and 31 fibres, trimmed loose ends."""
+    """Draw a connected planar net with 18 holes: 14 bodies, 31 fibres, and trimmed loose ends."""
     chance = Chance(1815)
     drawing: Drawing = [[body] for body in _BODIES]
     for x, y, r in _BODIES:  # bodies are not round

@@ -1,4 +1,4 @@
-"""Points of a circle by decimal series, the same digits on every machine."""
+"""Points on a circle by decimal series, with the same digits on every machine."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ DIGITS = Context(prec=60, rounding=ROUND_HALF_EVEN)
 
 
 def pi() -> Decimal:
-    """Machin's formula, 16 arctan 1/5 - 4 arctan 1/239, to 27 decimals."""
+    """Compute pi by Machin's formula, 16 arctan 1/5 - 4 arctan 1/239, to 27 decimals."""
 
     def arctan_of_reciprocal(n: int) -> Decimal:
         total, power, k = Decimal(0), DIGITS.divide(Decimal(1), Decimal(n)), 0
@@ -22,9 +22,10 @@ def pi() -> Decimal:
 
 
 def cosine_and_sine(turns: Decimal) -> tuple[Decimal, Decimal]:
-    """cos and sin of 2 pi `turns` by their series, to 25 decimals for |turns| <= 1.
+    """Compute cos and sin of 2 pi `turns` by their series, to 25 decimals for |turns| <= 1.
 
-    A change of sign rounds to the 28 digits of Decimal itself; the models hold what comes of it."""
+    A change of sign rounds to Decimal's own 28 digits; the shipped models depend on this
+    rounding."""
     angle = DIGITS.multiply(DIGITS.multiply(Decimal(2), pi()), turns)
     sums, term, k = [Decimal(0), Decimal(0)], Decimal(1), 0
     while k < 2 or abs(term) > Decimal("1e-62"):
@@ -35,7 +36,8 @@ def cosine_and_sine(turns: Decimal) -> tuple[Decimal, Decimal]:
 
 
 def regular(corners: int, radius: Decimal, decimals: int) -> list[tuple[int, int]]:
-    """A regular polygon with a vertex on the positive x axis, in units of 10^-decimals, rounded."""
+    """Compute a regular polygon with a vertex on the positive x axis, in units of 10^-decimals,
+    rounded."""
     unit = Decimal(10) ** decimals
     ring = []
     for k in range(corners):

@@ -88,7 +88,7 @@ _DOG = """
 
 
 def animal() -> Drawing:
-    """Twice as much tail as body, the tail wound up in a spiral."""
+    """Draw twice as much tail as body, the tail wound up in a spiral."""
     tail = spiral(("35", "36"), "30", "4", 4, "2.6", "1.3")
     return tremble([*_all(_ANIMAL + _TAIL), tail], 1500, 1204)
 

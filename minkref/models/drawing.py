@@ -1,8 +1,8 @@
-"""Outlines of thick strokes, in integer arithmetic: the same rings on every machine.
+"""Outlines of thick strokes in integer arithmetic: the same rings on every machine.
 
-A drawing is a list of strokes, a stroke a chain of nibs (x, y, radius). The plane is sampled on a
-square grid, the outline is traced by marching squares. Coordinates are integers; what the unit is
-worth is the caller's business.
+A drawing is a list of strokes; a stroke is a chain of nibs (x, y, radius). Samples the plane on a
+square grid, and traces the outline by marching squares. Coordinates are integers; the caller
+chooses the unit.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ Ring = list[tuple[int, int]]
 
 
 def smooth(chain: Sequence[Nib], rounds: int = 3) -> list[Nib]:
-    """Chaikin's corner cutting; the two ends stay. Floors to integers in every round."""
+    """Cut corners by Chaikin's method; both ends stay. Floors to integers after every round."""
     nibs = list(chain)
     for _ in range(rounds):
         cut = [nibs[0]]
@@ -30,14 +30,14 @@ def smooth(chain: Sequence[Nib], rounds: int = 3) -> list[Nib]:
 
 
 class Canvas:
-    """The height of ink over each grid node: radius less distance, the largest over all strokes."""
+    """The ink's height over each grid node: radius less distance, the largest over all strokes."""
 
     def __init__(self, step: int) -> None:
         self.step = step
         self.ink: dict[Node, int] = {}
 
     def stroke(self, chain: Sequence[Nib]) -> None:
-        """Inks a chain of nibs; a chain of one nib is a blot."""
+        """Ink a chain of nibs; a single nib makes a blot."""
         if len(chain) == 1:
             self._segment(chain[0], chain[0])
         for start, end in itertools.pairwise(chain):
@@ -65,10 +65,10 @@ class Canvas:
                     self.ink[(i, j)] = height
 
     def outline(self) -> list[Ring]:
-        """The rings around the ink, with the ink on their left: holes turn clockwise.
+        """Trace the rings around the ink, with the ink to the left: holes turn clockwise.
 
-        Simple and disjoint: each lies in grid cells that it crosses along segments which do not
-        meet (at a saddle the two inked corners are kept apart).
+        Simple and disjoint: each ring crosses its grid cells along segments that do not meet (at a
+        saddle the two inked corners stay apart).
         """
         follows = self._pieces()
         rings: list[Ring] = []
@@ -85,7 +85,7 @@ class Canvas:
         return self.ink.get(node, -1) > 0
 
     def _pieces(self) -> dict[tuple[Node, Node], tuple[Node, Node]]:
-        """For each grid edge crossed, named (inked node, bare node), the next one."""
+        """Map each crossed grid edge, named (inked node, bare node), to the next."""
         cells = {
             (i + di, j + dj)
             for (i, j), height in self.ink.items()
@@ -108,7 +108,7 @@ class Canvas:
         return follows
 
     def _place(self, edge: tuple[Node, Node]) -> tuple[int, int]:
-        """Where the ink ends on a grid edge, strictly between its nodes."""
+        """Find the end of the ink on a grid edge, strictly between the edge's nodes."""
         inked, bare = edge
         above = self.ink[inked]
         below = -min(self.ink.get(bare, -self.step), 0)

@@ -47,9 +47,9 @@ class Polyhedron:
 
 
 def outline(drawing: Callable[[], Drawing], step: int, vertices: int, holes: int = 0) -> list[Ring]:
-    """The outline of a drawing with exactly so many vertices and holes, the outer ring first.
+    """Outline a drawing with exactly `vertices` vertices and `holes` holes, the outer ring first.
 
-    Holes beyond the number asked for, the smallest ones, are filled."""
+    Fills surplus holes, the smallest first."""
     canvas = Canvas(step)
     for stroke in drawing():
         canvas.stroke(stroke)
@@ -97,7 +97,7 @@ POLYHEDRA = [
 
 
 def number(value: int, decimals: int) -> str:
-    """An integer in units of 10^-decimals as a plain decimal."""
+    """Write an integer in units of 10^-decimals as a plain decimal."""
     digits = str(abs(value)).rjust(decimals + 1, "0")
     whole, part = (digits[:-decimals], digits[-decimals:].rstrip("0")) if decimals else (digits, "")
     return ("-" if value < 0 else "") + whole + ("." + part if part else "")

@@ -18,13 +18,13 @@ class Chance:
         self.state = seed
 
     def between(self, low: int, high: int) -> int:
-        """An integer in [low, high]."""
+        """Draw an integer from [low, high]."""
         self.state = (6364136223846793005 * self.state + 1442695040888963407) % 2**64
         return low + (self.state >> 33) % (high - low + 1)
 
 
 def nibs(*texts: tuple[str, str, str]) -> list[Nib]:
-    """Nibs from decimals, in units of 10^-4."""
+    """Make nibs from decimals, in units of 10^-4."""
     return [(exact(x), exact(y), exact(r)) for x, y, r in texts]
 
 
@@ -40,7 +40,7 @@ def chain(text: str) -> list[Nib]:
 def spiral(
     centre: tuple[str, str], outer: str, inner: str, turns: int, thick: str, thin: str
 ) -> list[Nib]:
-    """Counter-clockwise and inwards, from the right of the centre, 24 nibs a turn."""
+    """Draw counter-clockwise and inwards, from the right of the centre, 24 nibs per turn."""
     cx, cy = Decimal(centre[0]), Decimal(centre[1])
     result, steps = [], 24 * turns
     for k in range(steps + 1):
@@ -54,7 +54,7 @@ def spiral(
 
 
 def tremble(strokes: Drawing, amount: int, seed: int) -> Drawing:
-    """Moves every nib that is not an end by up to `amount` in x and in y."""
+    """Move every nib except the ends by up to `amount` in x and in y."""
     chance = Chance(seed)
     return [
         [

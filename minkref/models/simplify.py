@@ -1,4 +1,4 @@
-"""Rings with fewer vertices, still simple and disjoint, in integer arithmetic."""
+"""Rings with fewer vertices, still simple and disjoint, by integer arithmetic."""
 
 from __future__ import annotations
 
@@ -12,16 +12,17 @@ Point = tuple[int, int]
 
 
 def cross(a: Point, b: Point, c: Point) -> int:
-    """Twice the signed area of the triangle a b c."""
+    """Compute twice the signed area of the triangle a b c."""
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
 def simplify(rings: list[Ring], vertices: int, least: int = 8) -> list[Ring]:
-    """The rings cut down to `vertices` in all by dropping the vertex of smallest triangle first.
+    """Cut rings down to `vertices` in total by dropping the vertex with the smallest triangle
+    first.
 
-    A vertex is dropped only if its triangle holds no other vertex of any ring, so that simple
-    disjoint rings stay so (Visvalingam & Whyatt 1993, with that guard). No ring falls below
-    `least` vertices. Raises ValueError when no vertex can be dropped any more.
+    Drops a vertex only if its triangle holds no other vertex of any ring, so that simple disjoint
+    rings stay so (Visvalingam & Whyatt 1993, with that guard). Every ring keeps at least `least`
+    vertices. Raises ValueError if no further vertex can go.
     """
     points = [p for ring in rings for p in ring]
     before: list[int] = []
@@ -88,7 +89,8 @@ def simplify(rings: list[Ring], vertices: int, least: int = 8) -> list[Ring]:
 
 
 def faults(rings: list[Ring]) -> list[str]:
-    """Faults that keep the rings from bounding one polygon with holes; exact, all edge pairs."""
+    """Find faults that keep the rings from bounding one polygon with holes; exact, all edge
+    pairs."""
     found = []
     edges = [
         (number, k, ring[k], ring[(k + 1) % len(ring)])
@@ -128,7 +130,7 @@ def _sign(value: int) -> int:
 
 
 def _meet(a: Point, b: Point, c: Point, d: Point) -> bool:
-    """Whether two closed segments whose boxes meet have a common point."""
+    """Tell whether two closed segments with meeting boxes share a point."""
     return (
         _sign(cross(a, b, c)) * _sign(cross(a, b, d)) <= 0
         and _sign(cross(c, d, a)) * _sign(cross(c, d, b)) <= 0

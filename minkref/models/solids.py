@@ -1,4 +1,4 @@
-"""Convex polyhedra with integer vertices: the characters of Fig. 10 of Behar & Lien 2012."""
+"""Convex polyhedra with integer vertices: the characters in Fig. 10 of Behar & Lien 2012."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ PHI = DIGITS.divide(DIGITS.add(1, DIGITS.sqrt(5)), 2)
 
 
 def geodesic(frequency: int) -> Solid:
-    """Each facet of an icosahedron cut into `frequency` squared triangles, carried to the sphere.
+    """Cut each facet of an icosahedron into `frequency` squared triangles, carried to the sphere.
 
-    The icosahedron has edges parallel to the axes; the sphere has its mirror planes x, y, z = 0
-    and its turns of the three axes exactly."""
+    The icosahedron has edges parallel to the axes; the sphere keeps the mirror planes x, y, z = 0
+    and the turns of the three axes exactly."""
     corners: list[Direction] = []
     for one, phi in itertools.product((-1, 1), repeat=2):
         corners += _turned(((0, 0), (one, 0), (0, phi)))
@@ -33,11 +33,11 @@ def geodesic(frequency: int) -> Solid:
 
 
 def truncated_icosidodecahedron() -> Solid:
-    """The 120 vertices carried to integer points of the sphere, in general position: squares,
+    """Carry the 120 vertices to integer points on the sphere, in general position: squares,
     hexagons and decagons become 2, 4 and 8 triangles.
 
-    Its rotations by half a turn about the axes and its turns of the three axes are exact. Mirror
-    planes are not: none passes through a vertex, so that trapezoids would lie across them."""
+    The rotations by half a turn about the axes and the turns of the three axes are exact. The
+    mirror planes are not: no vertex lies on a mirror plane, so trapezoids would lie across it."""
     shapes: list[Direction] = [
         ((-1, 1), (-1, 1), (3, 1)),
         ((-2, 2), (0, 1), (1, 2)),
@@ -54,8 +54,8 @@ def truncated_icosidodecahedron() -> Solid:
 
 
 def ellipsoid(rings: int, around: int, stretch: tuple[int, int, int]) -> Solid:
-    """`rings` rings of `around` vertices between poles on the x axis, on a sphere stretched along
-    the axes. Mirror planes are exact."""
+    """Put `rings` rings of `around` vertices between poles on the x axis, on a sphere stretched
+    along the axes. Mirror planes are exact."""
     points = {placed(towards((Decimal(s), Decimal(0), Decimal(0)))) for s in (-1, 1)}
     for ring in range(1, rings + 1):
         x, rim = cosine_and_sine(DIGITS.divide(ring, 2 * rings + 2))
@@ -63,13 +63,13 @@ def ellipsoid(rings: int, around: int, stretch: tuple[int, int, int]) -> Solid:
             cosine, sine = cosine_and_sine(DIGITS.divide(k, around))
             y, z = DIGITS.multiply(rim, cosine), DIGITS.multiply(rim, sine)
             points.add(placed(towards((x, y, z))))
-    round_points, faces = hull(points)  # the stretched one has the same facets
+    round_points, faces = hull(points)  # the stretched hull has the same facets
     return [(a * stretch[0], b * stretch[1], c * stretch[2]) for a, b, c in round_points], faces
 
 
 def rod(corners: int, half_length: int) -> Solid:
-    """A prism along the z axis over integer points of a circle, about evenly spread, with the
-    mirror planes of the axes."""
+    """Build a prism along the z axis over integer points on a circle, about evenly spread, with the
+    axes' mirror planes."""
     ring: list[tuple[int, int]] = []
     for k in range(corners):
         cosine, sine = cosine_and_sine(DIGITS.divide(k, corners))
@@ -82,14 +82,14 @@ def rod(corners: int, half_length: int) -> Solid:
 
 
 def hull(given: set[Point]) -> Solid:
-    """The convex hull of points of a sphere; its vertices are in ascending order."""
+    """Compute the convex hull of points on a sphere, with vertices ascending."""
     points = sorted(given)
     return points, facets(points)
 
 
 def flaws(solid: Solid) -> list[str]:
-    """Flaws that keep the faces from being the facets of a convex polyhedron with all the points as
-    vertices."""
+    """Find flaws that keep the faces from being the facets of a convex polyhedron with all points
+    as vertices."""
     points, faces = solid
     edges = [edge for f in faces for edge in zip(f, f[1:] + f[:1], strict=True)]
     found = []
@@ -115,7 +115,7 @@ def _turned(direction: Direction) -> list[Direction]:
 
 
 def _apart(one: Direction, other: Direction) -> Golden:
-    """The square of the distance; phi squared is phi + 1."""
+    """Compute the squared distance; phi squared is phi + 1."""
     gaps = [(a[0] - b[0], a[1] - b[1]) for a, b in zip(one, other, strict=True)]
     return sum(a * a + b * b for a, b in gaps), sum(2 * a * b + b * b for a, b in gaps)
 

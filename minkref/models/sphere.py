@@ -1,4 +1,4 @@
-"""Integer points of a sphere about the origin, and the facets of their hull: exact, in integers."""
+"""Integer points on a sphere about the origin, and their hull's facets: exact, by integers."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from circle import DIGITS
 Point = tuple[int, int, int]
 Face = tuple[int, ...]
 
-CIRCLE = 5 * 13 * 17 * 29  # 324 integer points are on the circle of this radius
-RADIUS = 3 * CIRCLE  # 961,350 are on the sphere of this one, 324 of them in each coordinate plane
+CIRCLE = 5 * 13 * 17 * 29  # this circle has 324 integer points
+RADIUS = 3 * CIRCLE  # this sphere has 961,350, 324 of them in each coordinate plane
 
-MODULUS = 5040  # of which few remainders are those of squares
+MODULUS = 5040  # with few squares among the remainders
 SQUARES = [False] * MODULUS
 for _k in range(MODULUS):
     SQUARES[_k * _k % MODULUS] = True
 
 
 def towards(direction: tuple[Decimal, Decimal, Decimal], radius: int = RADIUS) -> Point:
-    """Where the sphere is in this direction, rounded to integers, which need not be on it."""
+    """Find the sphere's point in this direction, rounded to integers, perhaps off the sphere."""
     squares = [DIGITS.multiply(part, part) for part in direction]
     length = DIGITS.sqrt(DIGITS.add(DIGITS.add(squares[0], squares[1]), squares[2]))
     x, y, z = (_rounded(DIGITS.divide(DIGITS.multiply(radius, part), length)) for part in direction)
@@ -29,17 +29,17 @@ def towards(direction: tuple[Decimal, Decimal, Decimal], radius: int = RADIUS) -
 
 
 def _rounded(value: Decimal) -> int:
-    """First to 15 decimals, so that the last digits of a series do not decide about one half."""
+    """Round first to 15 decimals, so that a series' last digits do not decide about one half."""
     clean = value.quantize(Decimal("1e-15"), ROUND_HALF_EVEN, DIGITS)
     return int(clean.to_integral_value(ROUND_HALF_EVEN))
 
 
 def placed(wanted: Point, radius: int = RADIUS, chiral: bool = False) -> Point:
-    """The nearest integer point of the sphere, zero in the coordinates in which `wanted` is.
+    """Find the sphere's nearest integer point, with zeros where `wanted` has zeros.
 
-    The same up to signs and cyclic exchanges of the coordinates wherever `wanted` is: mirrored and
-    turned directions have exactly mirrored and turned points. `chiral` spoils the mirror images,
-    not the rotations: where the product of the signs is negative it takes a point less near."""
+    Signs and cyclic exchanges of coordinates carry over from `wanted`: mirrored and turned
+    directions give exactly mirrored and turned points. `chiral` spoils the mirror images, not the
+    rotations: for a negative product of signs it takes a point less near."""
     x, y, z = (abs(value) for value in wanted)
     turns = [(x, y, z), (y, z, x), (z, x, y)]
     turn = max(range(3), key=lambda k: turns[k])
@@ -52,9 +52,9 @@ def placed(wanted: Point, radius: int = RADIUS, chiral: bool = False) -> Point:
 
 @functools.cache
 def _nearest(wanted: Point, radius: int, rank: int) -> Point:
-    """The point at the least distance from `wanted`, or at the next larger one for `rank` 1, with
-    the same zeros. `wanted` is not negative, and largest in x; the search goes in growing squares
-    of (y, z) about it."""
+    """Find the point at the least distance from `wanted`, or at the next larger for `rank` 1, with
+    the same zeros. `wanted` must not be negative, and must be largest in x; searches growing
+    squares of (y, z) around it."""
     _, Y, Z = wanted
     if Y == Z == 0:
         return radius, 0, 0
@@ -78,18 +78,18 @@ def _nearest(wanted: Point, radius: int, rank: int) -> Point:
 
 
 def _hits(radius: int, y: int, zs: range) -> list[int]:
-    """The z for which radius^2 - y^2 - z^2 is the square of a positive integer."""
+    """List each z for which radius^2 - y^2 - z^2 is the square of a positive integer."""
     left = radius * radius - y * y
     likely = [z for z in zs if SQUARES[(left - z * z) % MODULUS]]
     return [z for z in likely if left > z * z and isqrt(left - z * z) ** 2 == left - z * z]
 
 
 def facets(points: list[Point]) -> list[Face]:
-    """The triangles of the hull of points of a sphere, counter-clockwise seen from outside.
+    """Find the hull's triangles for points on a sphere, counter-clockwise seen from outside.
 
     Gift wrapping from an edge that leads to a nearest neighbour: on a sphere the hull is the
-    Delaunay triangulation, which has that edge. Raises ValueError for four points in the plane of
-    a facet."""
+    Delaunay triangulation, which has this edge. Raises ValueError for four points on one facet's
+    plane."""
     first = min(
         range(1, len(points)),
         key=lambda k: sum((a - b) ** 2 for a, b in zip(points[0], points[k], strict=True)),
@@ -105,7 +105,7 @@ def facets(points: list[Point]) -> list[Face]:
 
 
 def _wrapped(points: list[Point], i: int, j: int) -> int:
-    """The k for which no point is above the plane i j k."""
+    """Find the k for which no point lies above the plane i j k."""
     others = [k for k in range(len(points)) if k not in (i, j)]
     best = others[0]
     n, height = plane(points, (i, j, best))
@@ -120,7 +120,7 @@ def _wrapped(points: list[Point], i: int, j: int) -> int:
 
 
 def plane(points: list[Point], face: Face) -> tuple[Point, int]:
-    """A normal of the plane of a face, outwards, and its product with the face's points."""
+    """Return an outward normal of a face's plane, and its product with the face's points."""
     a, b, c = (points[k] for k in face[:3])
     u = [b[k] - a[k] for k in range(3)]
     v = [c[k] - a[k] for k in range(3)]
