@@ -23,12 +23,12 @@ from minkref.output.streams import OutputLost, is_open
 from minkref.version import version
 
 _DESCRIPTOR = re.compile(r"/dev/(stdout|stderr)|(?:/dev|/proc/self)/fd/([0-9]{1,9})", re.ASCII)
-TEMPORARY = ".minkref-"  # what names of files begin with that are being written
+TEMPORARY = ".minkref-"  # prefix of files still being written
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
 
 def peak_bytes() -> int:
-    """The largest resident size of this process or of any child that ended."""
+    """Return the largest resident size of this process or of any ended child."""
     own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     children = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
     unit = 1 if sys.platform == "darwin" else 1024
@@ -46,7 +46,7 @@ class Stopwatch:
 
 
 def document(command: str, watch: Stopwatch, **fields: Any) -> dict[str, Any]:
-    """A result of `command` with the fields that every document has."""
+    """Make a result of `command` with the fields common to all documents."""
     return {
         "version": version(),
         "command": command,
@@ -57,8 +57,8 @@ def document(command: str, watch: Stopwatch, **fields: Any) -> dict[str, Any]:
 
 
 def lasting(value: Any) -> Any:
-    """The document as a file holds it: times and memory are null, so that two runs write the same
-    bytes."""
+    """Return the document for a file, with null for times and memory, so that two runs write the
+    same bytes."""
     if isinstance(value, dict):
         return {name: None if _is_cost(name) else lasting(value[name]) for name in value}
     return [lasting(each) for each in value] if isinstance(value, list) else value
@@ -69,16 +69,16 @@ def _is_cost(name: str) -> bool:
 
 
 def as_text(value: dict[str, Any]) -> str:
-    """JSON text of a document. File names that are not UTF-8 have their bytes as lone surrogates,
-    which JSON can say in escapes only."""
+    """Write a document as JSON text. Names of files outside UTF-8 keep their bytes as lone
+    surrogates, which JSON can only escape."""
     unicode = (sys.stdout.encoding or "").lower().replace("-", "") == "utf8"
     text = json.dumps(value, ensure_ascii=not unicode, allow_nan=False, indent=2) + "\n"
     return _SURROGATE.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
 
 
 def listing(value: dict[str, Any], name: str, items: Iterable[Any]) -> Iterator[str]:
-    """The pieces of the JSON text of a document with a last field `name`, a list too long to be
-    held in memory: one item a line."""
+    """Yield a document's JSON text piece by piece, with a last field `name`, a list too long for
+    memory: one item per line."""
     empty = "[]\n}\n"
     yield as_text({**value, name: []}).removesuffix(empty)
     first = True
@@ -90,9 +90,9 @@ def listing(value: dict[str, Any], name: str, items: Iterable[Any]) -> Iterator[
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """A new empty file beside `path` to write to; it takes the place of `path` once all is written,
-    or is removed, also where a signal ends the process. Where `path` is a symbolic link, the file
-    that it points to is replaced. A pipe or device is written to itself."""
+    """Make an empty file beside `path` for writing; replaces `path` once all is written, or removes
+    the new file, even if a signal ends the process. Replaces a symbolic link's target, not the
+    link. Writes to a pipe or device itself."""
     if is_stream(path):
         try:
             yield path
@@ -100,7 +100,7 @@ def replacing(path: Path) -> Iterator[Path]:
             raise _cannot_write(path, error) from error
         return
     path = _followed(path)
-    # Named before it is made: a signal at any moment finds it to be removed.
+    # Named before being made: a signal at any moment finds the name to remove.
     temporary = path.parent / f"{TEMPORARY}{secrets.token_hex(8)}"
     with ending_in_order():
         try:
@@ -123,7 +123,7 @@ def replacing(path: Path) -> Iterator[Path]:
 
 @contextmanager
 def scratch_folder() -> Iterator[Path]:
-    """A folder for files that nobody keeps. Refuses where there is no room for them."""
+    """Make a folder for files that nobody keeps. Refuses without room for files."""
     try:
         with tempfile.TemporaryDirectory(prefix="minkref-") as folder:
             yield Path(folder)
@@ -138,8 +138,8 @@ def scratch_folder() -> Iterator[Path]:
 
 @contextmanager
 def writing(path: Path) -> Iterator[BinaryIO]:
-    """A stream to write to, as `replacing`; an open descriptor (/dev/stdout, /dev/fd/N) goes on
-    where it stands, in a file too."""
+    """Open a stream for writing, like `replacing`; an open descriptor (/dev/stdout, /dev/fd/N)
+    continues at its position, even in a file."""
     number = descriptor_of(path)
     if number is None:
         with replacing(path) as temporary, temporary.open("wb") as stream:
@@ -154,8 +154,8 @@ def writing(path: Path) -> Iterator[BinaryIO]:
 
 
 def write_together(files: Mapping[Path, str | bytes]) -> None:
-    """Writes all of these files, or none where one of them cannot be written. Open descriptors,
-    pipes and devices come last."""
+    """Write all files, or none if any cannot be written. Open descriptors, pipes and devices come
+    last."""
     with ExitStack() as stack:
         streams = []
         for path, text in files.items():
@@ -170,14 +170,14 @@ def write_together(files: Mapping[Path, str | bytes]) -> None:
 
 
 def write_atomically(path: Path, text: str | Iterable[str]) -> None:
-    """Writes all of `text`, given whole or piece by piece, or nothing."""
+    """Write all of `text`, whole or piece by piece, or nothing."""
     with writing(path) as stream:
         for piece in [text] if isinstance(text, str) else text:
             stream.write(piece.encode(errors="backslashreplace"))
 
 
 def check_writable(path: Path) -> None:
-    """Refuses an output path that cannot be written, before any work is done."""
+    """Refuse an output path that cannot be written, before any work."""
     number = descriptor_of(path)
     if number is not None and not is_open(number):
         what = f"descriptor {number} is not open"
@@ -208,11 +208,11 @@ def check_writable(path: Path) -> None:
 
 
 def refuse_overwriting(path: Path, operands: Iterable[Path]) -> None:
-    """Refuses an output path that is the file of an operand."""
+    """Refuse an output path that names an operand's file."""
     for file in operands:
         try:
             same = os.path.samefile(path, file)
-        except OSError:  # one of them does not exist
+        except OSError:  # a file does not exist
             continue
         if same:
             raise Refusal(
@@ -228,7 +228,7 @@ def _followed(path: Path) -> Path:
 
 
 def descriptor_of(path: Path) -> int | None:
-    """The number of /dev/stdout, /dev/stderr, /dev/fd/N and /proc/self/fd/N."""
+    """Find the number in /dev/stdout, /dev/stderr, /dev/fd/N and /proc/self/fd/N."""
     found = _DESCRIPTOR.fullmatch(str(path))
     if found is None:
         return None
@@ -236,7 +236,7 @@ def descriptor_of(path: Path) -> int | None:
 
 
 def is_stream(path: Path) -> bool:
-    """An open descriptor, a pipe or a device, which are written to themselves."""
+    """Tell whether a path is an open descriptor, a pipe or a device, written to directly."""
     if descriptor_of(path) is not None:
         return True
     try:

@@ -1,4 +1,4 @@
-"""Exit codes of the command line; with several outcomes the worst of 1, 2, 4 counts, in this
+"""Exit codes of the command line; among several outcomes the worst of 1, 2, 4 counts, in this
 order."""
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ class ExitCode(IntEnum):
     BROKEN = 3  # an implementation crashed, hung or broke the protocol; nothing was proven wrong
     UNDECIDED = 4  # `verify --strict`, and `check` out of budget
     DECLINED = 5  # `check --proved`
-    INTERNAL = 70  # an error of ours
+    INTERNAL = 70  # our own error
     INTERRUPTED = 130  # as a shell shows SIGINT
     BROKEN_PIPE = 141  # the reader of standard output has gone; as a shell shows SIGPIPE
 

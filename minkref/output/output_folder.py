@@ -1,4 +1,4 @@
-"""A folder that a command writes its files to."""
+"""A folder for a command's files."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from minkref.output.output_target import refuse_stream
 
 
 def folder_to_write(name: str, inside: Iterable[str] = ()) -> Path:
-    """The folder that -o names. Refuses one in which no file can be made, or not in the folders
-    `inside` it, before any work is done; makes none."""
+    """Read the folder named by -o. Refuses a folder where no file can be made, there or inside the
+    folders `inside`, before any work; makes no folder."""
     if not name:
         raise Refusal(
             "the name of the folder is empty", "-o ''", "name one; . is the current folder"
@@ -51,8 +51,8 @@ def make_folder(folder: Path) -> None:
 
 @contextmanager
 def held_folder(folder: Path) -> Iterator[None]:
-    """Makes the folder; until the end no other run may hold it. No lock is left, however
-    the process ends. A file system without locks of folders (some over a network) has none."""
+    """Make the folder and hold it against other runs until the end. Leaves no lock, however the
+    process ends. A file system without folder locks (some over a network) gives no protection."""
     make_folder(folder)
     file = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
     try:

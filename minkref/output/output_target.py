@@ -1,4 +1,4 @@
-"""Where a command writes what it makes, and in which format."""
+"""The place to which a command writes, and the format."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ class Target:
 
     @property
     def is_standard_output(self) -> bool:
-        """Then nothing else is written there."""
+        """Tell whether standard output takes the text; nothing else is written there then."""
         return self.path == STANDARD_OUTPUT
 
     @contextmanager
     def stream(self) -> Iterator[BinaryIO]:
-        """To write to: a file is replaced once all is written, or not at all."""
+        """Open the target for writing: replaces a file once all is written, or not at all."""
         if not self.is_standard_output:
             with writing(self.path) as stream:
                 yield stream
@@ -41,7 +41,7 @@ class Target:
         sys.stdout.buffer.flush()
 
     def write_pieces(self, pieces: Iterable[str]) -> int:
-        """The text that these make; how many bytes it has."""
+        """Write a text piece by piece; return the byte count."""
         count = 0
         with self.stream() as stream:
             for piece in pieces:
@@ -51,21 +51,21 @@ class Target:
         return count
 
     def write(self, text: str, exact: bool = True) -> bool:
-        """True where it was standard output, to which nothing else is written then; where the text
-        is rounded, and no picture, a warning says so."""
+        """Write a text; return True for standard output, which then takes nothing else. Warns on
+        standard error about rounded text, except for a picture."""
         ended = text.endswith("\n") or not self.is_standard_output
         self.write_pieces([text] if ended else [text, "\n"])
         self.tell_rounding(exact)
         return self.is_standard_output
 
     def tell_rounding(self, exact: bool) -> None:
-        """A warning where standard output took what is rounded, and no picture."""
+        """Warn if standard output took rounded text, except for a picture."""
         if self.is_standard_output and not exact and self.form != "svg":
             sys.stderr.write("warning: standard output is rounded; json is exact\n")
 
 
 def refuse_stream(output: Path, what: str, mend: str) -> None:
-    """Refuses standard output, pipes and devices where something else is made than one text."""
+    """Refuse standard output, pipes and devices for output other than a single text."""
     if output == STANDARD_OUTPUT or is_stream(output):
         raise Refusal(what, f"-o {output}", mend, "cannot-write")
 
@@ -79,11 +79,11 @@ def target_of(
     has_format: bool = True,
     offered: Sequence[str] | None = None,
 ) -> Target | None:
-    """None where nothing is to be written. A pipe, a device or standard output has the format
-    `default` where neither `form` nor an ending names one. Refuses a format that is none of
-    `forms`, a place that cannot be written, and standard output for two things. `has_format`:
-    the command has the option --format, which the refusal of an ending then offers; `offered`:
-    those of `forms` that go with the other options, which a refusal names."""
+    """Choose the target; None if nothing is to be written. A pipe, a device or standard output has
+    the format `default` unless `form` or an ending names one. Refuses a format outside `forms`, a
+    place that cannot be written, and standard output for two things. `has_format`: the command has
+    the option --format, which the refusal of an ending then offers; `offered`: the `forms` that fit
+    the other options, for refusals."""
     if form is not None and form not in forms:
         mend = choice(form, offered or forms)
         raise Refusal("there is no such format", f"--format {form[:40]}", mend)

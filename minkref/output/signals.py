@@ -1,4 +1,4 @@
-"""Signals: how the command and its worker processes end when they are told to."""
+"""Signals: how the command and its worker processes end when told to."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ PR_SET_PDEATHSIG = 1
 
 
 class Ended(BaseException):
-    """The process was told to end by the signal `number`."""
+    """The signal `number` told the process to end."""
 
     def __init__(self, number: int) -> None:
         super().__init__(signal.Signals(number).name)
@@ -24,7 +24,8 @@ class Ended(BaseException):
 
 
 class Stoppable:
-    """Within it SIGINT, SIGTERM and SIGHUP raise Ended, but what is `held` is first done whole."""
+    """Within this context SIGINT, SIGTERM and SIGHUP raise Ended, but `held` work first
+    completes."""
 
     def __init__(self) -> None:
         self._holds = 0
@@ -43,7 +44,7 @@ class Stoppable:
 
     @contextmanager
     def held(self) -> Iterator[None]:
-        """Signals that come meanwhile are raised at the end."""
+        """Delay signals to the end of the block."""
         self._holds += 1
         try:
             yield
@@ -60,7 +61,8 @@ class Stoppable:
 
 @contextmanager
 def ending_in_order() -> Iterator[None]:
-    """SIGTERM and SIGHUP raise Ended, so that worker processes and temporary files are removed."""
+    """Make SIGTERM and SIGHUP raise Ended, so that worker processes and temporary files are
+    removed."""
     numbers = [n for n in (signal.SIGTERM, signal.SIGHUP) if _may_handle(n)]
     before = {number: signal.signal(number, _raise_ended) for number in numbers}
     try:
@@ -71,15 +73,15 @@ def ending_in_order() -> Iterator[None]:
 
 
 def end_with_parent(parent: int) -> None:
-    """This process is killed when the process `parent`, which started it, dies (Linux)."""
+    """Have this process killed when `parent`, the process that started it, dies (Linux)."""
     if sys.platform == "linux":
         ctypes.CDLL(None, use_errno=True).prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
-        if os.getppid() != parent:  # it died before it could be watched
+        if os.getppid() != parent:  # the parent died before the watch began
             os._exit(1)
 
 
 def kill_group(leader: int) -> None:
-    """Kills a process that leads a session, with all that it started."""
+    """Kill a process that leads a session, with all processes that it started."""
     try:
         os.killpg(leader, signal.SIGKILL)
     except (ProcessLookupError, PermissionError):

@@ -1,5 +1,4 @@
-"""The standard streams of the command: a write that fails is one kind of exception, whoever
-writes."""
+"""The command's standard streams: a failed write raises one kind of exception, whoever writes."""
 
 from __future__ import annotations
 
@@ -28,7 +27,7 @@ class _Output(io.FileIO):
 
 
 class _Errors(io.FileIO):
-    """Drops what standard error cannot take: there is nowhere left to say so."""
+    """Drops text that standard error cannot take: nowhere is left to say so."""
 
     def write(self, data: object) -> int:
         try:
@@ -38,9 +37,8 @@ class _Errors(io.FileIO):
 
 
 def guard() -> None:
-    """Replaces sys.stdout and sys.stderr. A stream that is closed gets a descriptor that cannot
-    hold a file of ours by accident; writing to it fails. No name fails to be written for its
-    letters."""
+    """Replace sys.stdout and sys.stderr. A closed stream gets a descriptor that can never hold a
+    file of ours by accident; writing to it fails. Names with any letters can be written."""
     for descriptor, mode in STANDARD:
         if not is_open(descriptor):
             _point(descriptor, mode)
@@ -49,7 +47,7 @@ def guard() -> None:
 
 
 def give_up_output() -> None:
-    """Sends what is still to be written nowhere."""
+    """Discard any text still to be written."""
     _point(1, os.O_WRONLY)
     sys.stdout.flush()
 

@@ -1,4 +1,4 @@
-"""Standard output for people: tables as wide as the terminal, or as they need to be in a pipe."""
+"""Standard output for people: tables as wide as the terminal, or as wide as needed for a pipe."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ PIPE_WIDTH = 200
 
 
 def console() -> Console:
-    """Texts are shown as they are: brackets are no markup."""
+    """Make a console that shows texts unchanged: brackets are no markup."""
     from rich.console import Console
 
     plain = Console(highlight=False, markup=False, emoji=False)
@@ -21,13 +21,13 @@ def console() -> Console:
 
 
 def lines(rows: list[tuple[str, str]]) -> str:
-    """Names and values in two columns, never cut off."""
+    """Write names and values as two columns, never cut off."""
     width = max(len(name) for name, _ in rows)
     return "".join(f"{name:<{width}}  {escaped(value)}".rstrip() + "\n" for name, value in rows)
 
 
 def escaped(text: str) -> str:
-    """The text in one line: what a terminal would obey, and bytes that are no text, escaped."""
+    """Write a text on one line: escapes terminal controls, and bytes that are no text."""
     return "".join(
         letter if letter.isprintable() else letter.encode("unicode_escape").decode("ascii")
         for letter in text
@@ -35,5 +35,5 @@ def escaped(text: str) -> str:
 
 
 def counted(number: int, noun: str) -> str:
-    """`1 scale`, `1,200 scales`."""
+    """Write `1 scale`, `1,200 scales`."""
     return f"{number:,} {noun}{'' if number == 1 else 's'}"
