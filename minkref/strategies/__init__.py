@@ -1,4 +1,4 @@
-"""Hypothesis strategies for those who test their own Minkowski sums (docs/strategies.md).
+"""Hypothesis strategies for testing your own Minkowski sums (docs/strategies.md).
 
 from minkref.strategies import scaled_pairs
 @given(scaled_pairs())

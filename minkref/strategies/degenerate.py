@@ -16,17 +16,16 @@ from minkref.strategies.values import DegeneratePair, data_of
 
 DEGENERATE_FAMILIES = tuple(FAMILIES)
 SELDOM = st.integers(0, 99)
-PRICE = 3  # draws for a step not taken: Hypothesis takes what needs fewer draws for simpler
+PRICE = 3  # draws for a step not taken: Hypothesis finds fewer draws simpler
 
 
 def degenerate_pairs(family: str | None = None) -> st.SearchStrategy[DegeneratePair]:
-    """Members of one of DEGENERATE_FAMILIES, or of any: operands P, Q, and the scale at which
+    """Draw members of one of DEGENERATE_FAMILIES, or of any: operands P, Q, and the scale at which
     scale P + Q is degenerate.
 
-    Shrinks by the throws of the family's generator, which Hypothesis draws, and by steps that leave
-    out polygons, holes and vertices and make numbers simpler, each only if the result is a member.
-    Exact, and always valid. 5 to 50 ms a member.
-    Raises ValueError for a name that is none."""
+    Shrinks by the throws of the family's generator, which Hypothesis draws, and by steps that drop
+    polygons, holes and vertices and simplify numbers, each only if the result is a member. Exact,
+    and always valid. 5 to 50 ms per member. Raises ValueError for an unknown name."""
     if family is None:
         return st.sampled_from(list(FAMILIES.values())).flatmap(_members)
     if family not in FAMILIES:
@@ -48,8 +47,8 @@ def _members(family: Family) -> st.SearchStrategy[DegeneratePair]:
 
 @st.composite
 def _candidates(draw: st.DrawFn, family: Family) -> Draft | None:
-    """None also where a ring would have to be turned, and the numbers of vertices would be
-    others than those of the predicates."""
+    """Draw a draft; None also if a ring needs turning, which would change vertex numbers used by
+    the predicates."""
     try:
         draft = family.draw(Dice(draw), draw(st.integers(FEWEST, MOST)))
     except NothingDrawn:
@@ -60,7 +59,7 @@ def _candidates(draw: st.DrawFn, family: Family) -> Draft | None:
 
 @st.composite
 def _taken(draw: st.DrawFn) -> bool:
-    """Seldom True while Hypothesis generates; what it shrinks to."""
+    """Draw True seldom while Hypothesis generates; shrinks to True."""
     if draw(SELDOM) == 0:
         return True
     for _ in range(PRICE):
@@ -70,7 +69,7 @@ def _taken(draw: st.DrawFn) -> bool:
 
 @st.composite
 def _reduced(draw: st.DrawFn, family: Family) -> Draft:
-    """Every step is drawn, so that Hypothesis takes those that keep what it looks for."""
+    """Draw every step, so that Hypothesis keeps the steps that preserve its finding."""
     drawn = draw(_candidates(family).filter(lambda draft: draft and is_member(family, draft)))
     assert drawn is not None
     draft: Draft = drawn
@@ -91,7 +90,7 @@ def _reduced(draw: st.DrawFn, family: Family) -> Draft:
 
 
 def is_member(family: Family, draft: Draft) -> bool:
-    """Also that what the draft claims to be zero is."""
+    """Tell whether a draft is a member, and whether all claimed zeros are zero."""
     facts = Facts.of_valid(draft)
     return (
         facts is not None

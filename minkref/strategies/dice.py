@@ -1,4 +1,4 @@
-"""A random.Random whose throws Hypothesis draws, so that it can shrink them."""
+"""A random.Random whose throws Hypothesis draws and can shrink."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ from hypothesis import strategies as st
 from minkref.degeneracies.plane.draft import NothingDrawn
 
 T = TypeVar("T")
-THROWS = 100  # that are drawn one by one; those after them follow from one number
-MOST = 300  # then nothing is drawn, and another draw may be quicker
-FINENESS = 100  # values of random()
+THROWS = 100  # drawn one by one; later throws follow from one number
+MOST = 300  # then draws nothing: another draw may be quicker
+FINENESS = 100  # number of values of random()
 
 
 class Dice(Random):
-    """Numbers shrink towards 0, choices to the first, and random() to nearly 1: generators ask
-    `random() < share` for what is not the simplest. A generator that repeats until it is content
-    would repeat the simplest throws for ever; so the first THROWS are drawn, the others come from a
-    seed that is drawn after them. Raises NothingDrawn after MOST throws."""
+    """A random generator for Hypothesis. Numbers shrink towards 0, choices to the first, and
+    random() to nearly 1: generators ask `random() < share` for anything but the simplest. A
+    generator that repeats until content would repeat the simplest throws for ever; so only the
+    first THROWS are drawn, and a seed drawn afterwards gives the others. Raises NothingDrawn after
+    MOST throws."""
 
     def __new__(cls, draw: st.DrawFn) -> Dice:
         return super().__new__(cls)

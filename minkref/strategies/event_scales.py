@@ -1,4 +1,4 @@
-"""Scales at which something happens, beside them, and others."""
+"""Scales of events, scales beside events, and others."""
 
 from __future__ import annotations
 
@@ -18,13 +18,14 @@ PLACES = ("any", "at", "below", "above", "between")
 def scales_near_events(
     P: SetData, Q: SetData, *, kind: Kind = "boundary", bits: int = 60
 ) -> st.SearchStrategy[str]:
-    """Scales for a pair: critical ones, those 2^-k below or above one (1 <= k <= bits, more where
-    the scale would not be positive), those half way between two, and others. `kind`: what changes
-    at a critical scale (docs/definitions.md): `arrangement`, `boundary` or `topology`.
+    """Draw scales for a pair: critical scales, scales 2^-k below or above a critical scale (1 <= k
+    <= bits, more if the scale would not be positive), scales half way between two, and others.
+    `kind`: the change at a critical scale (docs/definitions.md): `arrangement`, `boundary` or
+    `topology`.
 
-    Shrinks to 1, then to the simplest critical scale, then to the largest distance from one. Exact.
-    The events are found once for each example; O((n + k) log n), k the arrangement events. Raises
-    ValueError for another kind and for `bits` below 1, BadInput for operands that are none."""
+    Shrinks to 1, then to the simplest critical scale, then to the largest distance from a critical
+    scale. Exact. Finds the events once per example; O((n + k) log n), k the arrangement events.
+    Raises ValueError for another kind and for `bits` below 1, BadInput for invalid operands."""
     if kind not in KINDS:
         raise ValueError(f"there is no kind {kind!r}: the kinds are {', '.join(KINDS)}")
     if bits < 1:
@@ -35,9 +36,9 @@ def scales_near_events(
 def scaled_pairs(
     *, kind: Kind = "boundary", bits: int = 60, **bounds: Any
 ) -> st.SearchStrategy[ScaledPair]:
-    """Operands as `pairs` draws them within `bounds`, and a scale as `scales_near_events` does.
+    """Draw operands as `pairs` does within `bounds`, and a scale as `scales_near_events` does.
 
-    Shrinks as these do. Exact, and always valid. Their cost."""
+    Shrinks as both do. Exact, and always valid. Costs as much as both."""
     return pairs(**bounds).flatmap(
         lambda both: scales_near_events(*both, kind=kind, bits=bits).map(
             lambda scale: {"P": both[0], "Q": both[1], "scale": scale}
@@ -66,7 +67,7 @@ def _scales(draw: st.DrawFn, P: SetData, Q: SetData, kind: Kind, bits: int) -> s
 
 
 def critical_scales(P: SetData, Q: SetData, kind: Kind) -> list[Fraction]:
-    """Ascending, each once. Exact."""
+    """List critical scales ascending, each once. Exact."""
     first, second = to_set(P), to_set(Q)
     first.validate("P")
     second.validate("Q")

@@ -1,5 +1,5 @@
-"""Valid shapes on whole numbers out of any plan: vertices are inserted into a triangle one by one,
-each where it leaves the set valid, or left out. The reference's validation is the judge."""
+"""Valid shapes on whole numbers from any plan: inserts vertices into a triangle one by one, each at
+a place that keeps the set valid, or leaves the vertex out. The reference's validation decides."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from minkref.fuzz.geometry.plane import Point, Polygon, Ring, Shape, box, extent
 from minkref.fuzz.plane.families.drawing import is_valid, shape_text
 from minkref.strategies.values import points_of
 
-Corner = tuple[int, int, int]  # x, y, and the edge at which the search for its place begins
-Hole = tuple[bool, Sequence[Corner]]  # whether it is open
+Corner = tuple[int, int, int]  # x, y, and the edge where the search for a place begins
+Hole = tuple[bool, Sequence[Corner]]  # whether open, then corners
 SIMPLEST: Ring = [(0, 0), (1, 0), (0, 1)]
 
 
 @dataclass(frozen=True)
 class Part:
-    """The plan of a polygon. Around holes lies a triangle, or a box, at a distance `margin`, in
-    place of the first three corners; where `bare`, it loses the vertices that it can spare in the
-    end. The polygon lies beside the parts before it, `gap` away, or `around` them.
+    """The plan of a polygon. A triangle, or a box, encloses holes at a distance `margin`, in place
+    of the first three corners; `bare` finally drops the enclosure's vertices that can be spared.
+    The polygon lies beside earlier parts, `gap` away, or `around` them.
 
-    A hole that is not open, and a part that is not kept, is taken out when all else is done: what
-    is laid around it stays as it is, so that Hypothesis can try without it."""
+    A hole that is not open, or a part that is not kept, is removed at the very end: its
+    surroundings stay, so that Hypothesis can try without the hole or part."""
 
     corners: Sequence[Corner]
     holes: Sequence[Hole] = ()
@@ -36,8 +36,8 @@ class Part:
 
 
 def grown(parts: Iterable[Part], limit: int, most: int) -> Shape:
-    """The shape of a plan, all numbers within [-limit, limit], up to `most` vertices a ring. Parts,
-    holes and vertices for which there is no room are left out. O(n^2) validations for n corners."""
+    """Grow a plan's shape, with all numbers within [-limit, limit], and up to `most` vertices per
+    ring. Drops parts, holes and vertices without room. O(n^2) validations for n corners."""
 
     def fits(shape: Shape) -> bool:
         if any(len(ring) > most for polygon in shape for ring in polygon):
@@ -76,7 +76,7 @@ def _polygon(part: Part, fits: Fits) -> Polygon:
 
 
 def _around(islands: Shape, part: Part, fits: Fits) -> Shape:
-    """The islands, and a polygon with a hole in which they lie."""
+    """Add a polygon around the islands, with the islands inside its hole."""
     for hole in _frames([polygon[0] for polygon in islands], part):
         for frame in _frames([hole], part):
             if fits([*islands, [frame, hole]]):
@@ -86,7 +86,8 @@ def _around(islands: Shape, part: Part, fits: Fits) -> Shape:
 
 
 def _beside(shape: Shape, polygon: Polygon, gap: int, fits: Fits) -> Shape:
-    """With the polygon where it is, else to the right of the rest, above, to the left, below."""
+    """Add the polygon at its own place, else to the right of the rest, above, to the left,
+    below."""
     if not shape:
         return [polygon]
     x, y, width, height = extent(points_of(shape))
@@ -103,7 +104,7 @@ def _beside(shape: Shape, polygon: Polygon, gap: int, fits: Fits) -> Shape:
 
 
 def _frames(inside: Sequence[Ring], part: Part) -> Iterator[Ring]:
-    """Triangles and boxes around rings."""
+    """Yield triangles and boxes around rings."""
     points = [point for ring in inside for point in ring]
     x, y, width, height = extent(points)
     for margin in dict.fromkeys((part.margin, 1)):
@@ -124,13 +125,14 @@ def _outer(frame: Ring, part: Part, fits: Callable[[Ring], bool]) -> Ring:
 
 
 def _ring(corners: Sequence[Corner], fits: Fits) -> Ring:
-    """A simple ring."""
+    """Grow a simple ring."""
     base, rest = _triangle(corners)
     return _inserted(base, rest, lambda ring: fits([[ring]]))
 
 
 def _triangle(corners: Sequence[Corner]) -> tuple[Ring, Sequence[Corner]]:
-    """The first corners that are not on one line, and the others; a fixed triangle if all are."""
+    """Return the first corners not on one line, and the others; a fixed triangle if all are
+    collinear."""
     ends: list[Point] = []
     for k, (x, y, _) in enumerate(corners):
         if len(ends) == 2:

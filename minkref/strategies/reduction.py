@@ -1,4 +1,4 @@
-"""Smaller candidates out of a draft: what can be left out, and simpler numbers."""
+"""Smaller candidates from a draft: parts left out, and simpler numbers."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ from minkref.fuzz.geometry.plane import Shape, extent, mapped, moved, scaled
 from minkref.strategies.values import points_of
 
 Operand = Literal["P", "Q"]
-Place = tuple[int, ...]  # polygon; its ring, the outer one being 0; vertex
+Place = tuple[int, ...]  # polygon; its ring, the outer ring being 0; vertex
 KINDS = ("polygon", "hole", "vertex")
 
 
 def places(draft: Draft, kind: str) -> list[tuple[Operand, Place]]:
-    """Places that can be left out, the last first: leaving one out moves no place that follows."""
+    """List places that can be left out, the last first: dropping one moves no place that
+    follows."""
     found: list[tuple[Operand, Place]] = []
     for name, shape in _operands(draft):
         for i, polygon in enumerate(shape):
@@ -35,8 +36,8 @@ def places(draft: Draft, kind: str) -> list[tuple[Operand, Place]]:
 
 
 def without(draft: Draft, name: Operand, place: Place) -> Draft | None:
-    """Without a polygon, hole or vertex; None where a ring would have two vertices, or a vertex is
-    one by which the draft is degenerate."""
+    """Drop a polygon, hole or vertex; None if a ring would keep two vertices, or if the degeneracy
+    depends on the vertex."""
     shape = draft.P if name == "P" else draft.Q
     numbers = _numbers(shape)
     gone = {number for number, where in enumerate(numbers) if where[: len(place)] == place}
@@ -45,7 +46,7 @@ def without(draft: Draft, name: Operand, place: Place) -> Draft | None:
     left = [n for n in range(len(numbers)) if n not in gone]
     try:
         zeros = tuple(_renumbered(zero, name, left) for zero in draft.zeros)
-    except ValueError:  # it is one of those left out
+    except ValueError:  # a dropped vertex
         return None
     rest = _left_out(shape, place)
     P, Q = (rest, draft.Q) if name == "P" else (draft.P, rest)
@@ -53,9 +54,9 @@ def without(draft: Draft, name: Operand, place: Place) -> Draft | None:
 
 
 def simpler() -> tuple[Callable[[Draft], Draft], ...]:
-    """Changes of all numbers, to be made one after the other: P as large as at the scale; both at
-    the origin; whole, without a common divisor; few distances between levels, which often loses
-    what is degenerate."""
+    """List changes to all numbers, applied one after another: P as large as at the scale; both at
+    the origin; whole, without a common divisor; few distances between levels, which often loses the
+    degeneracy."""
     return (
         lambda d: replace(d, P=scaled(d.P, d.scale), scale=Fraction(1)),
         lambda d: replace(d, P=_at_origin(d.P)),
@@ -71,7 +72,7 @@ def _operands(draft: Draft) -> tuple[tuple[Operand, Shape], tuple[Operand, Shape
 
 
 def _numbers(shape: Shape) -> list[Place]:
-    """The place of each vertex by its number."""
+    """List each vertex's place by number."""
     return [
         (i, j, k)
         for i, polygon in enumerate(shape)
@@ -96,7 +97,7 @@ def _left_out(shape: Shape, place: Place) -> Shape:
 
 
 def _renumbered(zero: Predicate, name: Operand, left: list[int]) -> Predicate:
-    """Raises ValueError where a vertex is left no more."""
+    """Renumber a predicate's vertices. Raises ValueError for a dropped vertex."""
     operand = ("P", "Q").index(name)
 
     def entries(value: Any) -> Any:
@@ -116,7 +117,7 @@ def _at_origin(shape: Shape) -> Shape:
 
 
 def _whole(draft: Draft) -> Draft:
-    """Both operands by the same factor."""
+    """Scale both operands by the same factor to whole numbers."""
     numbers = [Fraction(c) for shape in (draft.P, draft.Q) for p in points_of(shape) for c in p]
     denominator = lcm(*(number.denominator for number in numbers))
     divisor = gcd(*(int(number * denominator) for number in numbers))
@@ -125,6 +126,6 @@ def _whole(draft: Draft) -> Draft:
 
 
 def _ranked(shape: Shape) -> Shape:
-    """Each coordinate by its place among the others."""
+    """Replace each coordinate by its rank."""
     xs, ys = (sorted(set(values)) for values in zip(*points_of(shape), strict=True))
     return mapped(shape, lambda p: (xs.index(p[0]), ys.index(p[1])))

@@ -1,4 +1,4 @@
-"""Polygon sets and pairs of them."""
+"""Polygon sets, and pairs of polygon sets."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MOSTLY = st.sampled_from((False, True, True))  # shrinks to False
 
 @dataclass(frozen=True)
 class Bounds:
-    """Bounds of a drawn set."""
+    """Bounds for a drawn set."""
 
     max_vertices: int
     holes: int
@@ -42,15 +42,15 @@ def polygons(
     denominators: Sequence[int] = (1, 2, 3),
     magnitude: int = 10,
 ) -> st.SearchStrategy[SetData]:
-    """Polygon sets: up to `components` polygons, beside or within one another, each with up to
-    `holes` holes, and up to `max_vertices` vertices a ring.
-    Coordinates are within [-magnitude, magnitude], multiples of 1/d with one of the denominators
-    for the whole set. Rings may touch at points, and vertices may be straight.
+    """Draw polygon sets: up to `components` polygons, beside or within one another, each with up to
+    `holes` holes, and up to `max_vertices` vertices per ring. Coordinates lie within [-magnitude,
+    magnitude], multiples of 1/d with one denominator for the whole set. Rings may touch at points,
+    and vertices may be straight.
 
     Shrinks to fewer components, holes and vertices, the first denominator, and numbers towards 0;
     at last to the triangle (0,0) (1,0) (0,1). Exact, and always valid (docs/definitions.md). Some
-    milliseconds a set; O(n^2) validations by the reference. Raises ValueError for bounds that allow
-    none."""
+    milliseconds per set; O(n^2) validations by the reference. Raises ValueError for impossible
+    bounds."""
     bounds = Bounds(max_vertices, holes, components, tuple(denominators), magnitude)
     return _polygons(bounds)
 
@@ -64,11 +64,11 @@ def pairs(
     magnitude: int = 10,
     without_area: bool = False,
 ) -> st.SearchStrategy[tuple[SetData, SetData]]:
-    """Operands (P, Q), each as `polygons` draws it. `without_area`: one of them may also be a
-    point, a segment, or the empty set.
+    """Draw operands (P, Q), each as `polygons` draws a set. `without_area`: one operand may also be
+    a point, a segment, or the empty set.
 
-    Shrinks as they do, both to the least triangle; without area to a point. Exact, and always
-    valid. Twice the cost of a set. Raises ValueError as `polygons`."""
+    Shrinks as `polygons` does, both to the least triangle; without area to a point. Exact, and
+    always valid. Twice the cost of a set. Raises ValueError as `polygons`."""
     bounds = Bounds(max_vertices, holes, components, tuple(denominators), magnitude)
     region = _polygons(bounds)
     both = st.tuples(region, region)
@@ -80,7 +80,7 @@ def pairs(
 
 @st.composite
 def _polygons(draw: st.DrawFn, bounds: Bounds) -> SetData:
-    """The plan is drawn first, none of it hanging on the geometry, so that it shrinks freely."""
+    """Draw the whole plan first, independent of the geometry, so that it shrinks freely."""
     unit = draw(st.sampled_from(bounds.denominators))
     limit = bounds.magnitude * unit
     reach = min(limit, 2 ** draw(st.integers(0, limit.bit_length())))
@@ -107,7 +107,7 @@ def _parts(bounds: Bounds, reach: int) -> st.SearchStrategy[Part]:
 
 @st.composite
 def _without_area(draw: st.DrawFn, bounds: Bounds) -> SetData:
-    """A point, a segment, or the empty set."""
+    """Draw a point, a segment, or the empty set."""
     unit = draw(st.sampled_from(bounds.denominators))
     limit = bounds.magnitude * unit
     number = st.integers(-limit, limit)

@@ -1,4 +1,4 @@
-"""Values that the strategies draw: plain JSON (docs/formats.md), numbers as texts `n` or `n/d`."""
+"""Values drawn by the strategies: plain JSON (docs/formats.md), numbers as texts `n` or `n/d`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 class PolygonData(TypedDict):
-    """Rings of [x, y]; the outer one counter-clockwise, holes clockwise."""
+    """A polygon with rings of [x, y]; the outer ring counter-clockwise, holes clockwise."""
 
     outer: list[list[str]]
     holes: list[list[list[str]]]
@@ -35,25 +35,25 @@ class ScaledPair(TypedDict):
 
 
 class DegeneratePair(ScaledPair):
-    """And the family of which it is a member."""
+    """A scaled pair, and its degenerate family."""
 
     family: str
 
 
 def to_set(data: SetData) -> _core.PolygonSet:
-    """The exact set, as the functions of `minkref` take it. Not validated. Linear. Raises
+    """Convert to the exact set that functions of `minkref` take. Not validated. Linear. Raises
     BadInput."""
     return _core.PolygonSet.from_json(json.dumps(data))
 
 
 def to_fractions(data: SetData) -> dict[str, Any]:
-    """The same dictionary with points (x, y) of Fractions. Exact. Linear."""
+    """Convert points to (x, y) of Fractions in the same dictionary form. Exact. Linear."""
     return _mapped(data, lambda x, y: (Fraction(x), Fraction(y)))
 
 
 def to_data(polygons: dict[str, Any]) -> SetData:
-    """The way back: numbers that print exactly (int, Fraction, str) become texts. Raises TypeError
-    for others, as floats. Linear."""
+    """Convert back: numbers that print exactly (int, Fraction, str) become texts. Raises TypeError
+    for others, such as floats. Linear."""
     made: Any = _mapped(polygons, lambda x, y: [_text(x), _text(y)])
     return {"polygons": made["polygons"]}
 
@@ -80,7 +80,7 @@ def _mapped(data: Any, point: Callable[[Any, Any], T]) -> dict[str, Any]:
 
 
 def data_of(shape: Shape, unit: int = 1) -> SetData:
-    """A shape divided by `unit`, its rings turned as their role demands."""
+    """Divide a shape by `unit`, with rings turned as their role demands."""
 
     def ring(points: Ring, sign: int) -> list[list[str]]:
         right = points if doubled_area(points) * sign >= 0 else [points[0], *points[:0:-1]]
@@ -95,5 +95,5 @@ def data_of(shape: Shape, unit: int = 1) -> SetData:
 
 
 def points_of(shape: Shape) -> list[Point]:
-    """All vertices in the order of the shape."""
+    """List all vertices in the shape's order."""
     return [point for polygon in shape for ring in polygon for point in ring]
