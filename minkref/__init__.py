@@ -134,8 +134,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """Loads the extension module at the first use of what it gives, so that the command can say
-    that it is not built."""
+    """Load the extension module when first needed, so that the command can say that it is not
+    built."""
     if name not in __all__:
         raise AttributeError(f"module 'minkref' has no attribute {name!r}")
     from minkref import api

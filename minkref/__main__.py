@@ -1,4 +1,4 @@
-"""`python -m minkref` is the command `minkref`."""
+"""Makes `python -m minkref` run the command `minkref`."""
 
 from minkref.cli.cli import main
 

@@ -1,9 +1,9 @@
-"""The Python interface: exact sets, their sums, and what tells two sets apart.
+"""The Python interface: exact sets, their sums, and the difference between two sets.
 
-Numbers are texts, `n` or `n/d`, or exact numbers of Python, int and Fraction. An argument of
-another type raises TypeError, which says what is expected. Refused input raises BadInput, with
-the attributes code, problem, mend, source, line, ring, vertices and coordinates. Sets are values:
-made of coordinates, compared by their points, copied and pickled. Source: docs/definitions.md.
+Numbers are texts, `n` or `n/d`, or Python's exact numbers, int and Fraction. An argument with
+another type raises TypeError, which says what is expected. Refused input raises BadInput, with the
+attributes code, problem, mend, source, line, ring, vertices and coordinates. Sets are values: made
+from coordinates, compared as point sets, copied and pickled. Source: docs/definitions.md.
 """
 
 from __future__ import annotations
@@ -82,16 +82,15 @@ def minkowski_sum(
     route: str = "paper",
     arithmetic: str = "rational",
 ) -> Sum:
-    """The Minkowski sum of P, scaled by `scale` > 0 about the origin, and Q.
+    """Compute the Minkowski sum of P, scaled by `scale` > 0 about the origin, and Q.
 
-    Exact and in canonical form with the arithmetic `rational`; `interval` is exact or raises
-    UndecidedSign; `double` and `mpfr:BITS` may be wrong, and raise UndecidedSign where a value is
-    no number. The routes `paper`, `winding` and `definition` give the same set; the other
-    arithmetics go with `paper` only. Both operands are validated first. The tight passages of the
-    sum are found when `tight_passages` of the result is first asked for. The route `paper` takes
-    O((N + k) log N), N the size of the reduced convolution, k its crossings. Raises BadInput for an
-    operand, scale, route or arithmetic that is none. Behar & Lien, "Dynamic
-    Minkowski Sums Under Scaling", 2012, Sec. 3."""
+    With the arithmetic `rational` the sum is exact and in canonical form; `interval` is exact or
+    raises UndecidedSign; `double` and `mpfr:BITS` may be wrong, and raise UndecidedSign if a value
+    is no number. The routes `paper`, `winding` and `definition` give the same set; other
+    arithmetics work only with `paper`. Both operands are validated first. The result finds its
+    `tight_passages` when first asked. The route `paper` takes O((N + k) log N), N the size of the
+    reduced convolution, k its crossings. Raises BadInput for an invalid operand, scale, route or
+    arithmetic. Behar & Lien, "Dynamic Minkowski Sums Under Scaling", 2012, Sec. 3."""
     _validate(P=P, Q=Q)
     s = number("scale", scale)
     return _core.minkowski_sum(P, Q, s, text_of("route", route), text_of("arithmetic", arithmetic))
@@ -104,15 +103,15 @@ def offset(
     threads: int = 1,
     route: str = "definition",
 ) -> Offset:
-    """The Minkowski sum of P and a disc about the origin, whose `radius` > 0 is given, or its
-    square: a region bounded by segments and arcs, with its components, holes, area and length
-    (each between two doubles) and a canonical form in rational numbers.
+    """Compute the Minkowski sum of P and a disc about the origin, given by `radius` > 0 or by the
+    radius's square: a region bounded by segments and arcs, with components, holes, area and length
+    (each between two doubles) and a canonical form with rational numbers.
 
-    P may be a segment or a point, and is validated first. Exact: by intervals of doubles, and by
-    square roots where these do not tell. O(n log n + k) for k pairs of an offset curve and an edge
-    that may be nearer to it than the radius. The routes `definition` and `paper` give the same;
-    the second one takes the faces of the convolution with a positive winding number, on one thread,
-    in O((n + k) log n) for k pairs of its curves. Raises BadInput. Behar & Lien 2012, Sec. 3 and
+    P may be a segment or a point, and is validated first. Exact: uses intervals of doubles, and
+    square roots where intervals do not decide. O(n log n + k) for k pairs of an offset curve and an
+    edge that may be nearer to the curve than the radius. The routes `definition` and `paper` give
+    the same; `paper` takes the convolution's faces with a positive winding number, on one thread,
+    and needs O((n + k) log n) for k pairs of curves. Raises BadInput. Behar & Lien 2012, Sec. 3 and
     Appendix; docs/disc.md."""
     _validate(P=P)
     square = square_of(radius, squared_radius, "offset")
@@ -125,10 +124,10 @@ def convex_sum(
     scaling: Number | Sequence[Number] = 1,
     route: str = "traversal",
 ) -> ConvexSum:
-    """The Minkowski sum of P, scaled about the origin, and Q, exact and in canonical form: its
-    `surface`, and from which vertices of P and Q each of its vertices and facets comes. `scaling`:
-    one positive factor, or one for each axis. The routes `traversal` and `brute-force` give the
-    same. Raises BadInput. Behar & Lien 2012, Sec. 6; docs/convex-polyhedra.md."""
+    """Compute the Minkowski sum of P, scaled about the origin, and Q, exactly and in canonical
+    form: its `surface`, and the vertices of P and Q behind each vertex and facet. `scaling`: one
+    positive factor, or one for each axis. The routes `traversal` and `brute-force` give the same.
+    Raises BadInput. Behar & Lien 2012, Sec. 6; docs/convex-polyhedra.md."""
     expect_bodies(P=P, Q=Q)
     return _core.convex_sum(P, Q, factors("scaling", scaling), text_of("route", route))
 
@@ -140,12 +139,12 @@ def polyhedral_sum(
     route: str = "edges",
     threads: int = 1,
 ) -> PolyhedralSet:
-    """The Minkowski sum of polyhedra of any shape, P scaled about the origin and Q, exact and in
-    canonical form. `scaling`: one positive factor, or one for each axis. One of the two may be a
-    plane polygon (a single face), a segment or a point; of the empty set the sum is empty. The
-    routes `edges` and `definition`, which takes no plane polygon, give the same set; the first runs
-    on `threads`. Both operands are validated first. Raises BadInput, LimitExceeded. Behar & Lien
-    2012, Sec. 3 and 5; docs/space-sums.md."""
+    """Compute the Minkowski sum of polyhedra of any shape, P scaled about the origin and Q, exactly
+    and in canonical form. `scaling`: one positive factor, or one for each axis. Either operand may
+    be a plane polygon (a single face), a segment or a point; an empty operand gives an empty sum.
+    The routes `edges` and `definition`, which takes no plane polygon, give the same set; `edges`
+    runs on `threads`. Both operands are validated first. Raises BadInput, LimitExceeded. Behar &
+    Lien 2012, Sec. 3 and 5; docs/space-sums.md."""
     surfaces = surface_of("P", P), surface_of("Q", Q)
     by, chosen = factors("scaling", scaling), text_of("route", route)
     count = max(1, whole("threads", threads))
@@ -168,12 +167,12 @@ def build_index(
     to_scale: Number | None = None,
     threads: int = 1,
 ) -> ScaleIndex:
-    """The index of all scales: the sums of P, scaled by any factor of the closed window, and Q,
-    found once. Any of them is read off, in microseconds: in doubles with a certain error, in
-    integers, or exactly; so are areas, holes and components, and events.
+    """Index all scales: finds the sums of P, scaled by any factor in the closed window, and Q once
+    for all. A single sum then takes microseconds: in doubles with a certain error, in integers, or
+    exactly; so do areas, holes and components, and events.
 
     Without bounds, all scales above 0. Exact. Both operands are validated first. Cost:
-    docs/scale-index.md. Raises BadInput; LimitExceeded where it needs more memory than there is."""
+    docs/scale-index.md. Raises BadInput; LimitExceeded if memory does not suffice."""
     _validate(P=P, Q=Q)
     bounds = (("from_scale", from_scale), ("to_scale", to_scale))
     first, last = (None if bound is None else number(name, bound) for name, bound in bounds)
@@ -181,34 +180,33 @@ def build_index(
 
 
 def open_index(path: str | os.PathLike[str]) -> ScaleIndex:
-    """An index that `ScaleIndex.save` or `minkref index` has written: a copy of its file, which
-    then may change. Linear in its length. Raises BadInput for a file that is none or is damaged.
-    docs/formats.md."""
+    """Open an index written by `ScaleIndex.save` or `minkref index`. The index copies the file,
+    which may change afterwards. Linear in the file's length. Raises BadInput for a damaged file or
+    another kind of file. docs/formats.md."""
     return _core.ScaleIndex.open(os.fsdecode(path))
 
 
 def read_mesh(path: str | os.PathLike[str]) -> Polyhedron:
-    """The polyhedron in a file, exactly as its text says; the format by the ending (`.off`,
-    `.obj`, `.stl`, `.ply`, `.json`). Not validated: PolyhedralSet(...) does that, and
-    ConvexPolyhedron(...), which certifies that it is convex. Linear. Raises BadInput.
-    docs/formats.md."""
+    """Read the polyhedron in a file, exactly as written; the ending gives the format (`.off`,
+    `.obj`, `.stl`, `.ply`, `.json`). Not validated: PolyhedralSet(...) validates, and
+    ConvexPolyhedron(...) also certifies convexity. Linear. Raises BadInput. docs/formats.md."""
     return _core.read_mesh_file(os.fsdecode(path))[0]
 
 
 def write_mesh(surface: Polyhedron, format: str, *, triangles: bool = False) -> str:
-    """The text of a polyhedron in `off`, `obj`, `stl`, `ply` or `json`. `json` is exact; the others
-    round to doubles what is no decimal. With `triangles`, faces are cut into triangles of positive
-    area. O(n log n). Raises BadInput. docs/formats.md."""
+    """Write a polyhedron as `off`, `obj`, `stl`, `ply` or `json`. `json` is exact; other formats
+    round numbers that are no decimals to doubles. With `triangles`, cuts faces into triangles with
+    positive area. O(n log n). Raises BadInput. docs/formats.md."""
     expect_surfaces(surface=surface)
     mesh = surface.cut_into_triangles() if triangles else surface
     return _core.write_mesh(mesh, text_of("format", format))
 
 
 def set_memory_limit(bytes: int | None) -> None:
-    """Limits the memory of the process while a sum, events or an index are computed: in bytes, or
-    None for nine tenths of the memory that is free when the work begins. Work that needs more
-    raises LimitExceeded with the code `memory-limit`, before the work begins where the need can be
-    told, else as soon as the limit is passed; unfinished results are lost. The limit holds for all
+    """Limit the process's memory while a sum, events or an index are computed: a number of bytes,
+    or None for nine tenths of the memory free when the work begins. Work that needs more raises
+    LimitExceeded with the code `memory-limit`, before the work begins if the need is known then,
+    else as soon as the limit is passed; unfinished results are lost. The limit holds for all
     threads, from the next call on. Raises Refusal for a number below one."""
     if bytes is not None and whole("bytes", bytes) < 1:
         what = f"it has to be a number of bytes, or None, not {bytes}"
@@ -217,53 +215,53 @@ def set_memory_limit(bytes: int | None) -> None:
 
 
 def tight_passages(P: PolygonSet, Q: PolygonSet, scale: Number = 1) -> list[dict[str, Any]]:
-    """The points and polylines inside of the sum of P, scaled by `scale` > 0 about the origin, and
-    Q that the sum of their interiors misses: `points`, and for each segment the features in
-    `contacts`, as `minkref sum --json` has them. Exact, in canonical order. Both operands are
-    validated first. The time of the arrangement of the reduced convolution and of one decision for
-    each of its parts where shapes may touch from all sides. Raises BadInput. docs/definitions.md,
-    "Tight passages"."""
+    """Find the points and polylines inside the sum of P, scaled by `scale` > 0 about the origin,
+    and Q that the sum of their interiors misses: `points`, and for each segment the features in
+    `contacts`, as in `minkref sum --json`. Exact, in canonical order. Both operands are validated
+    first. Takes the time to build the reduced convolution's arrangement, and one decision for each
+    part where shapes may touch from all sides. Raises BadInput. docs/definitions.md, "Tight
+    passages"."""
     _validate(P=P, Q=Q)
     return passages_of(_core.tight_passages(P, Q, number("scale", scale)))
 
 
 def read_file(path: str | os.PathLike[str]) -> PolygonSet:
-    """The polygon set in a file, exactly as its text says; the format by the ending (`.wkt`,
-    `.geojson`, `.poly`, `.json`). Not validated. Linear in the length of the file. Raises BadInput
+    """Read the polygon set in a file, exactly as written; the ending gives the format (`.wkt`,
+    `.geojson`, `.poly`, `.json`). Not validated. Linear in the file's length. Raises BadInput
     (Refusal for a file whose name is not UTF-8). docs/formats.md."""
     name = os.fsdecode(path)
     return _core.read_file(name) if is_utf8(name) else read_set(Path(name))[0]
 
 
 def read_text(text: str, format: str, source: str = "") -> PolygonSet:
-    """The polygon set in a text in `wkt`, `geojson`, `poly`, `json` or `case`, exactly as it says;
-    `source` names it in refusals. Not validated. Linear in the length. Raises BadInput.
+    """Read the polygon set in a `wkt`, `geojson`, `poly`, `json` or `case` text, exactly as
+    written; refusals call the text `source`. Not validated. Linear in the length. Raises BadInput.
     docs/formats.md."""
     given = {"text": text, "format": format, "source": source}
     return _core.read_text(*(text_of(name, value) for name, value in given.items()))
 
 
 def write(set: PolygonSet, format: str) -> str:
-    """The text of a set in `wkt`, `geojson`, `poly`, `json` or `svg`. `json` is exact; the others
-    know decimals only and round other numbers to doubles. Linear. Raises BadInput for another
-    format, and for a set that the format cannot hold. docs/formats.md."""
+    """Write a set as `wkt`, `geojson`, `poly`, `json` or `svg`. `json` is exact; other formats know
+    only decimals and round other numbers to doubles. Linear. Raises BadInput for another format,
+    and for a set that the format cannot hold. docs/formats.md."""
     expect_sets(set=set)
     return _core.write(set, text_of("format", format))
 
 
 def decide(P: PolygonSet, Q: PolygonSet, scale: Number, x: Number, y: Number) -> dict[str, Any]:
-    """Whether the point (x, y) lies in scale P + Q, exactly and from the definition: `contact`
-    says how scale P and the point less Q meet (`empty`, `touching`, `overlapping`), and `p`, `q`
-    give scale p + q = (x, y) where they do. O(mn) pairs of triangles, after the validation of both
-    operands. Raises BadInput. docs/definitions.md."""
+    """Decide whether scale P + Q contains the point (x, y), exactly and from the definition:
+    `contact` says how scale P and the point less Q meet (`empty`, `touching`, `overlapping`), and
+    `p`, `q` give scale p + q = (x, y) if they do. O(mn) pairs of triangles, after both operands'
+    validation. Raises BadInput. docs/definitions.md."""
     _validate(P=P, Q=Q)
     return _core.decide(P, Q, number("scale", scale), number("x", x), number("y", y))
 
 
 def difference(first: PolygonSet, second: PolygonSet) -> dict[str, Any] | None:
-    """An interior point of the symmetric difference (`point`) and which of the sets holds it; None
-    where the sets are equal. Exact. The time of a winding number arrangement of both boundaries,
-    after the validation of both. Raises BadInput. docs/definitions.md."""
+    """Find an interior point of the symmetric difference (`point`) and the set that holds the
+    point; None for equal sets. Exact. Takes the time to build a winding number arrangement of both
+    boundaries, after both sets' validation. Raises BadInput. docs/definitions.md."""
     _validate(first=first, second=second)
     return _core.difference(first, second)
 

@@ -1,5 +1,5 @@
-"""Arguments of the public functions: what is of another type is refused in words that say what is
-expected (TypeError), and exact numbers of Python are taken as such."""
+"""Arguments of public functions: refuses other types with words that name the expected type
+(TypeError), and takes Python's exact numbers."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def text_of(name: str, value: Any) -> str:
 
 
 def number(name: str, value: Any) -> str:
-    """The text of an exact number. A float is none: 0.1 is not the number that it shows."""
+    """Write an exact number as text. Refuses floats: 0.1 differs from the number that it shows."""
     if isinstance(value, str):
         return value
     if isinstance(value, bool) or not isinstance(value, Rational):
@@ -63,7 +63,7 @@ def number(name: str, value: Any) -> str:
 
 
 def factors(name: str, value: Any) -> tuple[str, str, str]:
-    """The factors of the three axes, from one number for all of them or from three."""
+    """Read the three axes' factors, from one number for all axes or from three."""
     axes = value if isinstance(value, tuple | list) and len(value) == 3 else [value] * 3
     x, y, z = (number(name, factor) for factor in axes)
     return x, y, z
@@ -76,7 +76,7 @@ def whole(name: str, value: Any) -> int:
 
 
 def double(name: str, value: Any) -> float:
-    """Above 0 and below infinity."""
+    """Read a double above 0 and below infinity."""
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         raise _wrong(name, "a float", value)
     if not 0 < value < math.inf:
@@ -120,7 +120,7 @@ _DEFAULTS: dict[str, Any] = {"source": "", "form": "double", "passages": False}
 def _checked(
     owner: type, name: str, original: Callable[..., Any], readers: dict[str, Reader]
 ) -> Any:
-    """The method, which reads what it is given by these where it does not take it as it is."""
+    """Wrap a method so that `readers` convert arguments that the method itself does not take."""
     is_static = name == "from_json"
     names = [*([] if is_static else ["self"]), *readers]
     either = inspect.Parameter.POSITIONAL_OR_KEYWORD
@@ -149,7 +149,7 @@ def _checked(
 
 
 def check_methods() -> None:
-    """Makes the methods of the users' classes check their arguments from now on."""
+    """Make the methods of users' classes check their arguments from now on."""
     for owner, methods in _METHODS.items():
         for name, readers in methods.items():
             original = getattr(owner, name)

@@ -1,4 +1,4 @@
-"""Numbers as tables show them: only digits that are certain."""
+"""Numbers for tables: shows only certain digits."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ DIGITS = 10
 
 
 def between(low: float | None, high: float | None, digits: int = DIGITS) -> str:
-    """A number between two doubles, rounded to as many digits as both of them share when they are
-    rounded, `digits` at most: the number itself rounds to these. None stands for a bound beyond the
-    range of doubles."""
+    """Write a number between two doubles with as many digits as both doubles share when rounded, at
+    most `digits`: the number itself rounds to these digits. None means a bound beyond the range of
+    doubles."""
     if low is None or high is None or not (math.isfinite(low) and math.isfinite(high)):
         return "beyond doubles"
     for count in range(digits, 0, -1):
@@ -23,7 +23,7 @@ def between(low: float | None, high: float | None, digits: int = DIGITS) -> str:
 
 
 def root(square: Fraction, digits: int) -> str:
-    """The square root of a rational number, rounded to so many digits, of any size."""
+    """Write a rational number's square root, rounded to `digits` digits, for any size."""
     wide = Context(prec=digits + 20, Emax=10**9, Emin=-(10**9))
     near = wide.sqrt(wide.divide(Decimal(square.numerator), Decimal(square.denominator)))
     rounded = Context(prec=digits, Emax=10**9, Emin=-(10**9)).plus(near)

@@ -1,4 +1,4 @@
-"""Refusals of the command line: what is wrong, where, and how to fix it."""
+"""Refusals on the command line: the fault, the place, and the remedy."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from minkref.output.terminal import escaped
 
 T = TypeVar("T")
 
-LONGEST_MESSAGE = 2000  # characters that are kept of what somebody else says
+LONGEST_MESSAGE = 2000  # characters kept of other people's messages
 
 
 class Refusal(_core.BadInput):
-    """A wrong use or a bad input. `where` names the file, option or model; `mend` says what to
-    do. It has the attributes of every BadInput: the place stands in `source`."""
+    """A wrong use or a bad input. `where` names the file, option or model; `mend` says what to do.
+    Has all attributes of BadInput: `source` holds the place."""
 
     def __init__(self, what: str, where: str, mend: str, code: str = "usage") -> None:
         super().__init__(f"{where}: {what}")
@@ -29,7 +29,7 @@ class Refusal(_core.BadInput):
         self.vertices, self.coordinates, self.other_vertices = [], [], []
 
     def __reduce__(self) -> tuple[type[Refusal], tuple[str, str, str, str]]:
-        """Whole out of a worker process too."""
+        """Pickle all parts, so that a refusal leaves a worker process whole."""
         return type(self), (self.what, self.where, self.mend, self.code)
 
     def document(self) -> dict[str, object]:
@@ -37,27 +37,26 @@ class Refusal(_core.BadInput):
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """`did you mean X? ` where another known word is near, in small letters or large; else
-    nothing."""
+    """Write `did you mean X? ` if another known word is near, in any letter case; else nothing."""
     by_small = {each.lower(): each for each in known if each != word}
     near = difflib.get_close_matches(word.lower(), list(by_small), n=1)
     return f"did you mean {by_small[near[0]]}? " if near else ""
 
 
 def choice(word: str, known: Iterable[str]) -> str:
-    """Says which of a few words to write in place of an unknown one."""
+    """Say which words to choose from instead of an unknown word."""
     words = list(known)
     return f"{nearest(word, words)}choose one of {', '.join(words)}"
 
 
 def refusal_text(error: dict[str, object]) -> str:
-    """The refusal for people; `error` is its document."""
+    """Write a refusal for people, from its document `error`."""
     text = f"minkref: {escaped(str(error['where']))}: {escaped(str(error['what']))}\n"
     return text + (f"  fix: {escaped(str(error['mend']))}\n" if error["mend"] else "")
 
 
 def message_of(error: BaseException) -> str:
-    """`Type: text` of an exception of somebody else's code, whatever that does."""
+    """Write `Type: text` for an exception from other people's code, whatever that code does."""
     name = type(error).__name__
     try:
         return cut(f"{name}: {error}")
@@ -66,13 +65,13 @@ def message_of(error: BaseException) -> str:
 
 
 def cut(text: str) -> str:
-    """At most LONGEST_MESSAGE characters of the text."""
+    """Cut a text to at most LONGEST_MESSAGE characters."""
     return text if len(text) <= LONGEST_MESSAGE else text[: LONGEST_MESSAGE - 3] + "..."
 
 
 def refusal_of(error: _core.BadInput, source: str = "") -> Refusal:
-    """The refusal that a reader or the validation raised, with ring or face, vertices and
-    coordinates."""
+    """Convert an error from a reader or from the validation to a Refusal with ring or face,
+    vertices and coordinates."""
     if isinstance(error, Refusal):
         return error
     where = [str(getattr(error, "source", "") or source)]
@@ -108,7 +107,7 @@ def refusal_of(error: _core.BadInput, source: str = "") -> Refusal:
 
 
 def refusing(source: str, call: Callable[[], T]) -> T:
-    """The value of `call`; a BadInput of the reference becomes a Refusal about `source`."""
+    """Return the value of `call`; turns the reference's BadInput into a Refusal about `source`."""
     try:
         return call()
     except Refusal:

@@ -1,4 +1,4 @@
-"""Exact numbers as texts: scales read, sets written, digests taken. No float decides anything
+"""Exact numbers as texts: reads scales, writes sets, takes digests. No float decides anything
 here."""
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ _FRACTION = re.compile(r"([+-]?\d+)/(\d+)", re.ASCII)
 
 
 def read_scale(text: str, option: str = "--scale") -> str:
-    """The scale in lowest terms, `n` or `n/d`. Decimals and fractions are read as what they say.
-    Refuses what is not a finite positive number."""
+    """Read a scale in lowest terms, `n` or `n/d`. Decimals and fractions count exactly. Refuses
+    anything but a finite positive number."""
     told = text if text.strip() else f'"{text}"'
     where = f"{option} {told[:40]}{'...' if len(told) > 40 else ''}"
     mend = "give a positive number, for example 1, 7/5, 0.25 or 541/186"
@@ -48,7 +48,7 @@ def read_scale(text: str, option: str = "--scale") -> str:
 
 
 def read_window(first: str | None, last: str | None) -> list[str | None]:
-    """The bounds that --from and --to give; None where there is none."""
+    """Read the bounds given by --from and --to; None for a missing bound."""
     return [
         None if scale is None else read_scale(scale, option)
         for scale, option in ((first, "--from"), (last, "--to"))
@@ -56,14 +56,15 @@ def read_window(first: str | None, last: str | None) -> list[str | None]:
 
 
 def read_point(text: str, option: str = "--point") -> tuple[str, str]:
-    """`x,y` in lowest terms, each read as a scale is. Refuses what are not two finite numbers."""
+    """Read `x,y` in lowest terms, both numbers like scales. Refuses anything but two finite
+    numbers."""
     mend = "give two numbers, for example 1/3,-0.25"
     x, y = _coordinates(text, option, 2, "point-not-two-numbers", mend)
     return x, y
 
 
 def read_space_point(text: str, option: str) -> tuple[str, str, str]:
-    """`x,y,z`, likewise."""
+    """Read `x,y,z` likewise."""
     mend = "give three numbers, for example 1/3,-0.25,2"
     x, y, z = _coordinates(text, option, 3, "point-not-three-numbers", mend)
     return x, y, z
@@ -80,7 +81,7 @@ def _coordinates(text: str, option: str, count: int, code: str, mend: str) -> li
 
 
 def read_number(text: str, what: str, where: str, mend: str) -> Fraction:
-    """The exact number of a decimal or a fraction; `what` it is to be, for the refusal."""
+    """Read a decimal or a fraction exactly; refusals call the number `what`."""
     fraction = _FRACTION.fullmatch(text)
     if fraction:
         if int(fraction[2]) == 0:
@@ -100,30 +101,30 @@ def read_number(text: str, what: str, where: str, mend: str) -> Fraction:
 
 
 def approximate(number: str) -> float:
-    """The double next to an exact number `n` or `n/d` of any length; infinite beyond the range of
-    doubles."""
+    """Round an exact number `n` or `n/d` of any length to the nearest double; infinite beyond the
+    range of doubles."""
     numerator, _, denominator = number.partition("/")
     above, below = _integer(numerator), _integer(denominator or "1")
     try:
-        return above / below  # of integers: rounded once, half to even
+        return above / below  # integers: rounded once, half to even
     except OverflowError:
         return math.inf if above > 0 else -math.inf
 
 
 def _integer(text: str) -> int:
-    """Reads an integer of any length: int() refuses more than 4,300 digits."""
+    """Read an integer of any length: int() refuses more than 4,300 digits."""
     return int(text) if len(text) < 4000 else int(Decimal(text))
 
 
 def in_double_range(number: str) -> float | None:
-    """The double next to an exact number; None where that is infinite, or zero and the number is
-    not."""
+    """Round an exact number to the nearest double; None if the double is infinite, or zero for a
+    nonzero number."""
     value = approximate(number)
     return None if math.isinf(value) or (value == 0 and number != "0") else value
 
 
 def rounded(number: str, digits: int = 10) -> str:
-    """An exact number of any size rounded once to so many digits, half to even: 17964.13541,
+    """Round an exact number of any size once to `digits` digits, half to even: 17964.13541,
     1.23e-400."""
     value = _divided(number, digits).normalize(Context(prec=digits, Emax=10**9, Emin=-(10**9)))
     if -5 <= value.adjusted() < digits:
@@ -132,7 +133,7 @@ def rounded(number: str, digits: int = 10) -> str:
 
 
 def scientific(number: str) -> str:
-    """An exact number rounded to seven digits, of any size: 1.234567e2000."""
+    """Round an exact number of any size to seven digits: 1.234567e2000."""
     return f"{_divided(number, 7):.6e}".replace("e+", "e")
 
 
@@ -143,7 +144,7 @@ def _divided(number: str, digits: int) -> Decimal:
 
 
 def set_json(polygons: Iterable[tuple[Sequence[Any], Iterable[Sequence[Any]]]]) -> str:
-    """JSON text of a polygon set from (outer ring, holes) with coordinates that print exactly."""
+    """Write a polygon set as JSON, from (outer ring, holes) with coordinates that print exactly."""
     return json.dumps(
         {
             "polygons": [
@@ -160,5 +161,5 @@ def _ring(ring: Sequence[Any]) -> list[list[str]]:
 
 
 def digest(canonical_json: str) -> str:
-    """SHA-256 of the canonical JSON: equal iff the sets are equal (docs/definitions.md)."""
+    """Compute the SHA-256 of canonical JSON: equal iff the sets are equal (docs/definitions.md)."""
     return hashlib.sha256(canonical_json.encode("utf-8")).hexdigest()

@@ -1,4 +1,4 @@
-"""Files of others as texts: whole, bounded in length, UTF-8."""
+"""Other people's files as texts: whole, with bounded length, in UTF-8."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ from pathlib import Path
 
 from minkref.errors import Refusal
 
-LONGEST = 64 << 20  # bytes; that of formats/limits.hpp
+LONGEST = 64 << 20  # bytes; as in formats/limits.hpp
 
 
 def text_of_file(path: Path, name: str, mend: str, longest: int = LONGEST) -> str:
-    """The text of a file that messages call `name`. Refuses what cannot be read, is longer than
-    `longest` bytes, of which no more than one more is read, or is not UTF-8. O(longest)."""
+    """Read a file as text; messages call the file `name`. Refuses an unreadable file, more than
+    `longest` bytes (after reading one byte more), or text that is not UTF-8. O(longest)."""
     return decoded(bytes_of_file(path, name, mend, longest), name, longest)
 
 
 def bytes_of_file(path: Path, name: str, mend: str, longest: int = LONGEST) -> bytes:
-    """As `text_of_file`, but one byte more than `longest` is no refusal yet."""
+    """Read like `text_of_file`, but return one byte more than `longest` without refusing."""
     try:
         with path.open("rb") as stream:
             return stream.read(longest + 1)
@@ -27,8 +27,8 @@ def bytes_of_file(path: Path, name: str, mend: str, longest: int = LONGEST) -> b
 
 
 def decoded(data: bytes, name: str, longest: int = LONGEST) -> str:
-    """The text of a file or of standard input, of which one byte more than `longest` was read at
-    most. Refuses what is longer, or not UTF-8."""
+    """Decode a file or standard input, read up to one byte beyond `longest`. Refuses a longer text,
+    or text that is not UTF-8."""
     if len(data) > longest:
         what = f"the text is longer than {longest:,} bytes"
         raise Refusal(what, name, "split the input", "file-too-large")

@@ -1,4 +1,4 @@
-"""Models by name: those shipped with the package and those of the folder MINKREF_MODELS."""
+"""Models by name: shipped with the package, or from the folder MINKREF_MODELS."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from minkref.errors import Refusal
 
 VARIABLE = "MINKREF_MODELS"
 
-# The paper's own models: name, file in MINKREF_MODELS, our look-alike, what it is.
+# The paper's own models: name, file in MINKREF_MODELS, our look-alike, description.
 PAPER_MODELS = (
     ("monkey", "nazca_monkey.poly", "glyph1204", "the Nazca monkey of Behar & Lien 2012"),
     ("bird", "bird.poly", "glyph275", "the bird of Behar & Lien 2012"),
@@ -31,7 +31,7 @@ class Model:
 
 @dataclass(frozen=True)
 class SpaceModel:
-    """A convex polyhedron in OFF. No operand in the plane."""
+    """A convex polyhedron from an OFF file, not an operand in the plane."""
 
     name: str
     path: Path
@@ -41,7 +41,7 @@ class SpaceModel:
 
 
 def shipped_folder() -> Path | None:
-    """The folder `models` of the package."""
+    """Find the package's folder `models`."""
     folder = Path(__file__).resolve().parent / "models"
     return folder if (folder / "index.json").is_file() else None
 
@@ -61,7 +61,7 @@ def shipped_polyhedra() -> list[SpaceModel]:
 
 
 def _index(kind: str) -> list[tuple[Path, dict[str, Any]]]:
-    """The files of one list of index.json, and what it says of them."""
+    """List the files in a list of index.json, with their entries."""
     folder = shipped_folder()
     if folder is None:
         return []
@@ -70,7 +70,7 @@ def _index(kind: str) -> list[tuple[Path, dict[str, Any]]]:
 
 
 def extra_models() -> list[Model]:
-    """The paper's models and any other readable file of the folder MINKREF_MODELS."""
+    """List the paper's models and all other readable files in the folder MINKREF_MODELS."""
     setting = os.environ.get(VARIABLE)
     if not setting:
         return []
@@ -107,7 +107,8 @@ def _files(folder: Path) -> list[Path]:
 
 
 def all_models() -> dict[str, Model]:
-    """By name; a shipped name is not replaced by a file of the same name in MINKREF_MODELS."""
+    """Map names to models; a shipped model wins over a file with the same name in
+    MINKREF_MODELS."""
     models = {model.name: model for model in extra_models()}
     models.update({model.name: model for model in shipped_models()})
     return models
@@ -118,5 +119,5 @@ def find_model(name: str) -> Model | None:
 
 
 def or_look_alike(name: str, models: dict[str, Model]) -> str:
-    """`name` itself where it is present, our look-alike of it otherwise."""
+    """Return `name` if present, otherwise our look-alike."""
     return name if name in models else LOOK_ALIKES.get(name, name)

@@ -1,5 +1,4 @@
-"""The version number: that with which the extension module was built, or of the checkout that is
-run in place."""
+"""The version number: from the built extension module, or from the checkout that runs in place."""
 
 from __future__ import annotations
 
@@ -7,8 +6,8 @@ from pathlib import Path
 
 
 def version() -> str:
-    """The version in pyproject.toml, as the extension module has it or, where that is not built,
-    read from the checkout."""
+    """Return the version in pyproject.toml, as built into the extension module, or read from the
+    checkout if no module is built."""
     try:
         from minkref import _core
     except ImportError:
