@@ -60,8 +60,7 @@ class SolidSum:
                 first = next((step for step in steps if step), 0)
                 if first < 0 or (first == 0 and not interiors):
                     continue
-            bounds.insert(0, bounds.pop(place))  # a half-space that separates once will separate
-            # again
+            bounds.insert(0, bounds.pop(place))  # a separating half-space separates again
             return False
         return True
 
