@@ -29,7 +29,7 @@ WHERE = "import minkref._core as core; print(core.__file__)"
 
 
 class BareMachine:
-    """A wheel in a root of its own, and what its commands have done there."""
+    """A wheel in a separate root, and results of commands there."""
 
     def __init__(self, folder: Path, wheel: Path, python: str) -> None:
         self.wheel, self.environment, self.work = wheel, folder / "minkref", folder / "home"
@@ -50,7 +50,7 @@ class BareMachine:
         subprocess.run(command, check=True)
 
     def install(self, *extras: str) -> None:
-        """The wheel with what it asks for, at the versions of requirements.txt."""
+        """Installs the wheel with its requirements, at the versions of requirements.txt."""
         asked = f"{self.wheel}[{','.join(extras)}]" if extras else str(self.wheel)
         pinned = ("--constraint", str(ROOT / "requirements.txt"))
         self.uv("pip", "install", "--python", str(self.environment), *pinned, asked)
@@ -60,7 +60,8 @@ class BareMachine:
         return subprocess.run(words, check=True, capture_output=True, text=True).stdout.strip()
 
     def run(self, step: Step, refused: bool = False) -> None:
-        """`refused`: its extra is absent, so it exits with 2 and says how to get it."""
+        """Runs a step and notes its faults. If `refused`, the step's extra is absent: the command
+        must exit with 2 and name the extra."""
         program = str(self.environment / "bin" / "minkref")
         began = time.monotonic()
         done = subprocess.run(
@@ -87,7 +88,8 @@ class BareMachine:
         )
 
     def replace_gmp(self) -> None:
-        """Replaces the GMP in the wheel by another, as the LGPL asks: the wheel has to use it."""
+        """Replaces the wheel's GMP by another, as the LGPL allows, and checks that the wheel uses
+        the replacement."""
         (inside,) = self.environment.glob("lib/python*/site-packages/minkref.libs/libgmp-*")
         kept = inside.read_bytes()
         began, faults = time.monotonic(), []

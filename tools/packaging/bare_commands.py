@@ -1,4 +1,4 @@
-"""Every command of minkref, once: what is typed on a bare machine, and what comes of it."""
+"""Runs of all minkref commands for a bare machine, with their expected results."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ FEW = ("--pairs", "5", "--no-models", "--family", "random")
 
 @dataclass(frozen=True)
 class Step:
-    """The words after `minkref`; the exit code; words that the command says; files that it leaves.
-    A slow step is left out by --quick. `extra`: the extra of the package without which the
-    command is refused, or does less where the extra is `optional`."""
+    """A run: the words after `minkref`, the exit code, words that the command says, and files that
+    it leaves. --quick omits slow steps. Without the package's `extra` the command is refused; if
+    the extra is `optional`, the command does less."""
 
     words: tuple[str, ...]
     says: str = ""
@@ -100,6 +100,6 @@ STEPS = (
 
 
 def words_of(one: Step) -> tuple[str, ...]:
-    """Runs of verify are cut short to a few cases of one family."""
+    """The step's words; runs of verify are cut to a few cases from one family."""
     short = one.words[0] == "verify" and "--pairs" not in one.words
     return (*one.words, *FEW) if short else one.words

@@ -1,7 +1,7 @@
-"""A root in which nothing is but an interpreter, its libraries and an environment: a bare machine.
+"""A bare machine: a root that holds only an interpreter, its libraries and an environment.
 
-No compiler, no headers, no GMP, no shell, no network; of programs only `env`, which scripts begin
-with. Made by bubblewrap out of single files of this machine, read-only but for a work folder.
+No compiler, headers, GMP, shell or network; the only other program is `env`, for scripts' first
+lines. Bubblewrap mounts single files from this machine, read-only except a work folder.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ OF_THE_SYSTEM = (
     "libc.so.6", "libm.so.6", "libdl.so.2", "librt.so.1", "libpthread.so.0", "libutil.so.1",
     "libgcc_s.so.1", "libstdc++.so.6",
 )  # fmt: skip
-#: Runs inside: what is there that a bare machine has not.
+#: Runs inside the root: lists files that a bare machine does not have.
 SEARCH = r"""
 import os, re, sys
 programs = r"(cc|c\+\+|gcc|g\+\+|clang|cmake|sh|bash)$"
@@ -41,8 +41,8 @@ for folder, folders, files in os.walk("/"):
 
 @dataclass
 class BareRoot:
-    """`environment` is a virtual environment, `work` the folder that commands write to, which is
-    their home too."""
+    """`environment` is a virtual environment; `work` is the folder that commands write to, and
+    their home."""
 
     environment: Path
     work: Path
@@ -86,13 +86,14 @@ class BareRoot:
         return ["bwrap", *walls, *system, *self.mounts, "--chdir", str(self.work), *words]
 
     def unwanted(self) -> list[str]:
-        """Files that no bare machine has: compilers, headers and libraries of GMP, shells."""
+        """Files that no bare machine has: compilers, shells, GMP headers and libraries."""
         command = self.command(str(self.environment / "bin" / "python"), "-c", SEARCH)
         return subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
 
 
 def shared_libraries(binaries: list[Path]) -> set[Path]:
-    """Libraries of these binaries, and those that a wheel for manylinux expects of any system."""
+    """Shared libraries that the binaries load, plus the libraries that a manylinux wheel expects on
+    every system."""
     found: set[Path] = set()
     for binary in binaries:
         said = subprocess.run(["ldd", binary], capture_output=True, text=True).stdout

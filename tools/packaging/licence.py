@@ -1,8 +1,8 @@
-"""Says in wheels the licences of all that is inside: licence.py FOLDER, for the wheels there.
+"""Records the licences of bundled code in wheels: licence.py FOLDER, for the wheels there.
 
-pyproject.toml says the licences of the sources. Licences of code that is compiled in, or that
-auditwheel brings, are said here, once a wheel is repaired. LICENSES/THIRD_PARTY.md says what is
-where.
+pyproject.toml states the licences of the sources. Compiled-in code and libraries from auditwheel
+have further licences; this script adds them to a repaired wheel. LICENSES/THIRD_PARTY.md lists
+where each component goes.
 """
 
 from __future__ import annotations
@@ -36,7 +36,8 @@ def state(wheel: Path) -> None:
 
 
 def _line(text: bytes, start: str, line: str) -> bytes:
-    """The text with another line in the place of the one that starts so."""
+    """The text with `line` in place of the only line that begins with `start`; exits unless exactly
+    one line does."""
     pattern = rf"^{re.escape(start)}[^\r\n]*"
     changed, number = re.subn(pattern, line, text.decode(), flags=re.MULTILINE)
     if number != 1:

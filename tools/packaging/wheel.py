@@ -28,10 +28,10 @@ BUILDERS = ("nanobind", "scikit-build-core")
 
 
 def call(*command: str | Path) -> str:
-    """Runs a command and returns what it prints. Where it fails that is shown, and all ends."""
+    """Runs a command and returns its output; on failure prints the output and exits."""
     environment = os.environ | {"PATH": f"{TOOLS}{os.pathsep}{os.environ['PATH']}"}
     environment.setdefault("SOURCE_DATE_EPOCH", last_change())
-    environment.setdefault("CXX", "c++")  # by the name that CMake finds, which the cache knows
+    environment.setdefault("CXX", "c++")  # the name that CMake finds and the compiler cache knows
     done = subprocess.run(command, env=environment, stdout=subprocess.PIPE, text=True)
     if done.returncode:
         print(done.stdout, file=sys.stderr)
@@ -40,16 +40,16 @@ def call(*command: str | Path) -> str:
 
 
 def last_change() -> str:
-    """The time of the last commit, so that the same sources give the same archives; else that of
-    pyproject.toml, as in a source distribution."""
+    """The last commit's time, so that equal sources give equal archives; without git, as in a
+    source distribution, the time of pyproject.toml."""
     command = ["git", "-C", str(ROOT), "log", "-1", "--format=%ct"]
     said = subprocess.run(command, capture_output=True, text=True).stdout.strip()
     return said or str(int((ROOT / "pyproject.toml").stat().st_mtime))
 
 
 def environment_for(python: str | None) -> Path:
-    """An interpreter that has what builds, at the versions of requirements.txt: that of .venv, or
-    one of an environment of its own."""
+    """An interpreter with the build tools: without `python` .venv's own, else a new environment's,
+    with the tools at the versions of requirements.txt."""
     if python is None:
         return Path(sys.executable)
     asked = "import sys; print(sys.implementation.cache_tag)"
@@ -68,13 +68,14 @@ def name_of(project: Path) -> str:
 
 
 def build(project: Path, python: Path, out: Path, *kind: str) -> Path:
-    """The wheel or the source distribution as its own back end makes it."""
+    """Builds the wheel or the source distribution with the project's own back end."""
     with tempfile.TemporaryDirectory() as folder:
         # With the warnings of the checkout's own build the compiler cache can answer.
         settings: tuple[str, ...] = (
             ("-C", "cmake.define.MINKREF_WERROR=ON") if kind[0] == "--wheel" else ()
         )
-        # So it does in a folder beside build/release, for it takes paths relative to them.
+        # The cache also needs a folder beside build/release, since it relates paths to the build
+        # folder.
         settings += ("-C", f"build-dir={BUILD}/wheel-{name_of(project)}-{{wheel_tag}}")
         options = ("--no-build-isolation", "--python", python, "--out-dir", folder)
         call(TOOLS / "uv", "build", "--quiet", *kind, *options, *settings, project)
@@ -83,7 +84,7 @@ def build(project: Path, python: Path, out: Path, *kind: str) -> Path:
 
 
 def repaired(wheel: Path, out: Path) -> Path:
-    """The wheel with the shared libraries inside that no system can be relied on to have."""
+    """The wheel, with every shared library that systems may lack inside."""
     with tempfile.TemporaryDirectory() as folder:
         call(sys.executable, "-m", "auditwheel", "repair", "--wheel-dir", folder, wheel)
         (made,) = Path(folder).iterdir()

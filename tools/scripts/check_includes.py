@@ -1,7 +1,7 @@
-"""The rule of independence: a cross-check is worth what its two sides do not share.
+"""The rule of independence: shared code weakens a cross-check of two sides.
 
-check_includes.py [ROOT]: prints one line for each include or import that breaks the rule, exits
-1 if there is one. The rules are the tables below; docs/definitions.md gives the reasons.
+check_includes.py [ROOT]: prints a line for each include or import that breaks the rule, and exits
+with 1 if any does. The tables below hold the rules; docs/definitions.md gives the reasons.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
-# A module that is imported by its name, other than one beside it.
+# Imports by module name, except of a module beside the importer.
 BY_NAME = re.compile(r"(import_module|__import__)\(\s*f?[\"'](?!\.[^.])[^\"']*")
 FOREIGN = ("CGAL/", "nlohmann/")
 ROOMS = (
@@ -21,7 +21,7 @@ ROOMS = (
     "bindings", "minkref",
 )  # fmt: skip
 
-# Room: the rooms of ours that it may include, and the foreign libraries of FOREIGN that it may use.
+# Room: our rooms and the libraries from FOREIGN that the room may include.
 MAY_INCLUDE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "reference": (("reference",), ()),
     "formats": (("formats", "reference"), ("nlohmann/",)),
@@ -31,8 +31,8 @@ MAY_INCLUDE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "oracle": (("oracle",), FOREIGN),
 }
 _AFTER_CRITICAL = tuple(f"reference/plane/{room}/" for room in ("history", "dynamic", "index"))
-# Folder: what it may not include of its own room. The two ways through the scales share what is
-# below them.
+# Folder: forbidden includes from the same room. The two ways through the scales share only the
+# parts below them.
 APART = {
     "reference/number": ("reference/plane/", "reference/space/"),
     "reference/plane": ("reference/space/", "reference/motion/", "reference/paper/"),
@@ -60,17 +60,17 @@ APART = {
         f"reference/space/{room}/" for room in ("convex", "definition")
     ),
 }  # fmt: skip
-# A folder whose own rule stands for that of the folder around it.
+# Folder: a subfolder whose own rule replaces the outer folder's.
 ITS_OWN = {"reference/motion": "reference/motion/space"}
-# Folder: what its Python may not import. "standard library" lets nothing else through but itself.
+# Room: modules that Python files there may not import.
 NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
-# They run the checker, and add nothing.
+# Commands that only run the checker.
 CHECK_COMMANDS = (Path("minkref/verbs/check.py"), Path("minkref/verbs/certify_check.py"))
 STANDARD_LIBRARY_ONLY = ("oracle/slow", "oracle/places", "oracle/checker")
-# The floors of the package, from the ground up: what stands on one imports nothing that stands on a
-# floor above it, also not by a module's name; a folder stands where the last line says that names
-# it. The ground is what the package has of its own, values, operands and streams; its interface
-# stands above what it offers.
+# The floors of the package, from the ground up: a module imports nothing from a higher floor,
+# neither by statement nor by name. The last matching line gives a folder's floor. The ground floor
+# holds the package's own basics: values, operands and streams; the package's interface stands above
+# everything it offers.
 API = ("minkref/api", "minkref/api.py", "minkref/__init__.py")
 SETTINGS = ("plane", "disc", "space", "motion")
 COMMANDS = (
@@ -81,8 +81,8 @@ FLOORS = (
     ("minkref",), ("certify",), API, ("fuzz",), ("degeneracies",),
     ("minkref/strategies", "reports"), COMMANDS, ("reports/documentation", "reports/evidence"),
 )  # fmt: skip
-DOOR = Path("minkref/__main__.py")  # `python -m minkref` is the command
-# Words that do not occur in a build file of the room, comments aside.
+DOOR = Path("minkref/__main__.py")  # for `python -m minkref`
+# Words forbidden in the room's build files, except in comments.
 NO_LINK = {"reference": ("CGAL", "nlohmann", "minkref::formats")}
 
 
@@ -141,7 +141,8 @@ def imports(tree: ast.AST) -> Iterator[tuple[int, str, int]]:
 
 
 def floor_of(place: str) -> int:
-    """The floor of a path from the root, or of a module given as a path; -1 if there is none."""
+    """The floor of a path from the root, or of a module written as a path; -1 if no floor
+    matches."""
     found = -1
     for floor, rooms in enumerate(FLOORS):
         if any(place == room or place.startswith(f"{room}/") for room in rooms):
@@ -150,16 +151,16 @@ def floor_of(place: str) -> int:
 
 
 def place_of(module: str) -> str:
-    """`reports/audit/page` for minkref.reports.audit.page; minkref/ for what is in no other
-    room."""
+    """`reports/audit/page` for minkref.reports.audit.page; a path below minkref/ for modules
+    outside the rooms."""
     inside = "/".join(module.split(".")[1:])
     room = inside.split("/")[0]
     return inside if room in ROOMS else f"minkref/{inside}"
 
 
 def modules(tree: ast.AST) -> Iterator[tuple[int, str]]:
-    """Line and name of each module of the package that is imported, by statement or by its name as
-    far as that is written out."""
+    """Line and name of each imported module of the package, by statement or by name, as far as the
+    source spells the name out."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from ((node.lineno, alias.name) for alias in node.names)

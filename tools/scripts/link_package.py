@@ -1,11 +1,13 @@
-"""Makes the checkout the package `minkref` of .venv: an edited Python file is seen at once.
+"""Makes the checkout the package `minkref` of .venv, so that edited Python files take effect at
+once.
 
-Rooms of the repository are parts of the package (the table in pyproject.toml): the folder minkref/
-gets a link to each, and to the extension module of build/release; git ignores them. A path file in
-.venv names the checkout. Command, metadata and CGAL executables go beside the interpreter.
+Rooms of the repository are parts of the package (see the table in pyproject.toml): the folder
+minkref/ gets a link to each room, and to the extension module of build/release; git ignores the
+links. A path file in .venv names the checkout. Command, metadata and CGAL executables go beside the
+interpreter.
 
-link_package.py BUILD: a package of links in BUILD/package, with the extension module of BUILD.
-Where PYTHONPATH=BUILD/package and PYTHONSAFEPATH=1 it comes before that of the checkout.
+link_package.py BUILD: makes a package of links in BUILD/package, with BUILD's extension module.
+With PYTHONPATH=BUILD/package and PYTHONSAFEPATH=1 that package precedes the checkout's.
 """
 
 from __future__ import annotations
@@ -24,7 +26,8 @@ PROVED = "minkref-check-proved"  # of `make proofs`
 
 
 def set_links(folder: Path, wanted: dict[Path, Path]) -> None:
-    """Leaves exactly the links `wanted` (name in `folder` to target), touching no right one."""
+    """Leaves exactly the links `wanted` (name in `folder` to target), without touching correct
+    links."""
     for path in folder.iterdir():
         if path.is_symlink() and wanted.get(Path(path.name)) != path.readlink():
             path.unlink()
@@ -34,7 +37,7 @@ def set_links(folder: Path, wanted: dict[Path, Path]) -> None:
 
 
 def links_to(rooms: Iterable[str], build: Path) -> dict[Path, Path]:
-    """The rooms of the package that stand beside its own folder, and the extension module."""
+    """Links to the rooms beside the package's own folder, and to the extension module."""
     beside = {Path(name).parts[1] for name in rooms if "/" in name}
     wanted = {Path(name): ROOT / name for name in beside}
     for built in (build / "bindings").glob("_core*"):
@@ -54,7 +57,7 @@ def set_package(folder: Path, rooms: Iterable[str], build: Path) -> None:
 
 
 def write_metadata(site: Path, project: dict[str, object]) -> None:
-    """Writes the files that importlib.metadata reads of an installed distribution."""
+    """Writes the files of an installed distribution that importlib.metadata reads."""
     for old in site.glob("minkref-*.dist-info"):
         shutil.rmtree(old)
     info = site / f"minkref-{project['version']}.dist-info"
@@ -81,7 +84,7 @@ def write_command(command: Path, entry: str) -> None:
 
 
 def link_oracle(scripts: Path) -> None:
-    """The executables of the oracle beside the interpreter, where the package looks for them."""
+    """Links the oracle's executables beside the interpreter, where the package looks for them."""
     for pattern in (
         "cgal/minkref-cgal-*",
         "checker/minkref-check",

@@ -1,9 +1,9 @@
-"""Writes the software bill of materials of this checkout: CycloneDX 1.6, as JSON.
+"""Writes the checkout's software bill of materials: CycloneDX 1.6, as JSON.
 
-sbom.py [FILE]: build/sbom.cdx.json without a name. It lists the Python packages of .venv, with what
-each asks for, and the Debian packages whose headers were compiled in or whose libraries are linked,
-by the record of build/release, with the folders that use them; where these are the tests alone, the
-scope is "excluded". Headers from elsewhere are named on standard error.
+sbom.py [FILE]: writes build/sbom.cdx.json by default. The list has the Python packages of .venv
+with their requirements, and the Debian packages whose headers or libraries build/release uses,
+according to its build record, each with the folders that use it; packages for tests only have the
+scope "excluded". Headers from elsewhere are named on standard error.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ BINARIES = ("bindings/_core*.so", "oracle/*/minkref-*")  # in BUILD
 MINKREF = "root-component"  # as cyclonedx-bom names what a project file describes
 
 Json = dict[str, Any]
-Users = dict[str, set[str]]  # of a file or package: folders of BUILD
+Users = dict[str, set[str]]  # file or package: the folders in BUILD that use it
 
 
 def output(*command: str | Path, check: bool = True) -> str:
@@ -47,13 +47,14 @@ def python_packages() -> Json:
 
 
 def room(path: str) -> str:
-    """The folder of the sources of an object or binary, all tests in one."""
+    """The source folder of an object or binary; all tests count as one folder."""
     folder = path.split("/CMakeFiles/")[0].rsplit("/minkref-", 1)[0].rsplit("/_core", 1)[0]
     return "tests" if folder.startswith("tests") else folder
 
 
 def headers_compiled_in() -> Users:
-    """By Ninja's record of the build. Those of the checkout and of .venv are left out."""
+    """System headers and their users, from Ninja's build record; headers inside the checkout do not
+    count."""
     users: Users = defaultdict(set)
     user = ""
     for line in output("ninja", "-C", BUILD, "-t", "deps").splitlines():
@@ -74,7 +75,8 @@ def libraries_linked() -> Users:
 
 
 def debian_packages(files: Users, what: str) -> list[Json]:
-    """The packages that the files are of, which may be known without the links of merged /usr."""
+    """The Debian packages that own the files; dpkg may know a file by its path without the links of
+    merged /usr."""
     owners = {}
     names = sorted({name for file in files for name in (file, str(Path(file).resolve()))})
     for line in output("dpkg-query", "--search", *names, check=False).splitlines():

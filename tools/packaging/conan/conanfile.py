@@ -1,6 +1,6 @@
 """The C++ library as a Conan package: `conan create tools/packaging/conan --build=missing`.
 
-With `-o minkref/*:system=True` GMP, MPFR, Boost and Eigen are those of the system.
+With `-o minkref/*:system=True` the system provides GMP, MPFR, Boost and Eigen.
 """
 
 from pathlib import Path
