@@ -1,5 +1,5 @@
-"""The axes of a picture. Their numbers are round and exact; where they would be too long they are
-offsets from a base, which is named."""
+"""Axes of a picture, with round and exact numbers; overlong numbers become offsets from a named
+base."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from minkref.plane.exact_frame import Frame
 
 LONGEST = 7  # characters of a number at an axis
 LONGEST_BASE = 24
-LETTER = 7.0  # width of one, in units of the picture
+LETTER = 7.0  # a letter's width, in picture units
 APART = (60.0, 36.0)  # of numbers across and up, at the least
 
 Area = tuple[float, float, float, float]
@@ -19,8 +19,7 @@ Area = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Axis:
-    """`ticks`: each value, and what is written there. `base`: what is to be added to what is
-    written; empty for 0."""
+    """`ticks`: values and labels. `base`: the number to add to each label; empty for 0."""
 
     ticks: list[tuple[Fraction, str]]
     base: str = ""
@@ -57,7 +56,7 @@ def _power(exponent: int) -> Fraction:
 
 
 def _step(least: Fraction) -> tuple[Fraction, int]:
-    """The smallest step that is not below, and the exponent of its power of ten."""
+    """The smallest step not below `least`, and the exponent of its power of ten."""
     power = math.floor(math.log10(least.numerator) - math.log10(least.denominator)) - 1
     while True:
         for factor in (1, 2, 5):
@@ -96,8 +95,8 @@ def room_of_numbers(seen: Area, frame: Frame) -> float:
 
 
 def drawn_axes(area: Area, seen: Area, frame: Frame) -> str:
-    """SVG: the outline of the area, lines across, the numbers outside. `area`: left, top, right,
-    bottom in the picture; `seen`: left, bottom, right, top of the same in the frame."""
+    """SVG: the area's outline, grid lines, numbers outside. `area`: left, top, right, bottom in the
+    picture; `seen`: left, bottom, right, top of the same area in the frame."""
     left, top, right, bottom = area
     lines, texts = "", []
     bases = []

@@ -1,4 +1,4 @@
-"""The plots of what an update of a convex sum costs: against errors mended, and against size."""
+"""Plots of a convex update's costs: against errors mended, and against size."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ Row = dict[str, Any]
 
 
 def draw(by_errors: list[Row], by_size: list[Row], target: Path) -> None:
-    """Microseconds of an update, and of the coordinates alone, and of a sum from scratch. SVG."""
+    """Writes an SVG: microseconds for an update, for coordinates alone, and for a sum from
+    scratch."""
     import matplotlib as mpl
 
     mpl.use("svg")

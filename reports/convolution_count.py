@@ -1,5 +1,4 @@
-"""Edges of the convolution counted from its rule, in plain Python: nothing of `reference/` is used
-for it."""
+"""Counts convolution edges from the rule, in plain Python and without `reference/`."""
 
 from __future__ import annotations
 
@@ -15,8 +14,8 @@ Ring = Sequence[Vector[int]]
 
 @dataclass
 class Turns:
-    """Pairs of an edge of one operand and a vertex of the other whose turn, short of a half one,
-    has the edge's direction inside, at its beginning, or at its end."""
+    """Counts of edge-vertex pairs from different operands, with the edge's direction inside the
+    vertex's turn (short of a half turn), at its beginning, or at its end."""
 
     inside: int = 0
     begin: int = 0
@@ -24,8 +23,8 @@ class Turns:
 
 
 def turns_of(edges_of: Sequence[Ring], corners_of: Sequence[Ring]) -> tuple[Turns, Turns, int]:
-    """At convex vertices, and at reflex ones, whose turns are taken backwards; and the edges along
-    straight vertices."""
+    """Turns at convex vertices, turns at reflex vertices, taken backwards, and the number of edges
+    along straight vertices."""
     directions = [way for ring in edges_of for way in _ways(ring)]
     convex, reflex, straight = Turns(), Turns(), 0
     for ring in corners_of:

@@ -1,4 +1,4 @@
-"""The SVG of a convolution: the scaled P, Q and the convolution beside each other, all of one
+"""The SVG of a convolution: the scaled P, Q and the convolution beside each other, drawn to one
 scale."""
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ STYLE = (
 def convolution_picture(
     P: Operand, Q: Operand, scale: str, edges: Iterable[dict[str, Any]], full: bool
 ) -> str:
-    """An SVG document. P is not scaled yet. S-edges are solid, T-edges dashed, those of the sign -1
-    red; a head in the middle of an edge shows its direction. `edges`: documents, of any size: they
-    are moved and scaled exactly."""
+    """An SVG document. P arrives unscaled. S-edges are solid, T-edges dashed, edges with sign -1
+    red; an arrowhead at an edge's middle shows its direction. `edges`: documents of any size, moved
+    and scaled exactly."""
     classes: dict[tuple[str, int], list[list[Exact]]] = {}
     for edge in edges:
         ends = [_point(edge["start"]), _point(edge["end"])]
@@ -74,7 +74,7 @@ def _layers(classes: dict[tuple[str, int], list[list[Exact]]], frame: Frame) -> 
 
 
 def _head(segment: Segment) -> Iterator[Segment]:
-    """Two strokes that meet in the middle of an edge, if it is long enough."""
+    """Two strokes that meet at an edge's middle, if the edge is long enough."""
     x0, y0, x1, y1 = segment
     length = hypot(x1 - x0, y1 - y0)
     if length < SHORTEST:

@@ -19,7 +19,7 @@ BELOW = 22.0  # room for the numbers of an axis
 
 @dataclass(frozen=True)
 class Label:
-    """A text at a place, moved by some units of the picture; `anchor` as SVG has it."""
+    """A text at a place, moved by some picture units; `anchor` has SVG's meaning."""
 
     at: tuple[float, float]
     text: str
@@ -29,7 +29,7 @@ class Label:
 
 @dataclass(frozen=True)
 class Layer:
-    """Rings, segments, a marked point and texts, drawn in the style of a class of the page."""
+    """Rings, segments, a marked point and texts, drawn with a page's style class."""
 
     style: str
     polygons: Polygons = ()
@@ -39,7 +39,7 @@ class Layer:
 
 
 def bounds(layers: Iterable[Layer]) -> Box:
-    """The box around all layers; a unit square where there is nothing."""
+    """The box around all layers; without content a unit square."""
     xs: list[float] = []
     ys: list[float] = []
     for layer in layers:
@@ -57,7 +57,7 @@ def bounds(layers: Iterable[Layer]) -> Box:
 
 
 def height_of(box: Box, width: int) -> float:
-    """The height of a picture of the box: as its sides are, but neither flat nor very high."""
+    """The picture's height: proportional to the box, but neither flat nor very high."""
     across, up = _sides(box)
     return min(max(width * up / across, 60.0), 1.4 * width)
 
@@ -73,9 +73,9 @@ def picture(
     box: Box | None = None,
     frame: Frame | None = None,
 ) -> str:
-    """One SVG element, y upwards, all layers in one frame. `box` makes several pictures
-    comparable. With `frame`, that in which the coordinates are, there are axes with the numbers
-    outside of it; what lies beyond the axes is covered."""
+    """One SVG element with all layers in one frame, y upwards. `box` makes several pictures
+    comparable. With `frame`, the frame of the coordinates, the picture has axes with numbers
+    outside, and a cover hides everything beyond the axes."""
     box = box or bounds(layers)
     xmin, _, _, ymax = box
     across, up = _sides(box)
@@ -108,7 +108,7 @@ def picture(
 
 
 def _cover(area: Box, width: int, height: float) -> str:
-    """A cover of everything outside of the area."""
+    """A cover over everything outside the area."""
     x0, y0, x1, y1 = area
     inner = f"M{x0:.2f} {y0:.2f}H{x1:.2f}V{y1:.2f}H{x0:.2f}Z"
     return f'<path class="cover" fill-rule="evenodd" d="M0 0H{width}V{height:.0f}H0Z{inner}"/>'

@@ -1,4 +1,4 @@
-"""The plots of what an index of all scales costs as the convolution grows."""
+"""Plots of the costs of an index of all scales as the convolution grows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The SVG of a sum with a disc: true arcs, and the polygon set in it."""
+"""The SVG of a sum with a disc: true arcs, with the operand inside."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ def offset_picture(
     caption: str,
     passages: Sequence[Sequence[tuple[float, float]]] = (),
 ) -> str:
-    """An SVG document: the region with its boundary as segments and arcs, and on it the `operand`
-    that has been moved by the disc and the tight `passages`. The longer side of the region's box is
-    WIDTH - 2 PAD; each coordinate is rounded to a thousandth of a unit of the picture. The region
-    may have any size, and lie near to the origin or far from it."""
+    """An SVG document: the region, bounded by segments and arcs, with the `operand` and the tight
+    `passages` on top. The longer side of the region's box measures WIDTH - 2 PAD; coordinates are
+    rounded to a thousandth of a picture unit. The region may have any size, near the origin or far
+    away."""
     origin, factor, radius = offset.drawing_frame()
     components = offset.drawn_rings(origin, factor)
     box = _box([piece for rings in components for ring in rings for piece in ring], radius)
@@ -73,7 +73,7 @@ def offset_picture(
 def _in_frame(
     point: tuple[float, float], origin: Sequence[str], factor: str
 ) -> tuple[float, float]:
-    """Coordinates of a point in the frame of the drawing."""
+    """A point's coordinates in the drawing's frame."""
     x, y = (
         float((Fraction(value) - Fraction(start)) * Fraction(factor))
         for value, start in zip(point, origin, strict=True)
@@ -82,7 +82,7 @@ def _in_frame(
 
 
 def _box(pieces: Sequence[Piece], radius: float) -> tuple[float, float, float, float]:
-    """Around all pieces; of an arc around its circle where the arc goes that far."""
+    """The box around all pieces; arcs count as far as they reach on their circles."""
     if not pieces:
         return 0.0, 0.0, 1.0, 1.0
     xs = [x for piece in pieces for x in (piece[1], piece[3])]
@@ -90,7 +90,7 @@ def _box(pieces: Sequence[Piece], radius: float) -> tuple[float, float, float, f
     for kind, x0, y0, x1, y1, cx, cy, _ in pieces:
         if kind != "arc":
             continue
-        # An arc of less than half a turn has an extreme point where its ends are on either side.
+        # An arc below half a turn has an extreme point if its ends lie on different sides.
         if (y0 - cy) * (y1 - cy) < 0:
             xs.append(cx + (radius if x0 + x1 > 2 * cx else -radius))
         if (x0 - cx) * (x1 - cx) < 0:

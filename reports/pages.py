@@ -1,4 +1,4 @@
-"""Shared by all pages: templates that escape, a frame, a style."""
+"""Parts that all pages share: escaping templates, a frame, a style."""
 
 from __future__ import annotations
 
@@ -12,8 +12,9 @@ ROOM = "minkref.reports"
 
 
 def environment(room: str) -> Environment:
-    """Templates of a room of `reports/`, and those of all: `base.html.j2`, `style.css`. Filters:
-    `drawn`, an SVG element as it is; `number`, with commas; `line`, without control characters."""
+    """Templates from a room of `reports/`, and shared templates: `base.html.j2`, `style.css`.
+    Filters: `drawn`, an SVG element unchanged; `number`, with commas; `line`, without control
+    characters."""
     folders = [resources.files(f"{ROOM}.{room}") / "templates", resources.files(ROOM) / "templates"]
 
     def load(name: str) -> str | None:

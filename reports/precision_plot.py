@@ -1,4 +1,4 @@
-"""The plot of how the paper's method fares against the precision of its arithmetic."""
+"""A plot of the paper's method against the precision of its arithmetic."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ Table = dict[str, dict[str, Any]]
 
 
 def draw(tables: dict[str, Table], target: Path) -> None:
-    """One line for each group of operands and form over the bits of mpfr: the share of solves with
-    a root that are called inconsistent, and the share of events missed. SVG."""
+    """Writes an SVG with one line for each group of operands and form, over mpfr's bits: the share
+    of solves with a root but called inconsistent, and the share of missed events."""
     import matplotlib as mpl
 
     mpl.use("svg")

@@ -1,4 +1,4 @@
-"""Draws the picture of the README: `.venv/bin/python -m minkref.reports.readme_picture`."""
+"""Draws the README's picture: `.venv/bin/python -m minkref.reports.readme_picture`."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ STYLE = (
     "text{font:13px sans-serif;fill:#333}"
 )
 PANE, HEIGHT = 340, 484
-#: of disc, cells, convolution and sum the disc is left out: it is a speck beside the rest
+#: cells, convolution and sum; the disc is left out, a speck beside the rest
 PANES = (1, 2, 3)
 
 

@@ -1,4 +1,4 @@
-"""Pictures beside each other as one SVG document that needs nothing else."""
+"""Pictures beside each other as one stand-alone SVG document."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ LINE = 16  # of a caption
 def side_by_side(
     panes: Sequence[tuple[Sequence[str], str]], style: str, width: int, height: int
 ) -> str:
-    """`panes`: the lines of the captions, which stand above, and SVG elements, each at most `width`
-    wide and `height` high. `style`: CSS of the classes in them."""
+    """`panes`: caption lines, placed above, and SVG elements, each at most `width` wide and
+    `height` high. `style`: CSS for the elements' classes."""
     head = LINE // 2 + LINE * max(len(caption) for caption, _ in panes)
     parts = []
     for pane, (caption, svg) in enumerate(panes):

@@ -1,4 +1,4 @@
-"""The plot of how fast events in space are found."""
+"""A plot of the speed of finding events between facets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plots of the seconds of sums in space as operands grow, by tool."""
+"""Plots of the seconds for sums of growing polyhedra, by tool."""
 
 from __future__ import annotations
 

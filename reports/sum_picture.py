@@ -1,4 +1,4 @@
-"""The SVG of a sum: the scaled P, Q and the sum beside each other, all of one scale."""
+"""The SVG of a sum: the scaled P, Q and the sum side by side, drawn to one scale."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from minkref.reports.drawing import Box, Layer, bounds, height_of, picture
 from minkref.reports.side_by_side import side_by_side
 
 PANE = 340
-LONGEST_NAME = 40  # letters of an operand that are shown
-SPECK = 3.0  # what is less wide and less high gets a mark
-Passages = Sequence[Sequence[Sequence[str]]]  # the points of each, exact
+LONGEST_NAME = 40  # shown letters of an operand
+SPECK = 3.0  # sets smaller than this both ways get a mark
+Passages = Sequence[Sequence[Sequence[str]]]  # exact points for each passage
 OPERANDS = ".first{fill:#9cc3e6;stroke:#1f5f99}.second{fill:#f2c18d;stroke:#9a5410}"
 STYLE = (
     OPERANDS + ".sum{fill:#b9dcbb;stroke:#2a6e30}.lost{fill:#e58a8a;stroke:#a11d1d}"
@@ -36,10 +36,10 @@ def sum_picture(
     exact: _core.PolygonSet | None = None,
     passages: Passages = (),
 ) -> str:
-    """An SVG document. P is not scaled yet. All are drawn to one scale, and above each stands
-    where it lies. Numbers are exact until they are in the frame, so that sets of any size are
-    drawn. With the `exact` sum of an answer that may be wrong it is drawn too, and what the answer
-    has lost and added. Tight passages are drawn in the sum: lines, and a ring around a point."""
+    """An SVG document. P arrives unscaled. All sets are drawn to one scale, each with its position
+    above. Numbers stay exact until the frame places them, so that sets of any size can be drawn. An
+    `exact` sum beside a possibly wrong answer is drawn too, with the answer's lost and added parts.
+    Tight passages appear on the sum: lines, and a ring around a point."""
     first = f"P: {short_name(P.name)}" + ("" if scale == "1" else f", scaled by {scale}")
     counts = f"{counted(components, 'component')}, {counted(holes, 'hole')}"
     if passages:
@@ -82,8 +82,7 @@ def passage_layers(passages: Passages, frame: Frame) -> list[Layer]:
 
 
 def common_frame(boxes: Sequence[ExactBox | None]) -> tuple[Fraction, tuple[float, float]]:
-    """The factor by which sets with these boxes fit into panes, and the room that all of them
-    need."""
+    """The factor by which sets with these boxes fit their panes, and the room for the largest."""
     sides = [(box[2] - box[0], box[3] - box[1]) for box in boxes if box is not None]
     wide, high = (max((side[k] for side in sides), default=Fraction(0)) for k in (0, 1))
     factor = fitted((Fraction(0), Fraction(0), wide, high), PANE, PANE).factor

@@ -22,5 +22,5 @@ def _markdown() -> MarkdownIt:
 
 
 def typeset_line(text: str) -> Markup:
-    """Without a paragraph around it."""
+    """The text typeset without a paragraph around it."""
     return Markup(_markdown().renderInline(text))

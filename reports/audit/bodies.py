@@ -1,5 +1,5 @@
-"""Convex polyhedra with integer vertices, and which of their features are compatible, by supports
-alone: nothing of the Gaussian map is used for it. Exact."""
+"""Convex polyhedra with integer vertices; compatible features are found by supports alone, without
+the Gaussian map. Exact."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Body:
 
     @cached_property
     def normals(self) -> tuple[Whole, ...]:
-        """Outward, of no fixed length."""
+        """Outward facet normals of varying length."""
         return tuple(
             primitive(normal(*(self.points[k] for k in facet[:3]))) for facet in self.facets
         )
@@ -86,7 +86,8 @@ def _exact(point: Sequence[int]) -> tuple[Fraction, Fraction, Fraction]:
 
 
 def hull(points: Sequence[Whole]) -> Body:
-    """The vertices keep their order. ValueError where a point is none."""
+    """Convex hull whose vertices keep the order of `points`. Raises ValueError if a point is not a
+    vertex."""
     found = convex_hull(map(_exact, points))
     name = {_exact(point): number for number, point in enumerate(points)}
     if len(found.vertices) != len(points):
@@ -100,12 +101,12 @@ def scaled(s: Whole, point: Whole) -> Whole:
 
 
 def scaled_normal(s: Whole, n: Whole) -> Whole:
-    """That of a facet of the scaled body: n by the cofactors of the scaling."""
+    """A facet normal of the scaled body: n times the cofactors of the scaling."""
     return s[1] * s[2] * n[0], s[2] * s[0] * n[1], s[0] * s[1] * n[2]
 
 
 def support(points: Iterable[Whole], n: Whole) -> frozenset[int]:
-    """The vertices that are farthest in the direction n."""
+    """The vertices farthest along the direction n."""
     heights = [dot(n, point) for point in points]
     most = max(heights)
     return frozenset(k for k, height in enumerate(heights) if height == most)
@@ -113,8 +114,8 @@ def support(points: Iterable[Whole], n: Whole) -> frozenset[int]:
 
 @dataclass(frozen=True)
 class Pairs:
-    """What is compatible of P, scaled, and Q: for each facet of P vertices of Q, for each facet of
-    Q vertices of P, and edges of both."""
+    """Compatible features of the scaled P and Q: per facet of P, Q's vertices; per facet of Q, P's
+    vertices; and edge pairs."""
 
     fv: Supports
     vf: Supports
@@ -127,7 +128,7 @@ class Pairs:
 
 
 def facet_pairs(P: Body, Q: Body, s: Whole) -> tuple[Supports, Supports]:
-    """For each facet the vertices of the other body that are farthest along its normal."""
+    """For each facet, the other body's vertices farthest along the facet normal."""
     big = [scaled(s, point) for point in P.points]
     return (
         tuple(support(Q.points, scaled_normal(s, n)) for n in P.normals),
@@ -136,8 +137,8 @@ def facet_pairs(P: Body, Q: Body, s: Whole) -> tuple[Supports, Supports]:
 
 
 def edge_pairs(P: Body, Q: Body, s: Whole) -> frozenset[tuple[Edge, Edge]]:
-    """An edge of P and one of Q are compatible if in a direction orthogonal to both they, and
-    nothing else, are farthest. Parallel edges never are."""
+    """Compatible edge pairs: along some direction orthogonal to both edges, exactly these two are
+    farthest. Parallel edges are never compatible."""
     big = [scaled(s, point) for point in P.points]
     found = set()
     for e in P.edges:

@@ -1,4 +1,4 @@
-"""All entries of the audit, in the order of the paper."""
+"""All audit entries, in the paper's order."""
 
 from __future__ import annotations
 

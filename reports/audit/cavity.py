@@ -1,7 +1,7 @@
-"""A sum with a void in it: P, and a cube Q with a tetrahedral cavity. Exact.
+"""A sum with a void: P plus a cube Q with a tetrahedral cavity. Exact.
 
-The void is the set of the places x at which x - sP fits into the cavity: the x with
-n . x <= c + s m for each facet n . y <= c of the cavity, m being the least n . p.
+The void holds every x for which x - sP fits into the cavity: n . x <= c + s m for each facet n . y
+<= c of the cavity, with m the least n . p.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ def planes() -> list[Plane]:
 
 
 def corners(s: Fraction) -> list[Vector]:
-    """The points in which three of the four planes meet, by Cramer's rule: the vertices of the
-    void, while there is one."""
+    """Meeting points of three planes each, chosen from four, by Cramer's rule: the void's vertices
+    while the void exists."""
     return [_meeting_point(chosen, s) for chosen in combinations(planes(), 3)]
 
 
@@ -62,8 +62,8 @@ def _meeting_point(three: Sequence[Plane], s: Fraction) -> Vector:
 
 
 def slack(s: Fraction) -> Fraction:
-    """With weights l > 0 for which the sum of all l n is zero: the sum of all l (c + s m). Below
-    zero there is no void, whatever x is."""
+    """The sum of l (c + s m), with weights l > 0 for which the sum of l n is zero. A negative
+    result rules out a void for every x."""
     found = planes()
     total = Fraction(0)
     for k, (_, m, c) in enumerate(found):
@@ -73,8 +73,8 @@ def slack(s: Fraction) -> Fraction:
 
 
 def inner_facets() -> list[Facet]:
-    """Those around the void: each facet of the cavity at the vertex of P that is farthest along
-    the normal of Q there, which points into the cavity."""
+    """Facets around the void: each cavity facet at P's farthest vertex along Q's normal, which
+    points into the cavity."""
     return [
         _facet("vf", support(P.points, minus((0, 0, 0), n)), CAVITY, facet)
         for facet, n in zip(CAVITY.facets, CAVITY.normals, strict=True)
@@ -82,7 +82,7 @@ def inner_facets() -> list[Facet]:
 
 
 def outer_facets() -> list[Facet]:
-    """Those of P and the cube. ValueError where one has several vertices."""
+    """Outer facets, from P and the cube. Raises ValueError if a facet has several vertices."""
     pairs = compatible_pairs(P, CUBE)
     if not pairs.unique:
         raise ValueError("a facet has several vertices")

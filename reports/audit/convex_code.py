@@ -1,4 +1,4 @@
-"""The code of Section 6, asked about the bodies of the audit."""
+"""Section 6's code, asked about the audit's bodies."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ def scaling(s: Whole) -> Scaling:
 
 
 def errors_mended(P: Body, Q: Body, s: Whole) -> tuple[int, int, int]:
-    """fv-, vf- and ee-errors of an update from the scaling by one to another."""
+    """Counts of fv-, vf- and ee-errors that an update from the scaling by one to s mends."""
     moving = _core.DynamicConvexSum(reference_body(P), reference_body(Q), ONCE)
     did = dict(moving.update(scaling(s)))
     return did["fv_errors"], did["vf_errors"], did["ee_errors"]
 
 
 def descent(P: Body, n: Whole, Q: Body, vertex: int, form: str) -> int | None:
-    """From a vertex of Q for the facet of P with the normal n, by the degree as printed or
-    corrected: where it ends, None where it comes to a vertex again. Vertices as the bodies number
-    them."""
+    """The vertex of Q at which the descent from `vertex` ends, for P's facet with normal n, under
+    the printed or corrected degree; None if the descent revisits a vertex. Vertices have the
+    bodies' numbers."""
     first, second = reference_body(P), reference_body(Q)
     order = sorted(range(len(Q.points)), key=Q.points.__getitem__)
     surface = first.surface()
@@ -51,7 +51,8 @@ def _whole(point: Scaling) -> Whole:
 
 def unmended(seed: int, trials: int, draw: Callable[[random.Random], Body],
              draw_scaling: Callable[[random.Random], Whole]) -> tuple[int, int]:  # fmt: skip
-    """ee-errors in random updates, and those without an error of a facet of either body."""
+    """Counts ee-errors during random updates: first all, then only ee-errors without any facet
+    error of either body."""
     dice = random.Random(seed)
     edges = alone = 0
     for _ in range(trials):

@@ -17,7 +17,7 @@ from minkref.reports.audit.plane import Place
 
 
 def exact(root: Root) -> Any:
-    """A scale of the symbolic oracle, as a number of sympy."""
+    """A scale of the symbolic oracle, as a sympy number."""
     return sum((sp.Rational(c) * sp.sqrt(m) for m, c in root.terms), sp.Integer(0))
 
 
@@ -41,7 +41,8 @@ def along(side: Side) -> Vertex:
 
 
 def unit_normal(side: Side) -> Place:
-    """Outwards, the polygon being on the left. Raises ValueError unless it is rational."""
+    """Outward unit normal, with the polygon on the left. Raises ValueError for an irrational
+    length."""
     x, y = along(side)
     length = isqrt(x * x + y * y)
     if length * length != x * x + y * y:
@@ -50,7 +51,7 @@ def unit_normal(side: Side) -> Place:
 
 
 def moved_out(side: Side, way: Fraction) -> tuple[Place, Place]:
-    """The edge offset by a way: for edges of rational length."""
+    """The edge offset outward by `way`; only for edges with rational length."""
     n = unit_normal(side)
     a, b = ((x + way * n[0], y + way * n[1]) for x, y in side)
     return a, b
@@ -65,7 +66,7 @@ def moving(side: Side, radius: int) -> Edge:
 
 
 def crossing(first: Side, second: Side, way: Fraction) -> Place:
-    """Of the lines of two edges, offset by a way."""
+    """The crossing of two edges' lines, both offset by `way`."""
     rows = []
     for side in (first, second):
         n = unit_normal(side)
@@ -76,7 +77,7 @@ def crossing(first: Side, second: Side, way: Fraction) -> Place:
 
 
 def squared_distance(x: tuple[Any, Any], ring: Sequence[Vertex]) -> Any:
-    """From a place in fractions, or in numbers of sympy, to the edges of a polygon."""
+    """Squared distance from a place, as fractions or sympy numbers, to a polygon's edges."""
     return min(_to_side(x, side) for side in sides(ring))
 
 

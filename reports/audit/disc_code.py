@@ -1,5 +1,5 @@
-"""Events of two features of a swept disc by the code of `reference/disc`, corrected and with
-sentences of the Appendix as printed, beside those of the symbolic oracle."""
+"""Events of two swept-disc features from the code of `reference/disc`, corrected or with printed
+sentences of the Appendix, beside the symbolic oracle's events."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ CODE = ("reference/disc/pairs/feature_pair.hpp", "reference/disc/pairs/pair_cont
 
 @dataclass(frozen=True)
 class CodeEvent:
-    """At one scale: what becomes of the points that two features share, how many there are before,
-    at and after it (-1: a segment), and whether the place is on both features."""
+    """An event at one scale: the change to the features' shared points, their counts before, at and
+    after the event (-1: a segment), and whether the place lies on both features."""
 
     scale: Any  # a number of sympy
     change: str
@@ -31,7 +31,7 @@ class CodeEvent:
 def code_events(
     first: Feature, second: Feature, radius: int, printed: Sequence[str] = ()
 ) -> list[CodeEvent]:
-    """Ascending. `printed`: sentences that are taken as they stand (docs/disc.md)."""
+    """Events, ascending. `printed`: sentences taken literally (docs/disc.md)."""
     rows = _core.disc_pair(_texts(first), _texts(second), list(printed), radius == 1)
     return [
         CodeEvent(_root(found) / radius, change, shared, any(meets for *_, meets, _ in contacts))
@@ -40,8 +40,8 @@ def code_events(
 
 
 def scales_by_both(first: Feature, second: Feature, radius: int) -> list[Any]:
-    """Scales of the events of two features, by the code; raises CheckFailed where the symbolic
-    oracle has others."""
+    """Scales of two features' events, from the code; raises CheckFailed if the symbolic oracle
+    finds other scales."""
     rows = _core.disc_pair(_texts(first), _texts(second))
     roots = {touch.root for touch in touches(first, second, radius)}
     values = sorted((exact(root) * radius for root in roots), key=float)
@@ -53,8 +53,8 @@ def scales_by_both(first: Feature, second: Feature, radius: int) -> list[Any]:
 
 
 def scales_of_ends(first: Feature, second: Feature) -> list[Any]:
-    """Those at which an end of the first, an arc, is on the circle of the second, by the code; of a
-    disc of radius 1. Ascending."""
+    """Scales at which an end of the first feature, an arc, meets the second feature's circle, from
+    the code, for a disc of radius 1. Ascending."""
     return [
         _root(found)
         for _, found, _, contacts in _core.disc_pair(_texts(first), _texts(second))
@@ -63,14 +63,14 @@ def scales_of_ends(first: Feature, second: Feature) -> list[Any]:
 
 
 def contacts_of_ring(ring: Sequence[Vertex]) -> int:
-    """Of all pairs of features of a polygon, by the code."""
+    """Number of contacts over all feature pairs of a polygon, from the code."""
     found = _core.disc_pair_events(_polygon(ring))
     return sum(len(event[3]) for *_, event in found.rows(0, len(found)))
 
 
 def polynomials_of_boundary(ring: Sequence[Vertex]) -> list[list[str]]:
-    """Of the squared radii at which the boundary of the sum of a polygon with a disc changes, by
-    the code; monic, the lowest coefficient first."""
+    """Polynomials of the squared radii at which the boundary of polygon plus disc changes, from the
+    code; monic, lowest coefficient first."""
     found = _core.diagram_events(_polygon(ring))
     return [polynomial for _, _, polynomial, *_ in found.rows(0, len(found))]
 
@@ -101,7 +101,7 @@ def _is_root(value: Any, found: Any) -> bool:
 
 
 def _root(found: Any) -> Any:
-    """The radius: its square is a root of a polynomial of degree 1 or 2."""
+    """The radius, whose square is a root of a polynomial of degree 1 or 2."""
     _, polynomial, (low, _) = found
     c = [sp.Rational(coefficient) for coefficient in polynomial]
     if len(c) == 2:

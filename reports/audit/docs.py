@@ -1,5 +1,5 @@
-"""Writes the audit as Markdown, docs/audit/: `python -m minkref.reports.audit.docs`. What slow
-checks show, and those of the models at hand, is left to the report."""
+"""Writes the audit as Markdown to docs/audit/: `python -m minkref.reports.audit.docs`. Only the
+report shows results of slow checks, and of checks that depend on the models at hand."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ no reading that we know. These formulas have several entries:"""
 
 
 def pages() -> dict[str, str]:
-    """The text of each file."""
+    """File names and texts."""
     return {"README.md": _index(), **{f"{c.name}.md": _chapter(c) for c in CHAPTERS}}
 
 

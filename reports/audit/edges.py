@@ -42,9 +42,9 @@ def t_edge(q0: Place, q1: Place, p: Place) -> Edge:
 
 @dataclass(frozen=True)
 class Answers:
-    """Of one pair: the scale at which the lines' crossing passes each end, where there is one; the
-    interval as printed, with the ends of each edge sorted, by the rule for convex P, as corrected,
-    and by the symbolic oracle."""
+    """Answers for one pair: the scales at which the lines' crossing passes each end, if any; the
+    interval as printed, with sorted ends, by the rule for convex P, as corrected, and from the
+    symbolic oracle."""
 
     ends: dict[str, Fraction | None]
     printed: Interval
@@ -54,7 +54,8 @@ class Answers:
 
     @property
     def sorted(self) -> Interval:
-        """[max of the lesser scales, min of the greater ones], for s > 0. Needs all four."""
+        """[max of the lesser scales, min of the greater scales], for s > 0. Needs all four
+        scales."""
         a, b = ([self.ends[f"{edge}{i}"] for i in (0, 1)] for edge in "ab")
         roots = [scale for scale in (*a, *b) if scale is not None]
         low = max(min(roots[:2]), min(roots[2:]), Fraction(0))

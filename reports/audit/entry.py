@@ -1,4 +1,4 @@
-"""An entry of the audit: a statement of the paper, what holds, and a check that runs."""
+"""An audit entry: a statement of the paper, the correct statement, and a check that runs."""
 
 from __future__ import annotations
 
@@ -14,9 +14,8 @@ import sympy
 
 
 class Status(StrEnum):
-    """FALSE: no reading is known under which the words or the formula hold. LITERAL: with the words
-    and symbols as defined it does not hold; there is a reading under which it does, which the entry
-    names."""
+    """FALSE: under no known reading do the words or the formula hold. LITERAL: false with words and
+    symbols as defined, but true under a reading that the entry names."""
 
     HOLDS = "holds"
     CONDITION = "holds under a condition"
@@ -28,7 +27,7 @@ class Status(StrEnum):
 
 
 class CheckFailed(Exception):
-    """A check has found something else than the entry says."""
+    """Raised if a check contradicts its entry."""
 
 
 @dataclass(frozen=True)
@@ -39,14 +38,14 @@ class Drawing:
 
 @dataclass
 class Shown:
-    """What a check has shown: a line for each fact, in the order of the check."""
+    """Facts that a check has shown: a line for each fact, in the check's order."""
 
     facts: list[str] = field(default_factory=list)
     drawings: list[Drawing] = field(default_factory=list)
 
     def identity(self, what: str, expression: Any) -> None:
-        """An expression, or each of a vector, that is zero for all values of its symbols, by
-        computer algebra."""
+        """Shows by computer algebra that an expression, or each entry of a vector, is zero for all
+        values of its symbols."""
         parts = expression if isinstance(expression, sympy.MatrixBase) else [expression]
         for part in parts:
             left = sympy.simplify(sympy.together(sympy.expand(part)))
@@ -58,7 +57,7 @@ class Shown:
         self._add(f"{what}: {text(found)}.")
 
     def different(self, what: str, printed: Any, right: Any) -> None:
-        """A counterexample: both values, which differ."""
+        """Shows a counterexample: two values that differ."""
         self._must(printed != right, what, f"both are {text(right)}")
         self._add(f"{what}: as printed {text(printed)}, right is {text(right)}.")
 
@@ -67,7 +66,7 @@ class Shown:
         self._add(f"{what}.")
 
     def tell(self, fact: str) -> None:
-        """Something that is no law: a count, a figure."""
+        """Adds a fact that is not a law: a count or a figure."""
         self._add(fact)
 
     def draw(self, caption: str, svg: str) -> None:
@@ -82,7 +81,7 @@ class Shown:
 
 
 def text(value: Any) -> str:
-    """A fraction as a decimal where that is exact and short."""
+    """The value as text; a fraction becomes a decimal if that decimal is exact and short."""
     if isinstance(value, float):
         return f"{value:.6g}"
     if isinstance(value, (tuple, list)):
@@ -99,11 +98,11 @@ Check = Callable[[Shown], None]
 
 @dataclass(frozen=True)
 class Entry:
-    """`place`: where in the paper. `printed`: what it says, in our words and formulas; `right`:
-    what holds. `reading`: how to read it so that it holds, where it does not as read literally. All
-    are Markdown, with formulas between dollars. `formula`: the formula or sentence that it is
-    about, which several entries may share. `code`: files of the project that have it. `how`: what
-    the check does, its docstring."""
+    """`place`: the place in the paper. `printed`: the paper's statement, in our words and formulas;
+    `right`: the correct statement. `reading`: a reading under which a literally false statement
+    holds. All are Markdown, with formulas between dollars. `formula`: the formula or sentence at
+    issue, which several entries may share. `code`: project files with that formula. `how`: the
+    check's docstring, which describes the check."""
 
     name: str
     title: str
@@ -115,7 +114,7 @@ class Entry:
     formula: str
     code: tuple[str, ...]
     slow: bool  # left out of a quick report
-    of_models: bool  # what it shows depends on the models at hand (MINKREF_MODELS)
+    of_models: bool  # the facts depend on the models at hand (MINKREF_MODELS)
     check: Check
 
     @property
@@ -152,8 +151,7 @@ class Chapter:
         slow: bool = False,
         of_models: bool = False,
     ) -> Callable[[Check], Check]:
-        """Adds the entry whose check is the function that follows. Without `formula` its title
-        stands for what it is about."""
+        """Adds an entry whose check is the decorated function. `formula` defaults to the title."""
 
         def add(check: Check) -> Check:
             told, holds, read = (" ".join(part.split()) for part in (printed, right, reading))
@@ -167,7 +165,8 @@ class Chapter:
         return add
 
 
-#: Of several entries about one formula, the first of these is what is said of the formula.
+#: Statuses from gravest to mildest; the gravest status among a formula's entries counts for the
+#: formula.
 GRAVEST = (Status.FALSE, Status.LITERAL, Status.MISPRINT, Status.INCOMPLETE,
            Status.NOT_REPRODUCIBLE, Status.CONDITION, Status.HOLDS)  # fmt: skip
 
@@ -181,7 +180,7 @@ def formulas(entries: Iterable[Entry]) -> dict[str, list[Entry]]:
 
 
 def status_of(entries: Iterable[Entry]) -> Status:
-    """Of the formula that they are all about: that of the gravest entry."""
+    """The shared formula's status: the gravest among all entries."""
     return min((entry.status for entry in entries), key=GRAVEST.index)
 
 

@@ -24,7 +24,8 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one check. `failure`: what it has found instead; `shown` is None where it was left out."""
+    """The outcome of a check. `failure`: the result that contradicts the entry; `shown` is None if
+    the check was left out."""
 
     entry: Entry
     shown: Shown | None
@@ -77,7 +78,7 @@ def write_audit(folder: Path, quick: bool, tell: Tell, done: Callable[[], None])
 
 
 def _link(folder: Path, path: str) -> str:
-    """Where the page finds a file of the project; nothing where there is none."""
+    """The page's relative link to a project file; empty if the file does not exist."""
     file = ROOT / path
     return os.path.relpath(file, folder.resolve()) if file.exists() else ""
 

@@ -1,4 +1,4 @@
-"""The numbers that the paper prints: its tables, and what the text says of them."""
+"""The paper's printed numbers: its tables, and the text's figures about them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from fractions import Fraction
 SMALL = ("dog", "g1", "g2", "g3", "g4")
 SOLIDS = ("ellipse", "GS3", "GS4", "TI", "v-rod")
 
-# Rows: the scaled operand; columns: the other one. Average speed-ups.
+# Rows: the scaled operand; columns: the other operand. Average speed-ups.
 TABLE_1 = {
     "dog": ("28.911", "115.651", "5.592", "32.408", "6.538"),
     "g1": ("115.651", "131.150", "432.069", "533.141", "473.282"),
@@ -31,7 +31,7 @@ FACETS = {"GS3": 320, "GS4": 500, "TI": 236}
 def cells(
     table: Mapping[str, tuple[str, ...]], columns: tuple[str, ...]
 ) -> dict[tuple[str, str], Fraction]:
-    """By the scaled operand and the other one."""
+    """Table cells; each key is the scaled operand and the other operand."""
     return {
         (row, column): Fraction(value)
         for row, values in table.items()

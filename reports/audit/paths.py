@@ -1,7 +1,7 @@
-"""A robot of uncertain size on a path: the scales at which it does not overlap an obstacle.
+"""A robot of uncertain size on a path: the scales at which the robot does not overlap an obstacle.
 
-Nothing of the convolution is used for it: every edge of the one at every vertex of the other is
-tried, and whether robot and obstacle overlap at a place the code decides by triangles.
+The convolution plays no part: the module tries every edge of one operand at every vertex of the
+other, and the code decides by triangles whether robot and obstacle overlap at a place.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def overlaps(robot: _core.PolygonSet, obstacle: _core.PolygonSet, s: Fraction, a
 
 
 def moving_edges(robot: _core.PolygonSet, obstacle: _core.PolygonSet) -> list[Moving]:
-    """Every edge of the one at every vertex of the other."""
+    """Every edge of one operand at every vertex of the other."""
     P, Q = rings_of(reflected(robot)), rings_of(obstacle)
     corners = {"S": [v for ring in Q for v in ring], "T": [v for ring in P for v in ring]}
     found: list[Moving] = []
@@ -67,9 +67,9 @@ def contacts(
 
 
 def candidates(edges: Sequence[Moving], path: Sequence[Place]) -> list[Fraction]:
-    """Scales s > 0 at which an end of a moving edge comes to the line of a step of the path, or
-    level with an end of it where they are parallel, or an end of the path comes to the line of an
-    edge. Each is the root of a linear equation."""
+    """Scales s > 0 at which an end of a moving edge reaches the line of a path step, or the height
+    of the step's end if both are parallel, or at which a path vertex reaches an edge's line. Each
+    scale is the root of a linear equation."""
     found = set()
     steps = list(pairwise(path)) or [(path[0], path[0])]
     for kind, p, q, d in edges:
@@ -87,8 +87,8 @@ def candidates(edges: Sequence[Moving], path: Sequence[Place]) -> list[Fraction]
 
 
 def concurrencies(edges: Sequence[Moving], a: Place, b: Place) -> set[Fraction]:
-    """Scales s > 0 at which the lines of two edges, and that through a and b, pass through one
-    point: roots of a determinant, which is linear in s."""
+    """Scales s > 0 at which two edges' lines and the line through a and b share a point: roots of a
+    determinant, linear in s."""
     step = _turned(minus(b, a))
     rows = [(_turned(d), dot(_turned(d), p), dot(_turned(d), q)) for _, p, q, d in edges]
     found = set()
@@ -107,9 +107,8 @@ def is_valid(
     path: Sequence[Place],
     s: Fraction,
 ) -> bool:
-    """Whether the robot of scale s overlaps the obstacle nowhere on the path; touching is allowed.
-    The places of overlap are an open set, bounded by the edges: one place between any two crossings
-    decides."""
+    """Whether the robot at scale s overlaps the obstacle nowhere on the path; touching is allowed.
+    Edges bound the open set of overlaps, so one place between any two crossings decides."""
     places = [path[0]] if len(path) == 1 else list(_places(edges, path, s))
     rows = [(str(x), str(y)) for x, y in places]
     return "overlapping" not in _core.decide_many(reflected(robot), obstacle, str(s), rows)
@@ -136,7 +135,7 @@ def _places(edges: Sequence[Moving], path: Sequence[Place], s: Fraction) -> Iter
 def valid_scales(
     robot: _core.PolygonSet, obstacle: _core.PolygonSet, path: Sequence[Place]
 ) -> list[Interval]:
-    """The components of the set of valid scales: closed in (0, oo), ascending. Decided at every
+    """Components of the set of valid scales: closed in (0, oo), ascending. Decides at every
     candidate and between any two."""
     edges = moving_edges(robot, obstacle)
     marks = candidates(edges, path)

@@ -13,8 +13,7 @@ FROM, TO, STEPS = Fraction(1, 5), Fraction(4), 12
 
 
 def moving_edges(a: Edge, b: Edge, interval: Interval) -> str:
-    """Both edges at scales from 1/5 to 4, the earlier ones fainter than those at the ends of the
-    interval."""
+    """Both edges at scales from 1/5 to 4, drawn stronger at the interval's ends."""
     scales = [FROM + (TO - FROM) * i / STEPS for i in range(STEPS + 1)]
     layers = [
         Layer(style, segments=[_segment(edge, scale) for scale in scales])

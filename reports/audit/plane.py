@@ -1,5 +1,5 @@
-"""Operands in the plane for checks, and the rule of the convolution once more, in plain Python:
-nothing of `reference/` is used for it."""
+"""Operands in the plane for checks, and a second version of the convolution's rule, in plain Python
+and without `reference/`."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def _clockwise(ring: Ring) -> Ring:
 
 
 def random_operand(dice: random.Random, holes: bool = True) -> _core.PolygonSet:
-    """Of a pair of small polygons on a grid, where parallel edges abound."""
+    """A random operand from a pair of small polygons on a grid, where parallel edges abound."""
     while True:
         pair = random_pair(dice.randrange(10**9), dice.randrange(240))
         found = _core.PolygonSet.from_json(dice.choice((pair.P, pair.Q)))
@@ -74,8 +74,8 @@ def _same(u: Place, v: Place) -> bool:
 
 
 def _in_turn(d: Place, start: Place, end: Place, ends: str) -> bool:
-    """Whether d is on the turn of less than 180 degrees to the left from `start` to `end`; `ends`:
-    which of its ends belong to it, such as `[)`."""
+    """Whether d lies on the left turn, shorter than 180 degrees, from `start` to `end`; `ends`,
+    such as `[)`, says which ends belong to the turn."""
     if _same(d, start):
         return ends[0] == "["
     if _same(d, end):
@@ -86,8 +86,8 @@ def _in_turn(d: Place, start: Place, end: Place, ends: str) -> bool:
 def _contributions(
     edges_of: Rings, corners_of: Rings, ends: str, reflex: bool
 ) -> Iterator[tuple[Segment, int]]:
-    """Edges of the one at the vertices of the other, and the sign: 1 at convex vertices, -1 at
-    reflex ones, which are left out unless `reflex`."""
+    """Edges of one operand at the other's vertices, with sign 1 at convex vertices and -1 at reflex
+    vertices. Skips reflex vertices unless `reflex`."""
     for corner_ring in corners_of:
         for k, v in enumerate(corner_ring):
             come = minus(v, corner_ring[k - 1])
@@ -108,15 +108,15 @@ def _contributions(
 def reduced_by_rule(
     P: _core.PolygonSet, Q: _core.PolygonSet, ends: str, reflex: bool = False, signed: bool = False
 ) -> list[Segment]:
-    """The edges of the convolution with given ends of turns at vertices of Q, then of P: those of
-    convex vertices, then those of reflex ones if `reflex`, backwards if `signed`."""
+    """Convolution edges under given ends of turns at vertices of Q, then of P: edges from convex
+    vertices first; then, if `reflex`, edges from reflex vertices, backwards if `signed`."""
     return reduced_by_rings(rings_of(P), rings_of(Q), ends, reflex, signed)
 
 
 def reduced_by_rings(
     P: Rings, Q: Rings, ends: str, reflex: bool = False, signed: bool = False
 ) -> list[Segment]:
-    """The same of rings that need not run as they should."""
+    """Like `reduced_by_rule`, for rings that need not have the right orientation."""
     found = [*_contributions(P, Q, ends[:2], reflex), *_contributions(Q, P, ends[2:], reflex)]
     convex = [segment for segment, sign in found if sign > 0]
     other = [segment[::-1] if signed else segment for segment, sign in found if sign < 0]
@@ -147,13 +147,13 @@ def covered(edge: Segment, segments: list[Segment]) -> bool:
 
 
 def winding(P: _core.PolygonSet, Q: _core.PolygonSet, x: Place) -> int:
-    """The winding number of the full convolution around a point that is on none of its segments."""
+    """Winding number of the full convolution around a point on none of its segments."""
     return crossings(reduced_by_rule(P, Q, "[)(]", reflex=True, signed=True), x)
 
 
 def crossings(segments: Sequence[Segment], x: Place) -> int:
-    """How often segments run to the left across the ray upwards from a point that is on none of
-    them, less how often to the right: for a closed cycle its winding number."""
+    """Counts segments that cross the upward ray from x to the left, minus segments that cross to
+    the right; for a closed cycle this equals its winding number. No segment may contain x."""
     number = 0
     for a, b in segments:
         if (a[0] <= x[0]) != (b[0] <= x[0]):
@@ -164,7 +164,7 @@ def crossings(segments: Sequence[Segment], x: Place) -> int:
 
 
 def bay(dice: random.Random) -> _core.PolygonSet:
-    """A box with a bay whose mouth is narrower than itself. A sum with it often has a hole."""
+    """A box with a bay whose mouth is narrower than the bay, so that sums often have a hole."""
     w, h = dice.randint(7, 10), dice.randint(5, 9)
     a, b, t = dice.randint(1, 2), w - dice.randint(1, 2), h - dice.randint(1, 2)
     left = dice.randint(a + 1, b - 2)
@@ -175,7 +175,7 @@ def bay(dice: random.Random) -> _core.PolygonSet:
 
 
 def star(n: int, phase: int) -> _core.PolygonSet:
-    """2 n vertices, every other one far out."""
+    """A star of 2 n vertices, every other vertex far out."""
     ring: Ring = []
     for k in range(2 * n):
         angle = math.pi * (k + 0.1 * phase) / n
@@ -185,7 +185,7 @@ def star(n: int, phase: int) -> _core.PolygonSet:
 
 
 def combs(m: int, n: int) -> tuple[_core.PolygonSet, _core.PolygonSet]:
-    """Operands of 8 (m + n) vertices whose sum has of the order of m^2 n^2 holes."""
+    """Operands with 8 (m + n) vertices whose sum has on the order of m^2 n^2 holes."""
     P, Q = (shape_text(shape) for shape in crossing_combs(m, n, Fraction(1, 3), 0))
     return _core.PolygonSet.from_json(P), _core.PolygonSet.from_json(Q)
 

@@ -14,14 +14,14 @@ from minkref.reports.audit.disc import along, corner, sides
 from minkref.reports.audit.plane import Place, rings_of
 from minkref.reports.drawing import Box, Layer, Segment, picture
 
-STEP = 0.06  # of an arc, in radians
+STEP = 0.06  # radians along an arc
 Disc = tuple[float, float, float]  # centre, radius
 
 
 def robot_on_path(
     robot: _core.PolygonSet, obstacle: _core.PolygonSet, path: Sequence[Place], s: Fraction
 ) -> str:
-    """The obstacle, the robot at both ends of its path, and the way of its reference point."""
+    """The obstacle, the robot at both ends of its path, and the reference point's way."""
     polygons = [
         [[(float(s * x + u), float(s * y + v)) for x, y in ring] for ring in rings_of(robot)]
         for u, v in dict.fromkeys((path[0], path[-1]))

@@ -1,5 +1,5 @@
-"""Facets and edges of a convolution in space, and what they have in common at one scale: exact,
-in plain Python. Nothing of the oracle is used for it."""
+"""Facets and edges of a convolution in space, and their common points at one scale: exact, in plain
+Python. Only `events_of_facets` calls the symbolic oracle."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Edge:
 
     @property
     def direction(self) -> Vector:
-        """Of the parent of an S- or T-edge."""
+        """Direction of the S-edge's or T-edge's parent."""
         if self.kind == "S":
             return minus(self.end.p, self.start.p)
         return minus(self.end.q, self.start.q)
@@ -64,8 +64,8 @@ class Edge:
 
 @dataclass(frozen=True)
 class Facet:
-    """fv: a facet of P at a vertex of Q; vf: the other way round; ee: the parallelogram of two
-    edges. Convex."""
+    """fv: a facet of P at a vertex of Q; vf: a facet of Q at a vertex of P; ee: the parallelogram
+    of two edges. Convex."""
 
     kind: str
     P: tuple[Vector, ...]
@@ -110,7 +110,7 @@ def t_edge(q0: Whole, q1: Whole, p: Whole) -> Edge:
 
 
 def in_polygon(x: Vector, corners: Sequence[Vector]) -> bool:
-    """Of a point in the plane of a convex polygon."""
+    """Whether a point in a convex polygon's plane belongs to the polygon."""
     n = normal(*corners[:3])
     around = pairwise([*corners, corners[0]])
     return all(dot(n, cross(minus(b, a), minus(x, a))) >= 0 for a, b in around)
@@ -144,7 +144,7 @@ def segment_meets(a: Vector, b: Vector, corners: Sequence[Vector]) -> bool:
 
 
 def polygons_meet(a: Sequence[Vector], b: Sequence[Vector]) -> bool:
-    """Convex ones: where they do, an edge of one meets the other."""
+    """Whether two convex polygons meet: if so, an edge of one polygon meets the other."""
     return any(
         segment_meets(x, y, other)
         for one, other in ((a, b), (b, a))
@@ -163,8 +163,8 @@ def drawn(dice: random.Random, kind: str, size: int) -> Facet:
 
 
 def events_of_facets(a: Facet, b: Facet) -> dict[str, list[Fraction]]:
-    """All vertex events and edge events of a pair, by the symbolic oracle: scales at which a vertex
-    of one is on the other, and those at which two edges start or stop meeting."""
+    """All vertex events and edge events of a pair, from the symbolic oracle: scales at which a
+    vertex of one facet lies on the other, and scales at which two edges start or stop meeting."""
     found: dict[str, list[Fraction]] = {"vertex": [], "edge": []}
     for one, other in ((a, b), (b, a)):
         for vertex in one.vertices:

@@ -1,5 +1,4 @@
-"""Counterexamples in space drawn, in parallel projection along (1, 1, 1); coordinates are
-rounded."""
+"""Drawings of counterexamples in space, projected along (1, 1, 1), with rounded coordinates."""
 
 from __future__ import annotations
 
@@ -54,7 +53,7 @@ def solids_picture(
     point: Vector | None = None,
     marked: Lines = (),
 ) -> str:
-    """Solids in the styles `first` or `second`, others (`wire`) by their edges; marked edges and
+    """Draws solids in the styles `first` or `second`, `wire` solids by edges only, marked edges and
     a point."""
     layers: list[Layer] = []
     for solid, style in solids:

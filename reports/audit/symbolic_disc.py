@@ -1,4 +1,4 @@
-"""A disc of radius s r in symbols, and corners whose normals have a rational length."""
+"""A symbolic disc of radius s r, and corners with normals of rational length."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import sympy as sp
 from minkref.fuzz.judges.disc.paper_disc import Corner
 
 s, r, z = sp.symbols("s r z", positive=True)
-# Directions of length 5 with whole coordinates.
+# Directions with length 5 and whole coordinates.
 FIVES = [(5, 0), (4, 3), (3, 4), (0, 5), (-3, 4), (-4, 3), (-5, 0), (-4, -3), (-3, -4), (0, -5),
          (3, -4), (4, -3)]  # fmt: skip
 
@@ -26,6 +26,6 @@ def normal(d: sp.Matrix) -> sp.Matrix:
 
 
 def corner_of_normals(at: tuple[int, int], start: tuple[int, int], end: tuple[int, int]) -> Corner:
-    """The arc about a vertex from one normal to another, given by vectors in their direction."""
+    """The arc about a vertex between two normals, given as vectors along them."""
     x, y = at
     return (x + start[1], y - start[0]), at, (x - end[1], y + end[0])

@@ -1,4 +1,4 @@
-"""Edges of a convolution with symbols for all coordinates, and at one scale in exact numbers."""
+"""Convolution edges with symbolic coordinates, and in exact numbers at one scale."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class SymbolicEdge:
 
 
 def kinds_of(kinds: str) -> tuple[SymbolicEdge, SymbolicEdge]:
-    """Two edges whose coordinates are all symbols."""
+    """Two edges with symbols for all coordinates."""
     a, b = (
         SymbolicEdge(kind, *(sp.Matrix(sp.symbols(f"{x}_{edge}x {x}_{edge}y")) for x in "pqd"))
         for edge, kind in zip("ab", kinds, strict=True)
@@ -37,14 +37,14 @@ def kinds_of(kinds: str) -> tuple[SymbolicEdge, SymbolicEdge]:
 
 
 def moving(a: SymbolicEdge, b: SymbolicEdge, s: Any) -> tuple[Any, Any]:
-    """Where the lines cross at the scale s, and the parameter of that place on a."""
+    """The lines' crossing at the scale s, and the crossing's parameter on a."""
     v, w, u = a.span(s), b.span(s), a.start(s) - b.start(s)
     r = sp.cancel(cross(w, u) / cross(v, w))
     return (a.start(s) + r * v).applyfunc(sp.cancel), r
 
 
 def ends(edge: Edge, scale: Fraction) -> tuple[tuple[Fraction, Fraction], ...]:
-    """Of an edge in numbers, exact."""
+    """Both ends of a numeric edge, exact."""
     start = tuple(scale * p + q for p, q in zip(edge.p, edge.q, strict=True))
     factor = scale if edge.kind == "S" else Fraction(1)
     end = tuple(x + factor * d for x, d in zip(start, edge.d, strict=True))

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 s = sp.Symbol("s", positive=True)
-# How often s is a factor of the vectors along an edge, and of both that span a facet.
+# Powers of s for the vectors along an edge, and for both vectors that span a facet.
 EDGES: dict[str, tuple[int, ...]] = {"S": (1,), "T": (0,)}
 FACETS: dict[str, tuple[int, ...]] = {"fv": (1, 1), "vf": (0, 0), "ee": (1, 0)}
 

@@ -1,1 +1,1 @@
-"""Benchmarks of the dynamic update: what `minkref bench` runs, and the evidence."""
+"""Benchmarks of the dynamic update, for `minkref bench` and the evidence."""

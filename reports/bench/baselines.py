@@ -31,7 +31,7 @@ class Baseline:
 
 
 def baselines(pair: Pair, oracle: CgalOracle | None) -> list[Baseline]:
-    """Those of a pair; without an oracle CGAL's is left out."""
+    """A pair's baselines; without an oracle, CGAL's baseline drops out."""
     P, Q = pair.P.set, pair.Q.set
     pairwise, contacts = _core.PairwiseSearch(P, Q), _core.ContactSearch(P, Q)
     found = [

@@ -1,4 +1,5 @@
-"""CGAL's sums in space, timed: the hull of all sums of vertices, Nef polyhedra; exact kernels."""
+"""CGAL's sums in space, timed, with exact kernels: the hull of all vertex sums, or Nef
+polyhedra."""
 
 from __future__ import annotations
 
@@ -13,11 +14,11 @@ HULL, NEF = "cgal-hull", "cgal-nef"
 
 
 class NoSumError(Exception):
-    """There is no such program, or it gave no answer."""
+    """Raised when the program is absent or gives no answer."""
 
 
 class CgalSpaceService:
-    """One process for many sums; close it, or use it in a `with`."""
+    """A process for many sums; close it, or use a `with`."""
 
     def __init__(self, name: str = HULL) -> None:
         line = command(name)
@@ -38,7 +39,7 @@ class CgalSpaceService:
         self._ask({"verb": "load", "dimension": 3, "Q": _document(Q)})
 
     def sum(self, sP: _core.Polyhedron) -> tuple[float, dict[str, Any]]:
-        """Seconds of CGAL alone (of the hull with adding all pairs of vertices), and the sum in
+        """CGAL's own seconds (for the hull, including the sums of all vertex pairs), and the sum as
         triangles."""
         answer = self._ask({"verb": "at", "sP": _document(sP), "timed": True})
         return answer["cgal_seconds"], answer

@@ -1,4 +1,4 @@
-"""The index of all scales: what it costs to build, to keep and to ask, against CGAL's sums."""
+"""The index of all scales: the cost of building, keeping and asking it, against CGAL's sums."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from minkref.reports.bench.rescalings import WINDOW
 from minkref.reports.bench.spread import Spread, spread
 from minkref.reports.bench.table1 import cgal_oracle
 
-#: The large pairs, by the names of models; `-` is the reflection in the origin.
+#: The large pairs, as model names; `-` reflects a model through the origin.
 LARGE = (("monkey", "bird"), ("neuron", "disc1"), ("neuron", "disc5"), ("monkey", "-monkey"))
 QUICK_LARGE = LARGE[1:2]
 FORMS = ("double", "homogeneous", "rational", "track", "area")
 COUNT, QUICK_COUNT = 60, 10
 CGAL_COUNT, QUICK_CGAL_COUNT = 10, 3
 PASSES, CGAL_PASSES, BUILDS = 7, 3, 3
-LONG_BUILD = 2.0  # seconds: a longer one is timed once
+LONG_BUILD = 2.0  # seconds; longer builds are timed once
 
 Row = dict[str, Any]
 Tell = Callable[[str], None]
@@ -58,7 +58,8 @@ def pair_count(quick: bool) -> int:
 
 
 def run(quick: bool, seed: int, tell: Tell, done: Callable[[], None]) -> IndexTable:
-    """Times all pairs, on one core. `tell` hears what is being done, `done` when a pair is."""
+    """Times all pairs, on one core. Tells `tell` about its progress, and calls `done` after each
+    pair."""
     table = IndexTable(seed, QUICK_COUNT if quick else COUNT)
     oracle = cgal_oracle(table.notes)
     try:
@@ -161,7 +162,7 @@ def _form(rows: list[tuple[float, float, int]], theirs: Spread | None, build: fl
 def _cgal(
     table: IndexTable, pair: Pair, oracle: CgalOracle | None, scales: list[str]
 ) -> Spread | None:
-    """At scales at which it answers; the others are told."""
+    """CGAL's times at scales with an answer; notes record the failures."""
     if oracle is None:
         return None
     seconds = []

@@ -1,4 +1,4 @@
-"""The pairs of Table 1 of Behar & Lien 2012, or what stands for them."""
+"""The pairs from Behar & Lien 2012, Table 1, or look-alikes."""
 
 from __future__ import annotations
 

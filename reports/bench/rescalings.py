@@ -9,7 +9,7 @@ WINDOW = ("1/10", "10")
 
 
 def rescalings(seed: int, count: int) -> list[str]:
-    """`count` scales out of {0.1, 0.2, ..., 10.0}, exact."""
+    """`count` exact scales from {0.1, 0.2, ..., 10.0}."""
     chosen: list[int] = []
     numbers = random.Random(seed)
     while len(chosen) < count:

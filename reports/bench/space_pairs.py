@@ -1,7 +1,7 @@
-"""Pairs of polyhedra of any shape that sums in space are timed on, all of our own making, with
-integer vertices, and two families that grow.
+"""Pairs of arbitrary polyhedra for timing sums, all our own, with integer vertices, and two
+families that grow.
 
-Q is moved so that the origin is inside of it: a translation of the sum, which Manifold needs.
+Q is moved around the origin, because Manifold needs the origin inside; the sum only moves along.
 """
 
 from __future__ import annotations
@@ -29,7 +29,8 @@ Solids = tuple[Polyhedron, Polyhedron]
 
 @dataclass(frozen=True)
 class TimedPair:
-    """`seconds` and `ratio` are targets, where there are such: ours at most, and Nef's to ours."""
+    """`seconds` and `ratio` are optional targets: our time at most, and Nef's time relative to
+    ours."""
 
     name: str
     make: Callable[[], Solids]
@@ -113,7 +114,7 @@ def _gears(teeth: int) -> Solids:
     return spur_gear(teeth, 3600, 1000, 12), around_origin(spur_gear(5, 800, 400))
 
 
-#: Pairs that events are found of, the largest last.
+#: Pairs for event searches, the largest last.
 EVENT_PAIRS = (
     TimedPair("knot 992 + geodesic sphere 320", lambda: (_knot(62, 8), geodesic_sphere(2, 700))),
     TimedPair(

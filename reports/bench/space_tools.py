@@ -1,5 +1,5 @@
-"""Tools that sum polyhedra of any shape, timed: each in a child process that is warm, the call
-alone, from operands in the form of the tool to its own result."""
+"""Timed tools for sums of arbitrary polyhedra: each tool runs warm in a child process; only the
+call counts, from operands to result, both in the tool's own form."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ from minkref.fuzz.targets.answer import Limits
 
 THREADS = 2
 LIMITS = Limits(bytes=8 << 30, output=1 << 30)
-AGAIN = 1.0  # seconds below which a call is made three times, and the median taken
+AGAIN = 1.0  # seconds; shorter calls are made three times, for the median
 START_SECONDS = 60.0
-VOLUME_BITS = 200  # that are kept
+VOLUME_BITS = 200  # bits kept
 
 
 @dataclass(frozen=True)
 class Timed:
-    """`seconds` is None where there is no answer: `why` says what became of it. `processor` is
-    the processor time of all threads, of another tool with all that it does to take operands and to
-    give a result; `text` the canonical JSON, `volume` within 2^-200 of the exact one,
-    relatively, or of doubles: each where it is known. `others` is the share of the machine that
-    other programs took meanwhile."""
+    """`seconds` is None without an answer; `why` then gives the reason. `processor` is the
+    processor time of all threads; another tool's time includes taking operands and giving a result.
+    `text` is the canonical JSON; `volume` lies within a relative 2^-200 of the exact volume, or
+    comes from doubles; both are None if unknown. `others` is the machine share that other programs
+    took meanwhile."""
 
     seconds: float | None = None
     why: str = ""
@@ -52,7 +52,7 @@ Call = Callable[[Polyhedron, Polyhedron], Timed]
 
 class Tools:
     """minkref on two threads, CGAL's Nef polyhedra and Manifold, with a time limit for each call.
-    Use it in a `with`."""
+    Use a `with`."""
 
     def __init__(self, seconds: float, nef_seconds: float | None = None) -> None:
         self._exact = _Exact(seconds)
@@ -79,8 +79,8 @@ class Tools:
         return self._timed(MANIFOLD, self._ask_manifold, P, Q)
 
     def _timed(self, name: str, call: Call, P: Polyhedron, Q: Polyhedron) -> Timed:
-        """The first answer with the median of the seconds. The tool is warmed up before; one that
-        ran into its limit is started anew."""
+        """The first answer with the median time. Warms up the tool before, and again after a call
+        without an answer."""
         if name in self.absent:
             return Timed(why=self.absent[name])
         if name not in self._warm:
@@ -116,26 +116,27 @@ def _watched(call: Call, P: Polyhedron, Q: Polyhedron) -> Timed:
 
 
 def _seconds_of_others() -> float:
-    """The processor time of all programs of the machine but this one and its children."""
+    """Processor time of all programs on the machine except this process and its children."""
     words = Path("/proc/stat").read_text().split("\n", 1)[0].split()[1:]
     busy = sum(int(word) for word in (*words[:3], *words[5:8])) / os.sysconf("SC_CLK_TCK")
     return busy - _processor_seconds() - time.process_time()
 
 
 def _processor_seconds() -> float:
-    """Processor seconds of all children, ended ones too."""
+    """Processor seconds of all children, including ended children."""
     ended = resource.getrusage(resource.RUSAGE_CHILDREN)
     return tree_seconds(os.getpid()) + ended.ru_utime + ended.ru_stime
 
 
 def _rounded(volume: Fraction) -> Fraction:
-    """To some hundred bits, which are enough for doubles; exact ones have thousands of digits."""
+    """The volume with some hundred bits, enough for doubles; exact volumes have thousands of
+    digits."""
     shift = max(0, VOLUME_BITS - volume.numerator.bit_length() + volume.denominator.bit_length())
     return Fraction(round(volume * 2**shift), 2**shift)
 
 
 class _Exact:
-    """minkref in a child process, ended where it takes too long."""
+    """minkref as a child process, ended when it takes too long."""
 
     def __init__(self, seconds: float) -> None:
         self._seconds = seconds
@@ -173,7 +174,7 @@ class _Exact:
 
 
 def _serve(ends: Connection) -> None:
-    """Sums until the pipe is closed; says first that it is there."""
+    """Reports readiness, then sums until the pipe closes."""
     sys.set_int_max_str_digits(0)  # exact volumes have as many digits as they need
     ends.send(None)
     while True:

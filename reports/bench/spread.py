@@ -1,4 +1,4 @@
-"""Times of many runs, as what is printed of them."""
+"""Times of many runs, condensed for printing."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Spread:
 
 
 def spread(values: Sequence[float]) -> Spread:
-    """The spread of at least one value."""
+    """The spread of one or more values."""
     ordered = sorted(values)
     if len(ordered) == 1:
         return Spread(1, ordered[0], ordered[0], ordered[0], ordered[0])

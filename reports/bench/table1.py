@@ -66,7 +66,7 @@ class Ours:
 
 
 def run(quick: bool, seed: int, tell: Tell, done: Callable[[], None]) -> Table1:
-    """Times all pairs. `tell` hears what is being done, `done` when a pair is."""
+    """Times all pairs. Tells `tell` about its progress, and calls `done` after each pair."""
     count = QUICK_COUNT if quick else COUNT
     table = Table1(seed, count)
     chosen, table.notes = pairs(quick)
@@ -86,7 +86,7 @@ def pair_count(quick: bool) -> int:
 
 
 def cgal_oracle(notes: list[str]) -> CgalOracle | None:
-    """CGAL's reduced convolution; where it is absent a note says why."""
+    """CGAL's reduced convolution; if absent, a note says why."""
     entry = next((e for e in list_targets() if e.name == CGAL), None)
     if entry is None or not entry.available:
         reason = entry.reason if entry is not None else "no such target"
@@ -98,7 +98,7 @@ def cgal_oracle(notes: list[str]) -> CgalOracle | None:
 def _time_pair(
     table: Table1, pair: Pair, oracle: CgalOracle | None, scales: list[str], tell: Tell
 ) -> None:
-    """The first scale is where it starts from."""
+    """Times a pair; updates start from the first scale."""
     start, *scales = scales
     tell(f"{pair.name}: all events")
     moving = refusing(
@@ -195,13 +195,13 @@ def _row(
 
 
 def _break_even(preprocessing: float, ours: Spread, theirs: Spread) -> int | None:
-    """From how many queries on it pays to have found all events; None where it never does."""
+    """The number of queries from which finding all events pays; None if never."""
     saved = theirs.mean - ours.mean
     return math.ceil(preprocessing / saved) if saved > 0 else None
 
 
 def _check(table: Table1, pair: Pair, moving: _core.DynamicSum, scales: list[str]) -> None:
-    """Checks the timed sums: after the update they are the static ones, at some scales."""
+    """Checks, at some scales, that updated sums equal static sums."""
     for scale in scales[:3]:
         moving.update(scale)
         got = moving.sum().region.canonical_json()

@@ -26,7 +26,7 @@ ABOUT = {
 }
 COUNT, QUICK_COUNT = 100, 10
 PASSES = 3
-ALL_EVERY = 25  # re-scalings to one at which brute force, CGAL and the surface are timed
+ALL_EVERY = 25  # every so many re-scalings brute force, CGAL and the surface are timed
 RATIOS = ("brute_force_ratio", "traversal_ratio", "cgal_hull_ratio", "cgal_hull_surface_ratio",
           "floor_ratio")  # fmt: skip
 SIX_DIGITS = 1_000_000
@@ -39,7 +39,7 @@ Tell = Callable[[str], None]
 class Table2:
     seed: int
     rescalings: int
-    passes_of_cgal: int = PASSES  # it takes nearly all of the time
+    passes_of_cgal: int = PASSES  # CGAL takes nearly all the time
     rows: list[Row] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     wrong: list[str] = field(default_factory=list)  # updated sums that differ from others
@@ -71,7 +71,7 @@ def run(quick: bool, seed: int, tell: Tell, done: Callable[[], None]) -> Table2:
 
 
 def random_scalings(seed: int, count: int) -> list[Scaling]:
-    """Factors of six decimals, each axis log-uniform in [0.1, 10]."""
+    """Factors with six decimals, each axis log-uniform in [0.1, 10]."""
     dice = random.Random(seed)
     return [_scaling([10 ** dice.uniform(-1, 1) for _ in range(3)]) for _ in range(count)]
 
@@ -161,7 +161,7 @@ def _mean_of_ratios(theirs: list[float], ours: list[float]) -> float:
 
 
 def _per_step(walk: Row, steps: int) -> Row:
-    """Means over the re-scalings of what the update counted."""
+    """Means of the update's counts over the re-scalings."""
     errors = walk["fv_errors"] + walk["vf_errors"] + walk["ee_errors"]
     counts = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked", "signs",
               "exact_signs")  # fmt: skip
@@ -180,8 +180,8 @@ def _cgal(
     scalings: list[Scaling],
     chosen: range,
 ) -> list[float]:
-    """Seconds of CGAL's hull at the chosen scalings. Its vertices, which say all of a convex body,
-    have to be those of the sum that was updated through all scalings."""
+    """Seconds for CGAL's hull at the chosen scalings. Its vertices determine a convex body, and
+    must equal the vertices of the sum updated through all scalings."""
     if P.body is None or Q.body is None:
         raise ValueError("the models of Table 2 have volume")
     moving = _core.DynamicConvexSum(P.body, Q.body, scalings[0])
@@ -207,14 +207,14 @@ def is_sum_of_cgal(
     scaling: Scaling,
     sum_: _core.Polyhedron,
 ) -> bool:
-    """Whether the vertices of a sum are those of CGAL's, which of a convex body say all."""
+    """Whether a sum has CGAL's vertices, which determine a convex body."""
     return _same(sum_, sum_of_cgal(service, P, Q, scaling)[1])
 
 
 def sum_of_cgal(
     service: CgalSpaceService, P: SpaceOperand, Q: SpaceOperand, scaling: Scaling
 ) -> tuple[float, set[Corner]]:
-    """CGAL's seconds, and the vertices of its sum."""
+    """CGAL's seconds, and the vertices of CGAL's sum."""
     factors = [Fraction(f) for f in scaling]
     scaled = [_point([f * Fraction(c) for f, c in zip(factors, point, strict=True)])
               for point in P.surface.points()]  # fmt: skip
@@ -234,7 +234,8 @@ def _point(vertex: Iterable[str | Fraction]) -> Corner:
 
 
 def _flat(mine: set[Corner], theirs: set[Corner]) -> bool:
-    """CGAL may keep points inside facets and edges; the hull of its vertices is ours then."""
+    """Whether the hull of CGAL's vertices has our vertices; CGAL may keep points inside facets and
+    edges."""
     hull = convex_hull((Fraction(x), Fraction(y), Fraction(z)) for x, y, z in theirs)
     return {(str(x), str(y), str(z)) for x, y, z in hull.vertices} == mine
 

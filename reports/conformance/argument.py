@@ -1,4 +1,4 @@
-"""Why a witness proves what it says, in sentences that can be checked with paper and pencil."""
+"""Why a witness proves its claim: sentences to check with paper and pencil."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from minkref.fuzz.geometry.plane import Point, Shape, contains, in_box, read_sha
 from minkref.fuzz.verdicts.verdict import Witness
 
 ORIGIN = (Fraction(0), Fraction(0))
-MOST_PAIRS = 4  # of polygons, each with a sentence of its own
-MOST_VERTICES = 24  # of a set that is written out
+MOST_PAIRS = 4  # polygon pairs, each with its own sentence
+MOST_VERTICES = 24  # a written-out set's vertices
 
 Numbers = Sequence[str] | Sequence[Fraction | int]
 
@@ -21,7 +21,7 @@ def point_text(point: Numbers) -> str:
 
 
 def argument_in_plane(P: str, Q: str, scale: str, witness: Witness) -> list[str]:
-    """Sentences about the witness of a case in the plane."""
+    """Sentences about a witness in the plane."""
     at = witness.scale or scale
     if witness.in_truth and witness.p and witness.q:
         own, other = (read_shape(text, Fraction(1), ORIGIN) for text in (P, Q))
@@ -109,7 +109,7 @@ def set_text(polygons: Shape) -> str:
 
 
 def _apart(first: Shape, second: Shape) -> list[str]:
-    """How each polygon of the one misses each of the other."""
+    """Says how each polygon of one set misses each polygon of the other."""
     pairs = [(a, b) for a in first for b in second]
     several = len(pairs) > 1
     found = []

@@ -1,4 +1,4 @@
-"""A text for the issue tracker of a library: Markdown that needs nothing of minkref to be read."""
+"""A text for a library's issue tracker: Markdown, readable without minkref."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The view of one case of a finding: drawn, in words, as text, and as a program."""
+"""The view of a finding's case: a drawing, words, text and a program."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ from minkref.reports.conformance.space_pictures import (
     space_operand_pictures,
 )
 
-MOST_TEXT = 6000  # characters of an operand that is written out
-MOST_ROWS = 60  # of a table of vertices or faces
+MOST_TEXT = 6000  # characters of a written-out operand
+MOST_ROWS = 60  # rows shown from a vertex or face table
 
 
 @dataclass(frozen=True)
@@ -71,12 +71,12 @@ class CaseView:
 
     @property
     def invalid(self) -> bool:
-        """An operand is invalid: there is no sum, and the right answer is a refusal."""
+        """Whether an operand is invalid: no sum exists, and the right answer is a refusal."""
         return Reason.ACCEPTED_INVALID in self.outcome.reasons
 
     @property
     def refusal(self) -> str:
-        """Says what is wrong with the operands, and where."""
+        """Names the operands' fault and its place."""
         witness = self.outcome.witness
         at = f", at {point_text(witness.point)}" if witness else ""
         what = escaped(cut(self.outcome.message))
@@ -93,7 +93,7 @@ class CaseView:
 
     @property
     def claim(self) -> str:
-        """The claim of the witness, whose argument follows."""
+        """The witness's claim, whose argument follows."""
         witness = self.outcome.witness
         if witness is None or witness.contact is not None:
             return ""
@@ -111,7 +111,7 @@ class CaseView:
 
 
 def case_views(group: Group, name: str, boundary: bool) -> list[CaseView]:
-    """A view of each shrunk case; of the smallest finding where nothing was shrunk."""
+    """A view of each shrunk case; without shrunk cases, a view of the smallest finding."""
     if not group.small:
         finding = group.example
         title = f"The smallest found, not made smaller: {finding.case.size[0]:,} vertices"
@@ -175,7 +175,7 @@ def _fill_plane(view: CaseView, P: str, Q: str, boundary: bool) -> None:
 
 
 def _expected(case: CaseResult, P: str, Q: str, boundary: bool) -> str | None:
-    """The sum that was meant, canonical JSON; None where it is not had in reasonable time."""
+    """The intended sum as canonical JSON; None if the sum fails or would take too long."""
     if not boundary and case.expected is not None:
         return case.expected
     first, second = _core.PolygonSet.from_json(P), _core.PolygonSet.from_json(Q)
@@ -222,7 +222,7 @@ def _table(name: str, solid: Polyhedron) -> SolidTable:
 
 
 def written(text: str) -> str:
-    """A set as a text for people: one polygon or list a line, cut where it is long."""
+    """A set as readable text: one polygon or list per line, cut when long."""
     value = json.loads(text)
     lines = []
     if "polygons" in value:

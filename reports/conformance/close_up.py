@@ -1,4 +1,4 @@
-"""Where to look closely at a difference: the part of it that is drawn too small to be seen."""
+"""Windows for a closer look at a difference: at parts drawn too small to see."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ from itertools import pairwise
 
 from minkref.plane.exact_frame import Exact, ExactBox, ExactPolygons, box_of
 
-SEEN = Fraction(1, 8)  # of the longer side of the picture: less wide and less high is looked at
-THIN = Fraction(1, 60)  # of the same: less thick is
-AROUND = 4  # times its thickness is shown on each side, at the most
+SEEN = Fraction(1, 8)  # of the picture's longer side: parts smaller both ways get a close-up
+THIN = Fraction(1, 60)  # of the same side: thinner parts do too
+AROUND = 4  # thicknesses shown on each side, at most
 
 ExactPolygon = list[list[Exact]]
 
 
 def close_up(difference: ExactPolygons, whole: ExactBox, witness: Exact | None) -> ExactBox | None:
-    """A window around the part that has the witness, else around the largest; of a long one around
-    one place of it. None where that is seen in the whole picture."""
+    """A window around the part with the witness, else around the largest part; for a long part,
+    around one place of it. None if the whole picture shows the part well."""
     if not difference:
         return None
     polygon, place = _part(difference, witness)
@@ -35,8 +35,8 @@ def close_up(difference: ExactPolygons, whole: ExactBox, witness: Exact | None) 
 
 
 def clipped(polygons: ExactPolygons, window: ExactBox) -> ExactPolygons:
-    """The polygons in a window that is larger by half on each side, so that the cuts are not seen.
-    Rings may run along its border more than once: for drawing."""
+    """The polygons within a window enlarged by half on each side, so that the cuts stay hidden.
+    Rings may run along the window's border more than once: for drawing only."""
     half = [(window[k + 2] - window[k]) / 2 for k in (0, 1)]
     found = []
     for polygon in polygons:
@@ -54,7 +54,8 @@ def clipped(polygons: ExactPolygons, window: ExactBox) -> ExactPolygons:
 
 
 def _cut(ring: list[Exact], k: int, bound: Fraction, sign: int) -> list[Exact]:
-    """The half plane where coordinate k times the sign is not below that of the bound."""
+    """The ring clipped to the half plane where sign times coordinate k is at least sign times the
+    bound."""
     kept: list[Exact] = []
     for a, b in zip(ring, ring[1:] + ring[:1], strict=True):
         da, db = sign * (a[k] - bound), sign * (b[k] - bound)
@@ -74,7 +75,7 @@ def _part(difference: ExactPolygons, witness: Exact | None) -> tuple[ExactPolygo
                 return polygon, witness
     largest = max(difference, key=lambda polygon: max(_sides(_box(polygon))))
     box = _box(largest)
-    k = 0 if box[3] - box[1] > box[2] - box[0] else 1  # the way in which it is cut
+    k = 0 if box[3] - box[1] > box[2] - box[0] else 1  # the axis of the cut
     level = (box[1 - k] + box[3 - k]) / 2
     low, high = max(_pieces(largest, level, k), key=lambda piece: piece[1] - piece[0])
     middle = (low + high) / 2

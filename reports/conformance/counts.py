@@ -1,4 +1,4 @@
-"""Verdicts counted with honest denominators: passes of what was judged; skipped cases apart."""
+"""Verdicts counted with honest denominators: passes among judged cases; skipped cases apart."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ _SEVERITY = (
 
 @dataclass
 class Counts:
-    """One target on one family, or on several. `cases` were run; of these `asked` have a verdict,
-    `skipped` among them."""
+    """Counts for one target on one or more families. `cases` were run; `asked` cases have a
+    verdict, including `skipped` cases."""
 
     cases: int = 0
     verdicts: Counter[str] = field(default_factory=Counter)
@@ -67,7 +67,8 @@ class Counts:
 
     @property
     def not_asked(self) -> int:
-        """A check of the reference, or a route of ours that only stepped in for another."""
+        """Cases without a verdict: the target is a check of the reference, or a route of ours that
+        only steps in for another."""
         return max(self.cases - self.asked, 0)
 
     @property
@@ -81,7 +82,7 @@ class Counts:
 
     @property
     def worst(self) -> str:
-        """The class of the cell."""
+        """The cell's class: its worst verdict, `good` or `skipped`."""
         if not self.judged:
             return "skipped"
         found = [str(verdict) for verdict in _SEVERITY if self.verdicts[verdict]]
@@ -89,12 +90,12 @@ class Counts:
 
     @property
     def fraction(self) -> str:
-        """`8/9`: passes of the judged. A dash where nothing was judged."""
+        """`8/9`: passes among judged cases. A dash if nothing was judged."""
         return f"{self.right:,}/{self.judged:,}" if self.judged else "–"
 
     @property
     def why_skipped(self) -> list[tuple[str, int]]:
-        """The reasons, the most frequent first; rare ones in one line."""
+        """Reasons, most frequent first; rare reasons share a line."""
         found = [(escaped(reason), count) for reason, count in self.reasons.most_common()]
         rest = found[MOST_REASONS:]
         if rest:

@@ -1,4 +1,4 @@
-"""The page of one kind of finding."""
+"""The page about a kind of finding."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from minkref.reports.conformance.run_words import describe
 from minkref.reports.conformance.versions import Presence, presence
 from minkref.reports.conformance.words import SIGNS, meaning
 
-LONGEST = 60  # characters of the name of a file
+LONGEST = 60  # characters of a file name
 
 
 @dataclass
 class FindingPage:
-    """`name` is that of its page and of its programs."""
+    """`name` names the page and its programs."""
 
     name: str
     group: Group
@@ -110,7 +110,7 @@ def finding_pages(groups: list[Group], value: dict[str, Any], limits: Limits) ->
 
 
 def file_names(texts: Iterable[str]) -> list[str]:
-    """Names of files that differ, of letters, digits, dots and dashes."""
+    """Distinct file names made from letters, digits, dots and dashes."""
     found: list[str] = []
     for text in texts:
         plain = re.sub(r"[^A-Za-z0-9.]+", "-", text).strip("-.")[:LONGEST].rstrip("-.") or "unnamed"

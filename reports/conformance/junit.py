@@ -17,9 +17,9 @@ Kind = tuple[str, str, tuple[str, ...]]
 
 
 def junit(run: Run, groups: list[Group], walls: Isolation | None = None) -> str:
-    """`wrong` is a failure, a broken target an error, `known` and `undecided` are system output.
-    A kind of finding is told once, in the family of its smallest example; others that show it say
-    where."""
+    """JUnit XML: `wrong` is a failure, a broken target an error, `known` and `undecided` are system
+    output. Each kind of finding appears once, under its smallest example's family; other families
+    refer to that place."""
     root = ElementTree.Element("testsuites", name="minkref verify")
     where: dict[Kind, set[str]] = {}
     for finding in run.findings:
@@ -68,7 +68,7 @@ def _set(element: ElementTree.Element, counts: Counter[str], seconds: float) -> 
 
 
 def _make_legal(element: ElementTree.Element) -> None:
-    """Escapes what XML 1.0 cannot say, and what a terminal obeys."""
+    """Escapes characters that XML 1.0 forbids or terminals obey."""
     if element.text:
         element.text = _legal(element.text)
     for name, value in element.items():

@@ -1,4 +1,4 @@
-"""A run as JSON lines: what was run, all findings, the shrunk ones, and how it ended."""
+"""A run as JSON lines: settings, all findings, shrunk findings, and the end."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from typing import Any
 
 
 def json_lines(value: dict[str, Any]) -> str:
-    """One object a line, its kind in `is`: `run`, `finding` and `shrunk` as in the document of the
-    run, then `end`."""
+    """JSON objects, each on its own line and with its kind under `is`: `run`, `finding` and
+    `shrunk` as the run's document has them, then `end`."""
     start = {
         "is": "run",
         "version": value["version"],

@@ -13,7 +13,7 @@ from minkref.reports.conformance.words import ending
 
 
 def markdown(run: Run, groups: list[Group], value: dict[str, Any]) -> str:
-    """A table of targets by families, why cases were skipped, then each kind of finding."""
+    """A table of targets and families, reasons for skips, then each kind of finding."""
     lines = ["# minkref verify", "", plain(f"{ending(value['exit_code'])} {conclusion(run)}.")]
     lines += ["", f"minkref {value['version']}, seed {value['seed']}.", ""]
     heads = [f"{group} ({run.cases[group]:,})" for group in run.groups]

@@ -1,4 +1,4 @@
-"""Texts of others in Markdown."""
+"""Other people's texts in Markdown."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from minkref.output.terminal import escaped
 
 
 def plain(text: str) -> str:
-    """One line in which nothing is markup, of the dialect of GitHub neither: a name of somebody is
-    not mentioned, and an address is no link."""
+    """One line without markup, GitHub's dialect included: names are not mentioned, and addresses
+    are no links."""
     text = escaped(text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
     text = re.sub(r"([\\`*_~\[\]|#!])", r"\\\1", text)
     text = text.replace("@", "&#64;").replace("://", "&#58;//")

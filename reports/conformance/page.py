@@ -1,4 +1,4 @@
-"""The conformance report: static pages that link to each other, all of it in one file too, and the
+"""The conformance report: static pages that link to each other, all pages in one file, and
 stand-alone programs."""
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ def write_report(
     again: str = "",
     solids: Sequence[SpaceShowcase] = (),
 ) -> Path:
-    """Writes `index.html`, a page for each target and for each kind of finding, `report.html` with
-    all of it, and a program for each case where there is one. `value` is the JSON document of the
-    run, `again` the command that makes the report again, `solids` sums in space that are shown.
-    Returns the path of the front page."""
+    """Writes `index.html`, a page for each target and each kind of finding, `report.html` with
+    everything, and a program for each case that has one. `value` is the run's JSON document,
+    `again` the command that makes the report again, `solids` sums in space to show. Returns the
+    front page's path."""
     findings = finding_pages(groups, value, limits)
     targets = target_pages(run, value, findings)
     files = _programs(findings)

@@ -1,4 +1,4 @@
-"""A path in a report: the question, and why its witness proves what it says."""
+"""Paths in a report: the question, and why the witness proves its claim."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ WHAT = {
 
 
 def path_witness_text(witness: Witness) -> str:
-    """One sentence that can be checked by hand."""
+    """One sentence, to be checked by hand."""
     what = WHAT[witness.contact or ""]
     around = ""
     if witness.tolerance != "0":
@@ -49,7 +49,7 @@ def _signed(number: str) -> str:
 
 
 def path_question(literal: str) -> list[str]:
-    """The lines of a case that are not its operands."""
+    """A case's lines besides its operands."""
     value = json.loads(literal)
     path = " ".join(f"({x}, {y})" for x, y in value["path"])
     scales = (

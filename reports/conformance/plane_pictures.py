@@ -1,6 +1,6 @@
-"""The pictures of a case in the plane: operands, expected, got, difference, and the witness as the
-place where sP and x - Q meet or do not. Numbers are exact until they are in the frame, so that sets
-of any size and cracks of any thickness are drawn."""
+"""Pictures of a case in the plane: operands, expected, got, difference, and the witness, where sP
+and x - Q meet or miss. Numbers stay exact until the frame places them, so that sets of any size and
+cracks of any thickness show."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ from minkref.reports.conformance.close_up import clipped, close_up
 from minkref.reports.drawing import Box, Label, Layer, picture
 
 PANE = 340
-SMALL = 280  # of an operand
-LONGEST = 8  # characters of a coordinate that is written beside its point
+SMALL = 280  # for an operand
+LONGEST = 8  # characters of a coordinate beside its point
 LEFT = Fraction(1, 3)  # of the picture: a text beside a point there goes on to the right
 
 Set = tuple[str, ExactPolygons]  # with its style
@@ -33,7 +33,7 @@ Set = tuple[str, ExactPolygons]  # with its style
 
 @dataclass(frozen=True)
 class Picture:
-    """`small`: without axes, for where there is little room."""
+    """`small`: the picture without axes, for narrow places."""
 
     caption: str
     svg: str
@@ -50,8 +50,8 @@ def operand_pictures(P: str, Q: str, scale: str) -> list[Picture]:
 
 
 def comparison_pictures(expected: str, outcome: Outcome) -> list[Picture]:
-    """Expected, got and difference in one frame, the witness marked; a close-up where the
-    difference is small or thin."""
+    """Expected, got and difference in one frame, the witness marked; a close-up if the difference
+    is small or thin."""
     wanted = _exact(expected)
     groups: list[tuple[str, list[Set]]] = [("expected", [("sum", wanted)])]
     differing: list[Set] = []
@@ -116,7 +116,7 @@ def _drawn(
     marked: tuple[Witness | None, Exact] | None = None,
     width: int = PANE,
 ) -> Picture:
-    """All in one frame: the window, else what holds them all."""
+    """Draws everything in one frame: the window, else the box around all sets."""
     window = window or _box([polygon for _, polygons in sets for polygon in polygons])
     frame = fitted(window, width, width)
     box: Box = (
@@ -136,7 +136,7 @@ def _drawn(
 
 
 def _marks(witness: Witness | None, at: Exact, window: ExactBox, frame: Frame) -> list[Layer]:
-    """A point with its coordinates, and the square of the tolerance of a witness."""
+    """A point with coordinates, and the square of a witness's tolerance."""
     found = []
     half = Fraction(witness.tolerance) if witness else Fraction(0)
     if half:

@@ -1,4 +1,4 @@
-"""The outcome of a run in words and lines, for its report, its tables and its files of results."""
+"""A run's outcome in words and lines, for reports, tables and result files."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _NOTHING_AMISS = (*GOOD, Verdict.SKIPPED)
 
 
 def cell_text(cell: Cell | None) -> str:
-    """`9,812 pass, 13 known`, in the order of severity of the verdicts."""
+    """Lines such as `9,812 pass` and `13 known`, sorted by severity."""
     if cell is None:
         return "-"
     return "\n".join(
@@ -40,7 +40,7 @@ def counted_cases(count: int) -> str:
 
 
 def reasons_of(message: str) -> list[str]:
-    """One for each capability that a skip names."""
+    """A reason for each capability that a skip names."""
     text = general_reason(message)
     words = text.removeprefix(LACKING)
     return [f"{LACKING}{word}" for word in words.split(", ")] if words != text else [text]
@@ -54,14 +54,14 @@ def untaken(run: Run) -> Counter[str]:
 
 
 def general_reason(message: str) -> str:
-    """A reason for a skip without what is particular to its case."""
+    """A skip's reason without details from its case."""
     text = re.sub(r"^[PQ]: ", "", message)
     text = re.sub(r"^\d[\d,]* (pairs of vertices), more than \d[\d,]*", r"too many \1", text)
     return re.sub(r"\brings \d+ and \d+ meet", "rings meet", text)
 
 
 def describe(group: Group) -> list[str]:
-    """The lines about one kind of finding, without control characters."""
+    """Lines about a kind of finding, without control characters."""
     finding = group.example
     outcome = finding.outcome
     times = "once" if group.count == 1 else f"{group.count:,} times"
@@ -113,7 +113,7 @@ def _lines(finding: Finding) -> list[str]:
 
 
 def witness_text(witness: Witness, scale: str) -> str:
-    """One sentence that can be checked by hand."""
+    """One sentence, to be checked by hand."""
     if witness.contact is not None:
         return path_witness_text(witness)
     point = f"({', '.join(witness.point)})"
@@ -137,7 +137,7 @@ def witness_text(witness: Witness, scale: str) -> str:
 
 
 def conclusion(run: Run) -> str:
-    """One sentence: what was run and how it ended."""
+    """One sentence with the numbers of cases and targets, and the verdicts."""
     verdicts: dict[str, int] = {}
     for cell in run.matrix.values():
         for verdict, count in cell.verdicts.items():

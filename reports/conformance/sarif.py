@@ -23,7 +23,7 @@ Kinds = tuple[str, ...]
 
 
 def sarif(groups: list[Group], value: dict[str, Any]) -> str:
-    """The SARIF text of the findings; a finding that the baseline knows is a suppressed note."""
+    """SARIF text of the findings; findings listed by the baseline become suppressed notes."""
     rules = sorted({group.example.outcome.kinds for group in groups})
     run = {
         "tool": {
@@ -63,8 +63,8 @@ def _rule(kinds: Kinds) -> dict[str, Any]:
 
 
 def _place(target: str) -> str:
-    """A file for code scanning, which shows no result without one: that of the target, relative to
-    the current folder, where it is below it; else the name of the target."""
+    """A file for code scanning, which shows no result without a file: the target's file, relative
+    to the current folder and below it; else the target's name."""
     words = [target]
     if target.startswith("cmd:"):
         words = target.removeprefix("cmd:").split()

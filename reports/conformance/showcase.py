@@ -20,7 +20,7 @@ class Showcase:
 
 
 def showcases() -> list[Showcase]:
-    """One for each real pair that is present, at scale 1."""
+    """Showcases for each real pair at hand, at scale 1."""
     known = all_models()
     pairs = [(or_look_alike(P, known), or_look_alike(Q, known)) for P, Q in REAL_PAIRS]
     return [show(P, Q) for P, Q in pairs if P in known and Q in known]

@@ -1,4 +1,4 @@
-"""The axes of a picture in space: three edges of the box around the solids, with numbers."""
+"""Axes of a picture in space: three edges of the box around the solids, with numbers."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Spot = tuple[Fraction, Fraction, Fraction]
 
 
 def axes_around(solids: Iterable[Polyhedron], points: Iterable[Spot] = ()) -> list[Layer]:
-    """x and y at the foot of the picture, z at its left. Nothing where a number is beyond the
+    """Axes x and y along the picture's foot, z along its left; none if a number exceeds the
     doubles."""
     corners = [corner for solid in solids if solid.vertices for corner in solid.box]
     corners += points
@@ -28,7 +28,7 @@ def axes_around(solids: Iterable[Polyhedron], points: Iterable[Spot] = ()) -> li
     if place_of(tuple(map(str, low))) is None or place_of(tuple(map(str, high))) is None:
         return []
     outward = float(max(b - a for a, b in zip(low, high, strict=True))) * TICK
-    # Along axis k, from the corner that is low in k, with numbers on that side of the edge.
+    # Axis k starts at a corner with low coordinate k, and has numbers on the same side of its edge.
     layers = [
         _one("x", 0, (low[0], high[1], low[2]), high[0], (outward, -outward / 2), "start"),
         _one("y", 1, (high[0], low[1], low[2]), high[1], (-outward, -outward / 2), "end"),

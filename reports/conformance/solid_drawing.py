@@ -20,14 +20,14 @@ def projected(place: Place) -> tuple[float, float]:
 
 
 def place_of(numbers: tuple[str, ...]) -> Place | None:
-    """The nearest doubles; None where one is beyond them."""
+    """The nearest doubles; None if a number exceeds the doubles."""
     x, y, z = (approximate(number) for number in numbers)
     return (x, y, z) if all(math.isfinite(n) for n in (x, y, z)) else None
 
 
 def solid_layers(solid: Polyhedron, style: str) -> list[Layer] | None:
-    """Its faces, those behind first, each in one of three shades; the edges of faces that look
-    away thin. None where it has too many faces, or coordinates beyond the doubles."""
+    """The solid's faces, back to front, each with one of three shades; thin edges for faces that
+    look away. None for too many faces, or for coordinates beyond the doubles."""
     if len(solid.faces) > MOST_FACES:
         return None
     places = [place_of(tuple(str(n) for n in vertex)) for vertex in solid.vertices]
@@ -67,7 +67,7 @@ def _outline(face: list[Place]) -> list[Segment]:
 
 
 def _normal(face: list[Place]) -> Place:
-    """Newell's, not of unit length."""
+    """Newell's normal, not of unit length."""
     total = [0.0, 0.0, 0.0]
     for a, b in zip(face, face[1:] + face[:1], strict=True):
         for k in range(3):
@@ -77,5 +77,5 @@ def _normal(face: list[Place]) -> Place:
 
 
 def shade(normal: Place) -> int:
-    """By the axis that the face looks along the most: z is lightest."""
+    """The shade for the axis along which a face mostly looks: z is lightest."""
     return max(range(3), key=lambda k: abs(normal[k]))

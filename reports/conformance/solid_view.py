@@ -1,5 +1,6 @@
-"""A polyhedral set seen along (1, 1, 1), z upwards, what is behind hidden: for each point of a grid
-the face in front. Runs of points become rectangles of one shade, so it is an SVG of a few paths."""
+"""A polyhedral set seen along (1, 1, 1), z upwards, with hidden parts removed: each grid point
+shows its front face. Runs of points become rectangles with one shade, so that the SVG needs few
+paths."""
 
 from __future__ import annotations
 
@@ -15,15 +16,15 @@ from minkref.reports.conformance.solid_drawing import Place, projected
 SHADES = 6
 LIGHT: Place = (0.5, 0.15, 0.85)
 PAD = 3
-RIM = SHADES  # the shade of a point at which another face begins
+RIM = SHADES  # the shade for points where another face begins
 
 Flat = tuple[float, float]
 
 
 @dataclass(frozen=True)
 class Seen:
-    """A face that looks this way: its rings in the picture, and the depth `a u + b v + c`, larger
-    in front."""
+    """A face that looks towards the viewer: its projected rings, and the depth `a u + b v + c`,
+    larger towards the front."""
 
     rings: list[list[Flat]]
     depth: tuple[float, float, float]
@@ -78,7 +79,7 @@ def _faces(solid: Sequence[PlaneFaces]) -> list[Seen]:
 def _front(
     faces: Sequence[Seen], left: float, top: float, unit: float, width: int
 ) -> list[list[int]]:
-    """The number of the face in front at each point of the grid, row by row from the top, or -1."""
+    """The front face's number at each grid point, row by row from the top; -1 for none."""
     numbers = [[-1] * width for _ in range(width)]
     depths = [[-math.inf] * width for _ in range(width)]
     for number, face in enumerate(faces):
@@ -128,7 +129,7 @@ def _shades(numbers: list[list[int]], faces: Sequence[Seen]) -> list[list[int]]:
 
 
 def _runs(shades: list[list[int]]) -> dict[int, str]:
-    """The rectangles of each shade, as the data of a path."""
+    """Rectangles for each shade, as path data."""
     found: dict[int, list[str]] = {}
     for row, line in enumerate(shades):
         start = 0

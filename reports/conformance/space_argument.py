@@ -11,7 +11,7 @@ from minkref.reports.conformance.argument import around, inside, outside, point_
 
 
 def argument_in_space(P: str, Q: str, scale: str, witness: Witness) -> list[str]:
-    """Sentences about the witness of a case in space."""
+    """Sentences about a witness in space."""
     at = witness.scale or scale
     own, other = Polyhedron.from_json(P), Polyhedron.from_json(Q)
     if witness.in_truth and witness.p and witness.q:
@@ -63,6 +63,6 @@ def _parted(u: Point, v: Point, w: Point, solid: Polyhedron, other: Polyhedron) 
 
 
 def _side(u: Point, v: Point, w: Point, p: Point) -> Fraction:
-    """The determinant of v - u, w - u, p - u: on which side of the plane p lies."""
+    """The determinant of v - u, w - u, p - u, which tells p's side of the plane."""
     (a, b, c), (d, e, f), (g, h, i) = (tuple(t[k] - u[k] for k in range(3)) for t in (v, w, p))
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)

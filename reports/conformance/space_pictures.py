@@ -19,7 +19,7 @@ from minkref.reports.drawing import Label, Layer, picture
 
 
 def expected_in_space(case: CaseResult) -> Polyhedron | None:
-    """The exact sum where the pair is one whose sum is known; None where only points are."""
+    """The exact sum if known for the pair; None if only points are known."""
     try:
         loaded = load(CaseName(case.literal or case.name.text, "report"))
         named = load(case.name)
@@ -37,7 +37,7 @@ def expected_in_space(case: CaseResult) -> Polyhedron | None:
 
 
 def box_of_sum(P: Polyhedron, Q: Polyhedron, scale: str) -> Polyhedron:
-    """The box around the sum: that of sP plus that of Q."""
+    """The box around the sum: sP's box plus Q's box."""
     (a, b), (c, d) = P.scaled(scale_of(scale)).box, Q.box
     low, high = (
         [m + n for m, n in zip(a, c, strict=True)],

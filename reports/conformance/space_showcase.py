@@ -1,5 +1,5 @@
-"""Sums of polyhedra of any shape for the front page: by both routes of the reference and by CGAL's
-Nef polyhedra, held against each other as text, with pictures."""
+"""Sums of arbitrary polyhedra for the front page: from both routes of the reference and CGAL's Nef
+polyhedra, compared as text, with pictures."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ ROUTES: dict[str, Callable[[_core.Polyhedron, _core.Polyhedron], _core.Polyhedra
 
 @dataclass(frozen=True)
 class SpaceShowcase(Showcase):
-    """`seconds` by who gave the sum, None for one that did not. `differ` names those whose sum is
-    not that of the route edges."""
+    """`seconds` for each source, None without a sum. `differ` lists sources whose sum differs from
+    the route edges."""
 
     seconds: dict[str, float | None]
     differ: list[str]
@@ -60,13 +60,13 @@ PAIRS: dict[str, Callable[[], Solids]] = {
 
 
 def space_showcases() -> list[SpaceShowcase]:
-    """A few seconds in all; Nef polyhedra that take too long give no sum."""
+    """Showcases, made in a few seconds; slow Nef polyhedra give no sum."""
     with NefJudge(NEF_SECONDS) as nef:
         return [_shown(title, *make(), nef) for title, make in PAIRS.items()]
 
 
 def told(shown: list[SpaceShowcase]) -> str:
-    """One line: how many sums, by whom, and whether they are the same."""
+    """A line with the number of sums, their sources, and whether all are the same."""
     seconds = sum(each for show in shown for each in show.seconds.values() if each is not None)
     names = [name for name in (EDGES, DEFINITION, NEF) if any(show.seconds[name] for show in shown)]
     line = f"in space, polyhedra of any shape: {counted(len(shown), 'sum')} by {', '.join(names)}"

@@ -1,4 +1,4 @@
-"""The page of one target: its declaration, verdicts by family, skips, findings."""
+"""A target's page: declaration, verdicts by family, skips, findings."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from minkref.reports.conformance.finding_page import FindingPage, file_names
 
 @dataclass
 class TargetPage:
-    """`cells` are in the order of the families of the run."""
+    """`cells` follow the run's families."""
 
     name: str
     target: str
@@ -51,7 +51,7 @@ def target_pages(run: Run, value: dict[str, Any], findings: list[FindingPage]) -
 
 
 def facts_of(row: dict[str, Any] | None) -> list[tuple[str, str]]:
-    """The declaration of a target in words."""
+    """The target's declaration in words."""
     if row is None:
         return [("declaration", "not among the chosen targets: it was found wrong on the way")]
     sums = {

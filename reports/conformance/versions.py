@@ -1,4 +1,4 @@
-"""Where else a finding shows: other versions of the same library among the targets of the run."""
+"""Other versions of a finding's library, among the run's targets, that may show the finding too."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MOST_CASES = 3
 
 @dataclass(frozen=True)
 class Presence:
-    """The answer of another version of the library to the cases of a finding."""
+    """Another library version's answer to the cases of a finding."""
 
     target: str
     version: str
@@ -23,7 +23,7 @@ class Presence:
 
 
 def siblings(target: str, value: dict[str, Any]) -> list[tuple[str, str]]:
-    """Other targets of the run that are the same library in another version: `NAME@VERSION`."""
+    """The run's other targets with the same library: `NAME@VERSION`."""
     name = target.partition("@")[0]
     return [
         (row["name"], row["version"] or "")
@@ -35,7 +35,7 @@ def siblings(target: str, value: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def presence(group: Group, value: dict[str, Any], limits: Limits) -> list[Presence]:
-    """Each other version is asked about the cases of the finding."""
+    """Asks each other version about the finding's cases."""
     example = group.example
     cases = [small.literal for small in group.small[:MOST_CASES]]
     if not cases:

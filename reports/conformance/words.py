@@ -1,4 +1,4 @@
-"""The meaning of verdicts and reasons, in a few words each."""
+"""Short meanings of verdicts and reasons."""
 
 from __future__ import annotations
 
@@ -54,14 +54,14 @@ SIGNS = {
 
 
 def meaning(kind: str) -> str:
-    """The meaning of a reason, or of a verdict without a reason."""
+    """The meaning of a reason, or of a bare verdict."""
     reasons = {str(reason): text for reason, text in REASONS.items()}
     verdicts = {str(verdict): text for verdict, text in VERDICTS.items()}
     return reasons.get(kind) or verdicts.get(kind) or kind
 
 
 def ending(code: int) -> str:
-    """The meaning of an exit code."""
+    """An exit code's meaning."""
     return {
         0: "Nothing is wrong, except what the baseline lists.",
         1: "Something is proven wrong.",

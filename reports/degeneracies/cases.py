@@ -1,4 +1,4 @@
-"""The cases of a folder, as the pages want them."""
+"""A folder's cases, prepared for the pages."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.case_file import is_in_space, read_space_case, scalings_in
 from minkref.plane.operand import read_operand
 
-SIBLINGS = 3  # scales at least: the one, and one below and above
+SIBLINGS = 3  # scales at least: one, one below, one above
 
 
 def cases_in(paths: Iterable[Path]) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """One at a time. Refuses what is no case, and one that lacks what the pages are made of."""
+    """Yields cases one at a time. Refuses files that are not cases, or lack parts for the pages."""
     validator = _validator()
     for path in paths:
         value = _read(path)
@@ -36,7 +36,7 @@ def cases_in(paths: Iterable[Path]) -> Iterator[tuple[Path, dict[str, Any]]]:
 
 
 def _read(path: Path) -> Any:
-    """The case, its operands looked at."""
+    """Reads the case and checks its operands."""
     value = _json_of(path)
     if is_in_space(value):
         space_case(path)
@@ -46,7 +46,7 @@ def _read(path: Path) -> Any:
 
 
 def _json_of(path: Path) -> Any:
-    """None where it is no JSON: the reader of operands says what is wrong."""
+    """The file's JSON; None if malformed: the operand reader reports the fault."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (ValueError, RecursionError):
@@ -68,8 +68,8 @@ def _read_operands(path: Path) -> None:
 
 
 def _validator() -> jsonschema.Draft202012Validator:
-    """A validator of the parts that pages show: a case as its schema has it, with degeneracy and
-    siblings. The reader of operands has seen to P and Q; parts that are not shown may be large."""
+    """A validator for the parts that pages show: the case schema, with degeneracy and siblings
+    required. The operand reader has checked P and Q; hidden parts may be large."""
     schema = json.loads((lint.ROOM / "schema" / "case-v1.json").read_text(encoding="utf-8"))
     schema["required"] += ["scales", "degeneracy"]
     kinds = schema["$defs"]

@@ -44,12 +44,12 @@ from minkref.space.scaling import read_scaling, text_of
 
 INDEX = "index"
 DRAWN = 2  # cases of a family
-SAMPLE = 300  # characters of an invalid file that are shown
+SAMPLE = 300  # shown characters of an invalid file
 
 
 @dataclass(frozen=True)
 class Row:
-    """A case in the table of its family."""
+    """A case's row in the family's table."""
 
     id: str
     file: str
@@ -57,7 +57,7 @@ class Row:
     vertices: int
     scale: str
     counts: str
-    wrong: int  # of so many scales, those at which doubles are
+    wrong: int  # scales, out of `scales`, where doubles go wrong
     scales: int
     bits: str
     why: str
@@ -65,8 +65,9 @@ class Row:
 
 @dataclass(frozen=True)
 class SpaceRow:
-    """A case in space in the table of its family. `kinds`: how many facets of the sum at its first
-    scaling are the sum of two facets, a facet and an edge, a facet and a vertex, two edges."""
+    """The row of a case in space, in the family's table. `kinds`: counts of the sum's facets, at
+    the first scaling, that come from two facets, a facet and an edge, a facet and a vertex, two
+    edges."""
 
     id: str
     file: str
@@ -76,7 +77,7 @@ class SpaceRow:
     kinds: str
     parallel_edges: int
     signs: str
-    wrong: int  # of so many scalings, those at which some sign is wrong in doubles
+    wrong: int  # scalings, out of `scales`, with some wrong sign in doubles
     scales: int
     why: str
 
@@ -89,7 +90,7 @@ class FamilyPage:
     name: str
     title: str
     why: str
-    flags: list[tuple[str, dict[str, Any] | None]]  # None: it is not explained
+    flags: list[tuple[str, dict[str, Any] | None]]  # None: no explanation
     rows: list[AnyRow]
     drawings: list[tuple[AnyRow, list[Drawn]]]
 
@@ -135,9 +136,9 @@ class InvalidPage:
 def write_report(
     folder: Path, corpus: Path, reading: Callable[[str], None] = lambda family: None
 ) -> Path:
-    """Writes `index.html`, and `FAMILY.html` for each family of a corpus: each folder with cases.
-    Returns the index. `reading` is told the family of each case. Refuses a corpus with a case that
-    cannot be shown, and writes nothing."""
+    """Writes `index.html`, and `FAMILY.html` for each of the corpus's families: each folder with
+    cases. Returns the index. `reading` hears the family of each case. Refuses a corpus with a case
+    that the pages cannot show, and then writes nothing."""
     by_family: dict[str, list[Path]] = {}
     paths = case_paths_of_report(corpus)
     for path in paths:
@@ -162,8 +163,8 @@ def write_report(
 
 
 def case_paths_of_report(corpus: Path) -> list[Path]:
-    """The cases of a folder; with the corpus of case-v1 those with a disc, and of paths and traps,
-    which have folders of their own."""
+    """A folder's cases; for the case-v1 corpus also the cases with a disc, and the paths and traps,
+    which have separate folders."""
     more: list[Path] = []
     if corpus == lint.CORPUS:
         more = [*lint.case_paths(CORPUS_WITH_DISC), *case_paths_of_paths(CORPUS_OF_PATHS)]
@@ -171,7 +172,7 @@ def case_paths_of_report(corpus: Path) -> list[Path]:
 
 
 def _makes(name: str) -> Callable[[str, list[Path], Callable[[str], None]], FamilyPage]:
-    """The function that makes the page of a family."""
+    """The function that makes a family's page."""
     if name in DISC_FAMILIES:
         return _family_with_disc
     return _family_of_paths if name in PATH_FAMILIES else _family

@@ -1,6 +1,6 @@
-"""A degenerate case drawn: operands, and the sum below, at and above its scale. Coordinates are
-brought to a frame of size one in exact numbers before they become doubles, so that very large and
-very small ones can be drawn."""
+"""Pictures of a degenerate case: operands, and the sum below, at and above the scale. Exact
+arithmetic moves coordinates to a frame of size one before they become doubles, so that very large
+and very small cases can be drawn."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Drawn:
 
 
 def case_pictures(value: dict[str, Any]) -> list[Drawn]:
-    """Pictures of a case-v1 with siblings: P and Q each by itself, the three sums in one frame."""
+    """Pictures of a case-v1 with siblings: P and Q separately, the three sums in one frame."""
     P, Q = (_rings(value[name]) for name in "PQ")
     scales = value["scales"]
     beside = (len(scales) - 1) // 2

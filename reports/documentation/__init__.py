@@ -1,1 +1,1 @@
-"""The documentation on trial: its links, and the code that it shows."""
+"""The documentation on trial: links, and shown code."""

@@ -1,15 +1,15 @@
-"""The blocks of code in a page, each with what a comment before it says of it.
+"""A page's code blocks, each with the remarks from comments before the block.
 
 A comment `<!-- KEY: VALUE -->` right before a block:
 
-- `not run: why` says that the block is not run, and why not;
-- `first: command` runs a command before the block, which makes what the block takes for granted;
+- `not run: why` keeps the block from running, and says why;
+- `first: command` runs a command first, which prepares the block's input;
 - `file: NAME` writes the block to a file;
-- `replaces: FUNCTION in FILE` puts the block in the place of a function of an earlier file;
-- `finds: why` lets its commands end with 1, which says that something is wrong;
-- `prints: ` says that the block is what the one before it prints.
+- `replaces: FUNCTION in FILE` replaces a function of an earlier file by the block;
+- `finds: why` lets the commands end with 1, which reports something wrong;
+- `prints: ` makes the block the expected output of the block before.
 
-Two comments may follow one another.
+Several comments may precede a block.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class Block:
 
 
 def pages(root: Path) -> list[Path]:
-    """The pages that people read: README.md and those of docs/ and of the rooms."""
+    """Pages for people: README.md, and the pages of docs/ and of the rooms."""
     listed = subprocess.run(
         ["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.md"],
         cwd=root,
@@ -96,7 +96,7 @@ def _kind(info: str, text: str) -> str:
 
 
 def json_values(text: str) -> list[object]:
-    """The values of a document, or of several after one another. Raises ValueError."""
+    """The values of a JSON document, or of several in a row. Raises ValueError."""
     decoder, values = json.JSONDecoder(), []
     text = text.strip()
     while text:

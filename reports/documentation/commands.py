@@ -1,4 +1,4 @@
-"""Commands of minkref in the pages, held against the command line as it is. Nothing is run."""
+"""Checks the pages' minkref commands against the actual command line. Runs nothing."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ OPTION = re.compile(r"(?<![\w/.-])(--[a-z][a-z-]*|-[a-zA-Z])(?![\w-])")
 
 
 def commands(block: Block) -> Iterator[str]:
-    """The lines that call minkref, those that go on with a backslash as one."""
+    """The lines that call minkref; lines continued with a backslash count as one."""
     text = block.text.replace("\\\n", " ")
     for line in text.splitlines():
         line = line.removeprefix("$ ")
@@ -25,7 +25,7 @@ def commands(block: Block) -> Iterator[str]:
 
 
 def unknown_words(block: Block) -> Iterator[str]:
-    """Commands and options that there are not."""
+    """Commands and options that do not exist."""
     if block.kind == "text" or block.kind not in ("console", "shell"):
         return
     for line in commands(block):

@@ -1,4 +1,4 @@
-"""Links of the pages to files and headings of the repository that are not there."""
+"""Finds links to missing files and missing headings of the repository."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ IDENTIFIER = re.compile(r"""<a (?:id|name)=["']([^"']+)["']""")
 
 
 def broken_links(root: Path, pages: list[Path]) -> list[str]:
-    """`page:line: what is wrong`."""
+    """Lines `page:line: what is wrong`."""
     return [line for page in pages for line in _broken_in(root, page)]
 
 
@@ -50,7 +50,7 @@ def _links(tokens: list[Token], line: int = 1) -> Iterator[tuple[int, str]]:
 
 @cache
 def anchors(page: Path) -> set[str]:
-    """The anchors of the headings, as a code host makes them, and of `<a id="...">`."""
+    """Anchors of headings, made like a code host's, and anchors from `<a id="...">`."""
     text = page.read_text(encoding="utf-8")
     found = set(IDENTIFIER.findall(text))
     tokens = parsed(page.parent, Path(page.name))

@@ -1,5 +1,5 @@
-"""Runs the code of a page in an empty folder, block after block, and holds what is printed against
-what the page shows."""
+"""Runs a page's code blocks in an empty folder, one after another, and compares the output with the
+page."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from minkref.reports.documentation.blocks import Block, blocks, json_values
 
 ROOT = Path(__file__).resolve().parents[2]
 SECONDS = 900.0  # for one command
-NUMBERS = re.compile(r"\d+\.\d+(e[-+]\d+)?")  # seconds and roundings, which differ
-# Runs that the pages show at length, short.
+NUMBERS = re.compile(r"\d+\.\d+(e[-+]\d+)?")  # seconds and roundings, which vary
+# Shorter versions of long runs on the pages.
 SHORTER = (
     (re.compile(r"--seconds \d+"), "--pairs 12 --no-models --jobs 2"),
     (re.compile(r"--count \d+"), "--count 2"),
@@ -32,13 +32,13 @@ class Failure:
 
 
 def environment() -> dict[str, str]:
-    """The environment of the commands: MINKREF is the checkout, whose command is found first."""
+    """The commands' environment: MINKREF is the checkout, whose command comes first."""
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     return {**os.environ, "PATH": path, "COLUMNS": "100", "MINKREF": str(ROOT), "NO_COLOR": "1"}
 
 
 def run_page(page: Path, folder: Path) -> list[Failure]:
-    """The failures of the page, which goes on after each failure."""
+    """The page's failures; later blocks run after a failure too."""
     failures: list[Failure] = []
     printed = ""
     for block in blocks(ROOT, page):
@@ -51,7 +51,7 @@ def run_page(page: Path, folder: Path) -> list[Failure]:
 
 
 def _run(block: Block, folder: Path, printed: str) -> str:
-    """The output of the block. Raises AssertionError."""
+    """The block's output. Raises AssertionError."""
     for command in block.all_of("first"):
         _shell(command, folder)
     codes = (0,) if block.told("finds") is None else (0, 1)
@@ -87,7 +87,8 @@ def _json(text: str) -> None:
 
 
 def _transcript(block: Block, folder: Path) -> None:
-    """Lines that begin with `$` are commands, those below what they print; `...` stands for any."""
+    """Runs a transcript: lines that begin with `$` are commands, the lines below show their output;
+    `...` stands for any lines."""
     shown: list[tuple[str, list[str]]] = []
     for line in block.text.replace("\\\n", " ").splitlines():
         if line.startswith("$ "):
@@ -128,7 +129,7 @@ def _compare(shown: list[str], printed: list[str], name: str) -> None:
 
 
 def follows(shown: list[str], said: list[str]) -> bool:
-    """The lines that are said are those shown, `...` being any number of lines."""
+    """Whether the output equals the shown lines, where `...` stands for any number of lines."""
     if not shown:
         return not any(line.strip() for line in said)
     if shown[0].strip() == "...":
@@ -141,8 +142,7 @@ def _plain(line: str) -> str:
 
 
 def _replace(where: str, text: str, folder: Path) -> None:
-    """Puts the text in the place of a function, which ends before the next line at the margin that
-    is no brace."""
+    """Replaces a function, which ends before the next line at the margin that is no brace."""
     function, _, name = where.partition(" in ")
     lines = (folder / name).read_text(encoding="utf-8").splitlines()
     begins = [k for k, line in enumerate(lines) if re.match(rf"\S.*\b{function}\(", line)]
@@ -156,7 +156,7 @@ def _replace(where: str, text: str, folder: Path) -> None:
 
 
 def _compiled(block: Block, folder: Path) -> str:
-    """Against the library of build/release."""
+    """Compiles and runs the block with the library from build/release."""
     (folder / "block.cpp").write_text(block.text, encoding="utf-8")
     library = ROOT / "build" / "release" / "reference" / "libminkref_reference.a"
     words = ["c++", "-std=c++20", f"-I{ROOT}", "-isystem", "/usr/include/eigen3", "block.cpp"]

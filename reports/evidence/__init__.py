@@ -1,1 +1,1 @@
-"""The evidence: one script for each claim, run and kept by run.py."""
+"""The evidence: a script for each claim, run and kept by run.py."""

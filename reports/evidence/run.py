@@ -19,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 if sys.path and Path(sys.path[0]) == Path(__file__).resolve().parent:
-    del sys.path[0]  # the folders here are named by their subjects, not to be imported by name
+    del sys.path[0]  # these folders are named by subject, not for imports
 
 from minkref.reports.evidence.framework import child, places, recorded, stale, store, table
 from minkref.reports.evidence.framework.part import Size
@@ -72,7 +72,7 @@ def minutes(chosen: list[Step], size: Size, jobs: int) -> float:
 def at_once(
     chosen: list[Step], document_of: Callable[[Step], store.Document], jobs: int
 ) -> dict[str, store.Document]:
-    """Documents by name, of `jobs` steps at a time."""
+    """Documents by name, running `jobs` steps at a time."""
     with ThreadPoolExecutor(jobs) as pool:
         try:
             found = pool.map(document_of, chosen)
@@ -84,14 +84,14 @@ def at_once(
 
 
 def end_if_interrupted() -> None:
-    """In the thread of a step: its child is ended too."""
+    """Raises KeyboardInterrupt in a step's thread, so that the step's child ends too."""
     if interrupted.is_set():
         raise KeyboardInterrupt
 
 
 def write_summary(every: list[Step], size: Size) -> None:
-    """Writes the summary of all steps. For a step without a result here, as in a fresh clone, the
-    summary keeps its present entry, and the files that the entry rests on."""
+    """Writes the summary of all steps. A step without a result here, as after a fresh clone, keeps
+    its present entry, and the files that the entry rests on."""
     quick = size is Size.QUICK
     path = places.FOLDER / "summary-quick.md" if quick else places.ROOM / store.SUMMARY
     before = path.read_text(encoding="utf-8") if path.exists() and not quick else ""
@@ -109,13 +109,14 @@ def write_summary(every: list[Step], size: Size) -> None:
 
 
 def standing_now(document: store.Document) -> store.Document:
-    """The document, of this commit if the files that it rests on are as they were when it ran."""
+    """The document, marked with this commit if the files that it rests on have not changed since
+    the run."""
     commit = store.commit_of(document["files"]) if store.is_current(document) else ""
     return document | {"commit": commit or document["commit"]}
 
 
 def resting(every: list[Step], documents: list[store.Document]) -> dict[str, set[str]]:
-    """Files by row: of results that are here, and for other steps the files known before."""
+    """Files by row: from present results, and for other steps the files known before."""
     here = {document["step"]: document for document in documents}
     known, found = stale.read(stale.path()), dict[str, set[str]]()
     for name in {step.row for step in every}:
@@ -146,14 +147,14 @@ def summary_here() -> str:
 
 
 def changed_since_told(chosen: list[Step], every: list[Step]) -> list[Step]:
-    """Steps that the summary does not tell of, or as failed, and those whose row is stale."""
+    """Steps that the summary omits or calls failed, and steps with a stale row."""
     told, rows = table.entries_of(summary_here()), stale_rows(every)
     well = {name for name, entry in told.items() if entry.status != "failed"}
     return [step for step in chosen if step.row in rows or step.name not in well]
 
 
 def stale_rows(every: list[Step]) -> dict[str, str]:
-    """The stale rows of SUMMARY.md as it is, each with the reason."""
+    """The stale rows of the current SUMMARY.md, each with the reason."""
     summary = summary_here()
     rests_on = stale.read(stale.path())
     return stale.stale(summary, rests_on, {step.name: step.row for step in every})
@@ -168,7 +169,7 @@ def main() -> int:
     options = arguments()
     if options.stale:
         return tell_stale(options.only)
-    if os.environ.get("MINKREF_MODELS"):  # steps run commands in other folders
+    if os.environ.get("MINKREF_MODELS"):  # steps run commands from other folders
         os.environ["MINKREF_MODELS"] = os.path.abspath(os.environ["MINKREF_MODELS"])
     console = Console(stderr=False)
     every = steps()

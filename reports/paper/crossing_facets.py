@@ -1,5 +1,5 @@
-"""Fig. 9: intersections of facets in space, updated by events from scale to scale, against finding
-them from scratch."""
+"""Fig. 9: facet intersections, updated by events from scale to scale, against finding them from
+scratch."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ COMMAND = "minkref report paper"
 WINDOW = ("1/5", "2")
 STEPS, QUICK_STEPS = 24, 12
 REPETITIONS = 3
-UNIT = 9973  # scales are multiples of its inverse, which no event is likely to have
+UNIT = 9973  # scales are multiples of 1/UNIT; events there are unlikely
 PAIR, QUICK_PAIR = EVENT_PAIRS[2], EVENT_PAIRS[0]
 
 

@@ -33,7 +33,7 @@ def _page(name: str) -> str:
 
 
 def written(text: str) -> str:
-    """The page with the table as it has to be. ValueError where the marks are missing."""
+    """The page with its table renewed. Raises ValueError without the marks."""
     before, rest = text.split(BEGIN)
     _, after = rest.split(END)
     return f"{before}{BEGIN}\n{table()}\n{END}{after}"

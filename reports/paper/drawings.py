@@ -14,7 +14,7 @@ from minkref.reports.drawing import Layer, picture
 from minkref.reports.offset_picture import offset_picture
 from minkref.reports.paper.entry import Claim, Picture
 
-# Fig. 2: four and five vertices, of which one is reflex, as in the paper's figure.
+# Fig. 2: four and five vertices, one of them reflex, as the paper draws them.
 P_OF_FIGURE_2 = (("0", "0"), ("4", "-1"), ("5", "2"), ("1", "3"))
 Q_OF_FIGURE_2 = (("0", "0"), ("6", "0"), ("6", "4"), ("3", "1"), ("0", "4"))
 AT_Q0 = (0.0, 0.0, 4.0, -1.0)  # the edge p0 p1 at q0
@@ -68,7 +68,7 @@ def figure_2() -> tuple[list[Picture], list[Claim]]:
 
 
 def figure_6() -> list[Picture]:
-    """Ours, of the sizes of the paper's."""
+    """Our polygons with the paper's vertex counts."""
     found = []
     for name in ("g1", "g2", "g3", "g4", "dog145"):
         operand = read_operand(name).set
@@ -86,8 +86,8 @@ def figure_7_inputs(pair: Pair) -> list[Picture]:
 
 
 def with_true_disc(pair: Pair) -> tuple[list[Picture], list[Claim]]:
-    """The sum of the second operand with the first, a polygon about the origin, and with the disc
-    of which that has its corners; and how they differ."""
+    """Sums of the second operand: with the first, a polygon about the origin, and with the disc
+    through that polygon's farthest corners; with a claim that compares both."""
     corners = [(Fraction(x), Fraction(y)) for rings in pair.P.set.rings() for x, y in rings[0]]
     square = max(x * x + y * y for x, y in corners)
     disc, by_polygon = (

@@ -1,4 +1,4 @@
-"""The entries of Fig. 1 to 6: what the paper draws, drawn from our data."""
+"""Entries for Fig. 1 to 6: the paper's figures, drawn from our data."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ OF_OURS = "Drawn from data of ours of the same kind; the paper gives no coordina
 
 
 def drawn_entries(disc: Pair, absent: str) -> list[Entry]:
-    """`absent`: what to say where the paper's models are not at hand."""
+    """The entries; `absent` is the remark for missing paper models."""
     figures = (
         ("Fig. 2", "Two polygons, their convolution and reduced convolution", drawings.figure_2()),
         ("Fig. 3", "T-edges and S-edges", moving_edges_drawn.figure_3()),

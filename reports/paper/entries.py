@@ -1,4 +1,4 @@
-"""The entries, in the order of the paper."""
+"""All entries, in the paper's order."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from minkref.reports.paper.table_entries import first_table, second_table
 Tell = Callable[[str], None]
 COMMAND = "minkref report paper"
 DOUBLE, MPFR = "double", "mpfr:53"
-#: Re-scalings of a figure. A search in MPFR takes seconds, of monkey and bird minutes.
+#: Re-scalings per figure. A search with MPFR takes seconds, for monkey and bird minutes.
 COUNTS = {("disc", DOUBLE): 60, ("disc", MPFR): 8, ("monkey", DOUBLE): 16}
 QUICK_COUNTS = {("disc", DOUBLE): 12}
-#: Re-scalings of each pair of Table 1.
+#: Re-scalings per pair from Table 1.
 SMALL_COUNTS, QUICK_SMALL_COUNTS = {DOUBLE: 100, MPFR: 5}, {DOUBLE: 10}
 ABSENT_MODELS = (
     "The paper's models were not at hand (MINKREF_MODELS): look-alikes of the same sizes stand for "
@@ -30,7 +30,7 @@ ABSENT_MODELS = (
 
 
 def entries(quick: bool, seed: int, tell: Tell, done: Callable[[], None]) -> list[Entry]:
-    """All of them. `tell` hears what is being done, `done` when a pair has been timed."""
+    """All entries. Tells `tell` about its progress, and calls `done` after each timed pair."""
     all_pairs, notes = pairs(quick)
     large = [pair for pair in all_pairs if not pair.small]
     absent = " ".join([ABSENT_MODELS] * bool(notes))
@@ -83,5 +83,5 @@ def _walks(small: list[Pair], quick: bool, tell: Tell) -> dict[str, dict[str, Sp
 
 
 def steps(quick: bool) -> int:
-    """How often `done` is called."""
+    """The number of calls to `done`."""
     return table1.pair_count(quick) + len(LARGE[:1] if quick else LARGE) + table2.pair_count()

@@ -1,4 +1,4 @@
-"""One entry for each table, figure and stated time of the paper, and the rule by which it counts as
+"""Entries for each table, figure and stated time of the paper, and the rule for calling an entry
 reproduced."""
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ RULE = (
 
 @dataclass(frozen=True)
 class Picture:
-    """A plot is shown as wide as it is, if there is room."""
+    """A picture; plots keep their width if the page has room."""
 
     caption: str
     svg: str
@@ -45,8 +45,8 @@ class Table:
 
 @dataclass(frozen=True)
 class Claim:
-    """Something that the paper states, in its words or ours, what was found, and whether that is
-    so."""
+    """A statement of the paper, quoted or paraphrased, the finding, and whether the statement
+    holds."""
 
     stated: str
     found: str
@@ -64,8 +64,8 @@ def verdict_of(claims: Sequence[Claim], their_input: bool) -> Verdict:
 
 @dataclass
 class Entry:
-    """`place`: what the paper calls it. `why`: what was run, and what to bear in mind. `command`:
-    what makes it. `their_input`: whether all input is the paper's own."""
+    """`place`: the paper's name for the entry. `why`: the runs, with caveats. `command`: the
+    command that makes the entry. `their_input`: whether all input is the paper's own."""
 
     place: str
     title: str

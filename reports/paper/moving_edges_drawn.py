@@ -1,5 +1,5 @@
-"""Fig. 3: a T-edge moves, an S-edge moves and grows, and both cross another edge in a point that
-moves along a line. In exact numbers; only the drawing is rounded."""
+"""Fig. 3: a T-edge moves, an S-edge moves and grows, and both cross another edge at a point that
+moves along a line. Numbers are exact; only the drawing is rounded."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def figure_3() -> tuple[list[Picture], list[Claim]]:
 
 
 def crossing(a: Edge, b: Edge, scale: Fraction) -> Point:
-    """The crossing of the lines of two edges that are not parallel."""
+    """The crossing of two non-parallel edges' lines."""
     (a0, a1), (b0, b1) = ends(a, scale), ends(b, scale)
     v, w = minus(a1, a0), minus(b1, b0)
     r = Fraction(cross(minus(b0, a0), w)) / cross(v, w)

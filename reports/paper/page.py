@@ -68,5 +68,5 @@ def _csv(table: Table) -> str:
 
 
 def _json(table: Table) -> str:
-    """Columns may have one name, so rows are lists."""
+    """The table as JSON; rows are lists, since columns may share a name."""
     return json.dumps({"columns": list(table.columns), "rows": list(table.rows)}, indent=1) + "\n"

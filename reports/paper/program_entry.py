@@ -25,7 +25,7 @@ TITLE = "How often the paper's program has the right sum"
 
 
 def program_entry(runs: Runs | None) -> Entry:
-    """None: there are no runs here."""
+    """The entry about the paper's program; without `runs` the entry only says so."""
     if runs is None:
         why = f"No runs have been kept: {COMMAND} makes them."
         return Entry("Section 4", TITLE, why, COMMAND)
@@ -57,7 +57,7 @@ def program_entry(runs: Runs | None) -> Entry:
 
 
 def kept() -> Runs | None:
-    """The runs of the last full evidence, where they have been kept."""
+    """The runs from the last full evidence, if kept."""
     try:
         return committed()
     except FileNotFoundError:
@@ -94,7 +94,7 @@ def _shares(runs: Runs) -> Table:
 
 
 def _times(runs: Runs) -> Table:
-    """The times of each arithmetic, and of the pair with most pairs of edges in this arithmetic."""
+    """Times for each arithmetic, and for its pair with the most edge pairs."""
     rows = []
     for arithmetic in (RATIONAL, *ROUNDING):
         found = runs.of(CORRECTED, arithmetic)

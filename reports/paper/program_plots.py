@@ -14,7 +14,7 @@ from minkref.reports.paper.program_runs import CORRECTED, Run, Runs, share
 
 RATIONAL = "rational"
 ROUNDING = ("double", "mpfr:53", "mpfr:100", "mpfr:200", "mpfr:1000")
-BLAMED = (RATIONAL, "double", "mpfr:200")  # in which most pairs are tried
+BLAMED = (RATIONAL, "double", "mpfr:200")  # most pairs are tried in these
 BY_PAIR = (CORRECTED, "solve as printed")
 
 
@@ -23,7 +23,7 @@ def style() -> AbstractContextManager[None]:
 
 
 def tried_in_all(runs: Runs, variant: str, arithmetics: Sequence[str]) -> set[str]:
-    """The pairs on which the program was tried in each of them."""
+    """The pairs tried in all the arithmetics."""
     tried = [{run.name for run in runs.of(variant, arithmetic)} for arithmetic in arithmetics]
     return set.intersection(*tried)
 
@@ -33,8 +33,8 @@ def of_pairs(found: Sequence[Run], names: set[str]) -> list[Run]:
 
 
 def precision_plot(runs: Runs) -> str:
-    """For each program the share that is right after each number of re-scalings, of the pairs that
-    were tried in all the arithmetics."""
+    """For each program, the share of right pairs after each number of re-scalings, among pairs
+    tried in all arithmetics."""
     with style():
         figure = Figure(figsize=(10.5, 3.9), layout="constrained")
         panels = figure.subplots(1, len(runs.after), sharey=True)
@@ -93,7 +93,7 @@ def pairs_plot(runs: Runs) -> str:
 
 
 def blame_plot(runs: Runs) -> str:
-    """For each formula that alone is as printed, the share of pairs that are wrong at the end."""
+    """For each formula used alone as printed, the share of pairs wrong at the end."""
     shown = [variant for variant in runs.variants if tried_in_all(runs, variant, BLAMED)]
     with style():
         figure = Figure(figsize=(7.2, 0.42 * len(shown) + 1.0), layout="constrained")
@@ -138,6 +138,6 @@ def time_plot(runs: Runs) -> str:
 
 
 def microseconds(found: Sequence[Run]) -> float:
-    """For a pair of edges, of all the runs together."""
+    """Microseconds per edge pair, over all runs."""
     pairs = sum(run.pairs for run in found)
     return 1e6 * sum(run.seconds for run in found) / pairs if pairs else 0.0

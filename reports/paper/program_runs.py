@@ -1,5 +1,5 @@
-"""The runs of the paper's own program that the evidence has made (`make evidence
-ONLY=paper_program`): how often it had the right sum. A full run writes them here."""
+"""Runs of the paper's own program, made by the evidence (`make evidence ONLY=paper_program`): how
+often the sum was right. A full evidence run writes program_runs.json."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ CORRECTED = "all corrected"  # the variant
 
 @dataclass(frozen=True)
 class Run:
-    """One program on one pair of operands. `right`: after each number of re-scalings of `Runs`,
-    whether the structure was right; `seconds` of processor time that finding the regions took, for
-    so many `pairs` of edges."""
+    """A program's run on a pair of operands. `right`: whether the structure was right after each
+    number of re-scalings from `Runs`; `seconds` of processor time for finding the regions of so
+    many edge `pairs`."""
 
     name: str
     arithmetic: str
@@ -81,5 +81,5 @@ def committed() -> Runs:
 
 
 def share(runs: Sequence[Run], k: int) -> float:
-    """The share of the runs that were right after the re-scalings of this number, in percent."""
+    """Percentage of runs that were right after the k-th number of re-scalings."""
     return 100 * sum(run.right[k] for run in runs) / len(runs) if runs else 0.0

@@ -1,5 +1,5 @@
 """Fig. 4 and 5: contacts of parallel faces, the degree of incompatibility, and the chain of edges
-that are compatible with an edge. In exact numbers; only the drawings are rounded."""
+compatible with an edge. Numbers are exact; only the drawings are rounded."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WIDTH = 300
 
 
 def figure_4() -> tuple[list[Picture], list[Claim]]:
-    """The two triangles of a six-pointed star, of which one rises with the scale."""
+    """The two triangles of a six-pointed star; one triangle rises with the scale."""
     rising = facet("vf", [(0, 0, 1)], [(x, y, 0) for x, y in DOWN])
     still = facet("vf", [(0, 0, 0)], [(x, y, COPLANAR) for x, y in UP])
     events = events_of_facets(rising, still)
@@ -39,9 +39,8 @@ NORMAL, START = (1, 2), 1
 
 
 def degree(v: int) -> tuple[int, int]:
-    """How far the higher neighbour of a vertex of the ring is above the line through the vertex
-    with the normal of the face, and that neighbour. At most 0 where vertex and face are
-    compatible."""
+    """The height of a vertex's higher ring neighbour above the line through the vertex with the
+    face's normal, and that neighbour. At most 0 if vertex and face are compatible."""
     near = ((v - 1) % len(RING), (v + 1) % len(RING))
     return max((dot(NORMAL, minus(RING[w], RING[v])), w) for w in near)
 
@@ -99,7 +98,7 @@ RIDGE = (4, 5)
 
 
 def _ends(P: Body, Q: Body) -> tuple[int, int]:
-    """The vertices of Q that are compatible with the facets on both sides of the ridge."""
+    """Q's vertices compatible with the facets on both sides of the ridge."""
     pairs = compatible_pairs(P, Q)
     first, second = (pairs.fv[f] for f in P.edges[RIDGE])
     (start,), (end,) = first, second
@@ -111,7 +110,7 @@ def _compatible(P: Body, Q: Body) -> set[tuple[int, int]]:
 
 
 def _chain(P: Body, Q: Body) -> list[int]:
-    """The edges in their order, by vertices; empty where they are no path."""
+    """The chain's vertices, edge after edge; empty if the edges form no path."""
     left = _compatible(P, Q)
     place, end = _ends(P, Q)
     way = [place]
@@ -130,7 +129,7 @@ def _flat(n: Whole) -> tuple[float, float]:
 
 
 def _arc(body: Body, edge: tuple[int, int]) -> Segment | None:
-    """Between the normals of both facets, where both look upwards."""
+    """The segment between both facet normals, if both look upwards."""
     normals = [body.normals[f] for f in body.edges[edge]]
     if any(n[2] <= 0 for n in normals):
         return None

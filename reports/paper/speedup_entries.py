@@ -1,5 +1,4 @@
-"""The entries of Fig. 7 and 8, of the edges and events of both pairs, and of the times of the
-pre-processing."""
+"""Entries for Fig. 7 and 8, for both pairs' edges and events, and for pre-processing times."""
 
 from __future__ import annotations
 
@@ -18,7 +17,7 @@ from minkref.reports.paper.speedups import REPETITIONS, Rescaling, Speedups
 COMMAND = "minkref report paper"
 PAPER_TIMES = {("monkey", "bird"): (140.0, 28.7), ("neuron", "disc"): (5.3, 1.25)}
 LEAST_FOR_RANKS = 12  # re-scalings: fewer give no rank correlation
-FEW = 100  # re-scalings: as many as the paper has in each of its averages
+FEW = 100  # re-scalings per average, as many as the paper's
 MICRO = 1e6
 
 
@@ -27,12 +26,12 @@ def is_disc(pair: str) -> bool:
 
 
 def _names(pair: str) -> tuple[str, str]:
-    """The paper's names of the pair."""
+    """The paper's names for the pair."""
     return ("neuron", "disc") if is_disc(pair) else ("monkey", "bird")
 
 
 def figure(pair: Pair, runs: Sequence[Speedups], absent: str) -> Entry:
-    """The entry of one pair in one or several arithmetics."""
+    """The entry for one pair, in one or more arithmetics."""
     of_disc = is_disc(pair.name)
     about = ". ".join(_told(found) for found in runs)
     why = (
@@ -154,7 +153,7 @@ COLUMNS = ["pair", "where", "pairs of edges", "nodes (s)", "events (s)", "events
 
 
 def times(runs: Sequence[Speedups], exact: Sequence[tuple[Pair, float]]) -> Entry:
-    """`exact`: seconds in which all events of pairs, and nothing else, are found exactly."""
+    """`exact`: seconds for finding all pair events exactly, and nothing else."""
     rows: list[list[Any]] = []
     for pair, seconds in exact:
         ours = [found for found in runs if found.pair == pair.name]

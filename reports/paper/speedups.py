@@ -1,6 +1,6 @@
-"""Single re-scalings by the paper's own program, against the events that they process, the
-intersections that they update, and how far the scale changes (Fig. 7 and 8 of the paper). Events of
-pairs alone, no lists stored in between, and both sides of each ratio in one arithmetic."""
+"""Single re-scalings by the paper's own program, against the number of processed events, updated
+intersections, and the change of scale (Fig. 7 and 8 of the paper). Uses pair events only, stores no
+lists between re-scalings, and measures both sides of each ratio in one arithmetic."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from minkref.reports.bench.rescalings import rescalings
 
 REPETITIONS = 5
 SEED = 1
-#: All formulas in their right form: printed ones lose most of the intersections.
+#: All formulas corrected: printed formulas lose most intersections.
 READINGS = {name: corrected for name, _, corrected, _ in _core.paper_readings()}
 
 
 @dataclass(frozen=True)
 class Rescaling:
-    """From a scale to another. `events`: insertions and deletions on the way. `updated`:
-    intersections at the end of it, which get a new place. `ours` and `theirs`: seconds of the
-    update, and of a search among all pairs of edges, in each repetition."""
+    """A step from one scale to another. `events`: insertions and deletions on the way. `updated`:
+    intersections at the end, which get a new place. `ours` and `theirs`: seconds for the update,
+    and for a search among all edge pairs, per repetition."""
 
     start: str
     scale: str
@@ -41,7 +41,7 @@ class Rescaling:
 
     @property
     def seconds(self) -> list[float]:
-        """Seconds of the update in each repetition, sorted."""
+        """Update seconds of all repetitions, sorted."""
         return sorted(self.ours)
 
     @property
@@ -50,7 +50,7 @@ class Rescaling:
 
     @property
     def ratios(self) -> list[float]:
-        """The ratio of each repetition, sorted."""
+        """Each repetition's ratio, sorted."""
         return sorted(b / a for a, b in zip(self.ours, self.theirs, strict=True))
 
     @property
@@ -60,8 +60,9 @@ class Rescaling:
 
 @dataclass(frozen=True)
 class Speedups:
-    """Speed-ups of one pair in one arithmetic. `pairs` of edges are looked at. `preprocessing`:
-    seconds in which the critical regions of all pairs are found and their events sorted."""
+    """Speed-ups of one pair in one arithmetic. `pairs` counts the examined edge pairs.
+    `preprocessing`: seconds for finding the critical regions of all pairs and sorting their
+    events."""
 
     pair: str
     arithmetic: str
@@ -72,13 +73,13 @@ class Speedups:
     def correlation_of(
         self, value: Callable[[Rescaling], float], other: Callable[[Rescaling], float]
     ) -> float:
-        """The correlation of the ranks of two values (Spearman)."""
+        """The rank correlation (Spearman) between two values."""
         return correlation(*(_ranks([what(one) for one in self.rescalings])
                              for what in (value, other)))  # fmt: skip
 
     @property
     def search(self) -> float:
-        """Seconds of one search, the median."""
+        """Median seconds for a search."""
         return median(t for one in self.rescalings for t in one.theirs)
 
     @property
@@ -93,8 +94,8 @@ class Speedups:
 
 
 def speedups(pair: Pair, arithmetic: str, count: int, tell: Callable[[str], None]) -> Speedups:
-    """`count` random re-scalings, each timed in every repetition: the update and the search in
-    turn, so that a slow moment of the machine meets both."""
+    """Times `count` random re-scalings: each repetition alternates between update and search, so
+    that a slow moment of the machine affects both."""
     about = f"{pair.name}, {arithmetic}"
     tell(f"{about}: all events of pairs")
     scales = rescalings(SEED, count + 1)

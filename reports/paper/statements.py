@@ -1,5 +1,5 @@
-"""Each equation, observation, theorem, table and figure of Sections 1 to 4, 6 and 7 and of the
-Appendix of the paper: where it is in the project, in which form, and the command that shows it."""
+"""Each equation, observation, theorem, table and figure from the paper's Sections 1 to 4, 6 and 7
+and its Appendix: the place in the project, the form, and the command that shows the statement."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ REPORT, BENCH = "reports/paper", "reports/bench"
 
 @dataclass(frozen=True)
 class Statement:
-    """`files`: of reference/, or of reports/ what measures and draws. `judge`: what it is held
-    against. `entries`: those of the audit about it."""
+    """`files`: files from reference/, or from reports/ for measuring and drawing. `judge`: the
+    standard for comparison. `entries`: audit entries about the statement."""
 
     place: str
     what: str

@@ -1,4 +1,4 @@
-"""The entries of Tables 1 and 2."""
+"""Entries for Tables 1 and 2."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from minkref.reports.bench.baselines import CGAL, PAIRWISE, STATIC
 from minkref.reports.paper.entry import Claim, Entry, Table
 from minkref.reports.paper.speedups import Speedups
 
-OURS = {"dog": "dog145"}  # the names of our polygons of the sizes of the paper's
+OURS = {"dog": "dog145"}  # our polygons with the paper's sizes
 SOLIDS_OF_OURS = ("ellipsoid", "gs3", "gs4", "ti", "rod")
 ORDER = 10  # of magnitude
 
@@ -115,7 +115,7 @@ def second_table(table: table2.Table2) -> Entry:
 
 
 def _values(table: table2.Table2, kind: str, name: str) -> list[float]:
-    """Over the pairs; empty where a quick run has not timed them all."""
+    """Values for all pairs; empty if a quick run has not timed every pair."""
     values = [row[name] for row in table.rows if row["kind"] == kind]
     return [] if None in values else values
 

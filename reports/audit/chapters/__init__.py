@@ -1,1 +1,1 @@
-"""The entries, by section of the paper."""
+"""The audit's entries, by section of the paper."""

@@ -1,4 +1,4 @@
-"""Sections 1 and 3: what the convolution is, and what follows from it."""
+"""Sections 1 and 3: the convolution and its consequences."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _boundary(P: Any, Q: Any) -> list[Any]:
 
 
 def _missing(P: Any, Q: Any, ends: str) -> int:
-    """Of the edges of the sum, how many the reduced convolution with such turns does not cover."""
+    """Counts sum edges that the reduced convolution, with these ends of turns, does not cover."""
     segments = reduced_by_rule(P, Q, ends)
     return sum(not covered(edge, segments) for edge in _boundary(P, Q))
 
@@ -326,8 +326,8 @@ def _(shown: Shown) -> None:
 
 
 def _generic_points(P: Any, Q: Any, dice: random.Random) -> list[tuple[str, str]]:
-    """One of each bounded face of the arrangement, and ten with a denominator that no line of it
-    has."""
+    """A point from each bounded face of the arrangement, plus ten points with a denominator that
+    none of its lines has."""
     found = [(u, v) for u, v, _ in _core.face_points(P, Q, "1")]
     rows = [place for edge in reduced_by_rule(P, Q, "[)(]") for place in edge]
     (left, right), (low, high) = ((min(x), max(x)) for x in zip(*rows, strict=True))

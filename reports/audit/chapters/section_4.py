@@ -39,7 +39,7 @@ DRAWS = 400
 
 
 def _drawn(dice: random.Random, kind: str, size: int = 6) -> Edge:
-    """With a direction that is not zero."""
+    """A random edge with a nonzero direction."""
     p, q = ((dice.randint(-size, size), dice.randint(-size, size)) for _ in "pq")
     while True:
         d = dice.randint(-size, size), dice.randint(-size, size)
@@ -48,7 +48,7 @@ def _drawn(dice: random.Random, kind: str, size: int = 6) -> Edge:
 
 
 def _pairs(count: int) -> list[tuple[Edge, Edge]]:
-    """Of each kind, not parallel."""
+    """`count` random pairs per kind, none parallel."""
     dice = random.Random(SEED)
     found: list[tuple[Edge, Edge]] = []
     for kinds in KINDS:
@@ -62,7 +62,7 @@ def _pairs(count: int) -> list[tuple[Edge, Edge]]:
 
 
 def _parallel_pairs(count: int) -> list[tuple[Edge, Edge]]:
-    """Of each kind, half of them on one line at all scales."""
+    """`count` parallel pairs per kind; every second pair lies on one line at all scales."""
     dice = random.Random(SEED)
     found: list[tuple[Edge, Edge]] = []
     for kinds in KINDS:
@@ -465,7 +465,7 @@ def _whole(*operands: list[list[Any]]) -> list[list[list[tuple[int, int]]]]:
 
 
 def _edges_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> list[Edge]:
-    """Of the reduced convolution, both operands being made whole by one factor."""
+    """Edges of the reduced convolution, after one factor has made both operands whole."""
     of_P, of_Q = _whole(rings_of(P), rings_of(Q))
     rings = {"S": (of_P, of_Q), "T": (of_Q, of_P)}
     found = []
@@ -531,7 +531,7 @@ def _(shown: Shown) -> None:
 
 
 def _convex_rule(a: Edge, b: Edge, found: Answers) -> Interval:
-    """For edges that meet: scales that do not exist are left out."""
+    """The interval by the rule for convex P, for edges that meet; absent scales are skipped."""
     names = ("a0", "b1"), ("a1", "b0")
     if cross(a.d, b.d) < 0:
         names = names[::-1]

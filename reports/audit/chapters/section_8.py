@@ -34,7 +34,7 @@ CHAPTER = Chapter("section-8", "Section 8: applications")
 SEED = 8
 HALF = Fraction(1, 2)
 HERE: Place = (Fraction(0), Fraction(0))
-# A pocket with a flat floor, walls that lean over it, and tips 8 apart above it.
+# A pocket with a flat floor below overhanging walls and tips 8 apart.
 POCKET = [(-16, -4), (16, -4), (16, 6), (4, 8), (12, 0), (-12, 0), (-4, 8), (-16, 6)]
 NEAR = (-7.0, -2.0, 7.0, 11.0)
 
@@ -68,9 +68,9 @@ def _drawn_obstacle(dice: random.Random) -> Ring:
 
 
 def _obstacle_in_the_way(ring: list[Place]) -> tuple[Fraction, _core.PolygonSet]:
-    """Of a robot that is not star-shaped about the origin: a scale below 1, and a small box that
-    the robot meets at that scale, and does not at 1 and at small ones. Behind the middle of an edge
-    that turns its back to the origin there are places outside the robot, towards the origin."""
+    """A scale below 1, and a small box that the robot, not star-shaped about the origin, meets at
+    this scale but neither at 1 nor at small scales. Behind the middle of an edge that turns its
+    back to the origin, places towards the origin lie outside the robot."""
     following = ring[1:] + ring[:1]
     a, b = next(x for x in zip(ring, following, strict=True) if cross(*x) < 0)
     m = (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
@@ -161,7 +161,8 @@ def _(shown: Shown) -> None:
 def _by_code(
     robot: _core.PolygonSet, obstacle: _core.PolygonSet, path: Sequence[Place]
 ) -> list[Interval]:
-    """The same from the code of the command, by each of its routes."""
+    """Valid scales from the command's code, by each route; raises CheckFailed unless all routes
+    agree."""
     answers = []
     for route in PATH_ROUTES:
         found = minkref.valid_scales(robot, obstacle, path, route=route)
@@ -439,8 +440,8 @@ def _(shown: Shown) -> None:
 
 
 def _bridges_of_pocket(t: Fraction) -> int:
-    """How many of the discs at both tips, and at a tip and the floor, are empty. The radius is
-    4 + t^2 for those at the floor, and that of the other is on the same side of 5."""
+    """Counts empty discs: at both tips, and at a tip and the floor. Discs at the floor have radius
+    4 + t^2; the other disc's radius lies on the same side of 5."""
     centres = [((4 - 4 * t) * side, 4 + t * t) for side in (1, -1)]
     h = 3 * t
     discs = [(x, x[1] ** 2) for x in centres] + [((Fraction(0), 8 - h), h * h + 16)]
@@ -503,12 +504,12 @@ def _(shown: Shown) -> None:
 
 
 def _clearance(y: Fraction) -> Fraction:
-    """Of $(0, y)$ in the pocket."""
+    """The distance from $(0, y)$ to the pocket's edges."""
     return _root(squared_distance((Fraction(0), y), POCKET))
 
 
 def _root(square: Fraction) -> Fraction:
-    """Rational where it is asked for."""
+    """The square root of a number whose root is rational."""
     root = sp.sqrt(sp.Rational(*square.as_integer_ratio()))
     return Fraction(int(root.p), int(root.q))
 
@@ -559,8 +560,8 @@ def _(shown: Shown) -> None:
 
 
 def _bridges_at_infinity(ring: list[tuple[int, int]]) -> list[tuple[tuple[int, int], ...]]:
-    """Pairs of vertices, no edges, with all others on the left of the line from the one to the
-    other or on it outside of the pair."""
+    """Vertex pairs, without edges, whose connecting line has every other vertex on its left, or on
+    the line outside the pair."""
     sides = {frozenset(x) for x in zip(ring, ring[1:] + ring[:1], strict=True)}
     found: list[tuple[tuple[int, int], ...]] = []
     for u in ring:

@@ -21,22 +21,22 @@ from minkref.reports.offset_picture import offset_picture
 
 @dataclass(frozen=True)
 class DiscRow:
-    """A case in the table of its family. `events`: kinds of those at its radius, and how many;
-    `counts`: components and holes below, at and above."""
+    """A case's row in the family's table. `events`: the kinds of events at the case's radius, with
+    counts; `counts`: components and holes below, at and above the radius."""
 
     id: str
     file: str
     title: str
     vertices: int
     disc: str
-    nearest: int  # points, at its first place
+    nearest: int  # number of nearest points, at the first place
     events: str
     counts: str
     why: str
 
 
 def disc_cases_in(paths: Iterable[Path]) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """One at a time. Refuses what is no case."""
+    """Yields cases one at a time. Refuses files that are not cases."""
     validator = case_validator()
     for path in paths:
         try:

@@ -18,15 +18,15 @@ from minkref.motion.path_values import ScaleRange
 from minkref.reports.degeneracies.cases import unfit
 from minkref.reports.degeneracies.pictures import Drawn
 
-SIZE = 300  # pixels, of the longer side
+SIZE = 300  # pixels along the longer side
 AROUND = Fraction(1, 8)  # just below and above: an eighth of the scale
 Place = tuple[float, float]
 
 
 @dataclass(frozen=True)
 class PathRow:
-    """A case in the table of its family. `asked`: valid or trapped; the scales at which it is, with
-    contact allowed and forbidden."""
+    """A case's row in the family's table. `asked`: valid or trapped; `allowed` and `forbidden`: the
+    scales that are valid or trapped, with contact allowed or forbidden."""
 
     id: str
     file: str
@@ -40,7 +40,7 @@ class PathRow:
 
 
 def path_cases_in(paths: Iterable[Path]) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """One at a time. Refuses what is no case of a family."""
+    """Yields cases one at a time. Refuses files that are not a family's cases."""
     validator = case_validator()
     for path in paths:
         try:
@@ -72,7 +72,7 @@ def path_row(path: Path, value: dict[str, Any]) -> PathRow:
 
 
 def path_case_pictures(path: Path, value: dict[str, Any]) -> list[Drawn]:
-    """An eighth below the scale, at it, and an eighth above, in one frame."""
+    """Pictures in one frame: an eighth below the scale, at the scale, and an eighth above."""
     at = Fraction(value["degeneracy"]["at"])
     wanted = ((at * (1 - AROUND), "below"), (at, "at"), (at * (1 + AROUND), "above"))
     try:

@@ -1,1 +1,1 @@
-"""Pages of families: what is drawn and told of their cases."""
+"""Pages about families: pictures and rows for their cases."""

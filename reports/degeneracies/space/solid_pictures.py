@@ -1,4 +1,4 @@
-"""The operands of a case of polyhedra of any shape drawn, faces in front over those behind."""
+"""Pictures of a case's operands, polyhedra of any shape: front faces cover the faces behind."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ WIDTH = 300
 
 
 def solid_pictures(P: Polyhedron, Q: Polyhedron) -> list[Drawn]:
-    """P and Q, each by itself; of a point nothing."""
+    """Pictures of P and Q; none for a point."""
     drawn = []
     for name, solid, style in (("P", P, "first"), ("Q", Q, "second")):
         layers = _layers(_framed(solid), style)
@@ -32,7 +32,7 @@ def _layers(solid: Polyhedron, style: str) -> list[Layer] | None:
 
 
 def _framed(solid: Polyhedron) -> Polyhedron:
-    """In a box of size one at the origin, whatever its numbers are."""
+    """Moves the solid to a box of size one at the origin, for numbers of any size."""
     low, high = solid.box
     side = max(b - a for a, b in zip(low, high, strict=True)) or Fraction(1)
     return solid.translated((-low[0], -low[1], -low[2])).scaled(1 / side)

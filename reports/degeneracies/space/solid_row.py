@@ -1,4 +1,4 @@
-"""A case of polyhedra of any shape in the table of its family."""
+"""Rows for cases with arbitrary polyhedra, in a family's table."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from minkref.space.scaling import read_scaling, text_of
 
 @dataclass(frozen=True)
 class SolidRow:
-    """A case of polyhedra of any shape in the table of its family. `ties`: of which kinds;
-    `contacts`: how sP and x - Q meet at the scales, at the first of its points."""
+    """The row of a case with arbitrary polyhedra. `ties`: their kinds; `contacts`: how sP and x - Q
+    meet at the scales, at the first point."""
 
     id: str
     file: str

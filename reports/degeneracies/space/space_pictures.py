@@ -1,6 +1,6 @@
-"""A degenerate case in space drawn: both bodies, and the sum below, at and above its scaling, in
-parallel projection without the faces that look away. Exact numbers decide which faces these are;
-coordinates are brought to a frame of size one before they become doubles."""
+"""Pictures of a degenerate case in space: both bodies, and the sum below, at and above the scaling,
+in a parallel projection without the faces that look away. Exact numbers decide which faces look
+away; coordinates move to a frame of size one before they become doubles."""
 
 from __future__ import annotations
 
@@ -25,7 +25,8 @@ Frame = tuple[Point, Fraction]  # the least corner, the longest side
 
 @dataclass(frozen=True)
 class Shown:
-    """A body; `tied`: its faces that meet faces of the other body, by numbers; and such edges."""
+    """A body; `tied`: the numbers of faces that meet the other body's faces; `edges`: tied
+    edges."""
 
     solid: Polyhedron
     tied: set[int] = field(default_factory=set)
@@ -33,7 +34,7 @@ class Shown:
 
 
 def space_case_pictures(P: Polyhedron, Q: Polyhedron, value: dict[str, Any]) -> list[Drawn]:
-    """Pictures of a case-v1 in space: P and Q each by itself, the sums in one frame."""
+    """Pictures of a case-v1 in space: P and Q separately, the sums in one frame."""
     rows = value["degeneracy"]["coincidences"]
     drawn = []
     for name, solid in (("P", P), ("Q", Q)):
@@ -48,7 +49,7 @@ def space_case_pictures(P: Polyhedron, Q: Polyhedron, value: dict[str, Any]) -> 
 
 
 def _sums(bodies: Bodies, wanted: list[tuple[str, str]]) -> list[Drawn]:
-    """At some scalings, all in one frame; each with its caption."""
+    """Sums at some scalings in one frame, each with a caption."""
     sums = [_sum(_core.convex_sum(*bodies, read_scaling(scale))) for scale, _ in wanted]
     frame = _frame(shown.solid for shown in sums)
     layers = [_layers(shown, "sum", frame) for shown in sums]
@@ -60,8 +61,8 @@ def _sums(bodies: Bodies, wanted: list[tuple[str, str]]) -> list[Drawn]:
 
 
 def _siblings(scales: list[str]) -> tuple[list[tuple[str, str]], list[tuple[str, str]]]:
-    """The first scaling below and above along one axis with the scaling between; and the last one
-    that is elsewhere. With what is said of them."""
+    """The first scalings below and above along one axis, with the scaling between; and the last
+    scaling elsewhere. All have captions."""
     at = _factors(scales[0])
     middle = text_of(read_scaling(scales[0]))
     below: list[tuple[str, str]] = []
@@ -84,7 +85,7 @@ def _factors(scale: str) -> list[Fraction]:
 
 
 def _operand(solid: Polyhedron, marked: list[Corners]) -> Shown:
-    """With the facets and edges of some coincidences, by their corners."""
+    """The solid with tied facets and edges, found from the corners of some coincidences."""
     tied = {
         number
         for corners in marked
@@ -103,7 +104,7 @@ def _in_plane(solid: Polyhedron, corners: Corners, face: Face) -> bool:
 
 
 def _sum(found: _core.ConvexSum) -> Shown:
-    """Tied are the facets that are the sum of two facets, or of a facet and an edge."""
+    """The sum, with tied facets: sums of two facets, or of a facet and an edge."""
     tied = {
         number for number, (p, q) in enumerate(found.facet_parents) if max(len(p), len(q)) > 2
         and min(len(p), len(q)) > 1
@@ -112,7 +113,7 @@ def _sum(found: _core.ConvexSum) -> Shown:
 
 
 def _layers(shown: Shown, style: str, frame: Frame) -> list[Layer]:
-    """The faces towards the eye, a layer a face, in one of three shades."""
+    """The faces towards the eye, each a layer with one of three shades."""
     solid = shown.solid
     places = [_place(vertex, frame) for vertex in solid.vertices]
     layers = []

@@ -1,6 +1,6 @@
-"""Answers of the command, in this process: texts of standard output, documents, files.
+"""The command's answers, in this process: texts of standard output, documents, files.
 
-`Answers` with another `change` is a command with a fault: what it writes is changed on the way to
+`Answers` with another `change` act as a faulty command: the change alters the output on its way to
 the judge.
 """
 
@@ -32,12 +32,12 @@ class Refusal(Exception):
 
 
 class BrokenDown(Exception):
-    """An exit code that is no refusal, or no document."""
+    """Raised for an exit code that is no refusal, or for malformed JSON."""
 
 
 @contextmanager
 def captured(number: int) -> Iterator[Any]:
-    """Text that is written to a descriptor meanwhile, as a file that can be read."""
+    """Captures text that is written to a descriptor meanwhile, as a readable file."""
     sys.stdout.flush()
     sys.stderr.flush()
     kept = os.dup(number)
@@ -74,7 +74,7 @@ def run(words: list[str]) -> tuple[int, str, str]:
 
 
 class Answers:
-    """Answers of the command, with files in a folder of its own."""
+    """The command's answers, with files in a private folder."""
 
     def __init__(self, folder: Path, change: Change | None = None) -> None:
         self.folder, self.change = folder, change
@@ -83,7 +83,7 @@ class Answers:
         return self.change(text) if self.change else text
 
     def document(self, *words: object) -> Document:
-        """The document of --json, its numbers as texts."""
+        """The document from --json, with numbers as texts."""
         code, out, err = run([*map(str, words), "--json"])
         _refuse(code, out, err)
         try:
@@ -98,7 +98,7 @@ class Answers:
         return self._changed(out)
 
     def file(self, ending: str, *words: object) -> tuple[str, str]:
-        """The text of a file that is written with -o, and the table beside it."""
+        """The text of a file written with -o, and the table beside the file."""
         path = self.folder / f"sum.{ending}"
         path.unlink(missing_ok=True)
         code, out, err = run([*map(str, words), "-o", str(path)])

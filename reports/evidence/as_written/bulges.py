@@ -1,7 +1,7 @@
-"""Bulges of a DXF against the arcs between its corners.
+"""Compares a DXF's bulges with the arcs between its corners.
 
-A writer may cut an arc in two. Where the cut rounds to an end of the arc, a part has no length in
-doubles; what it turns belongs to the arc before it or behind it.
+A writer may cut an arc into two parts. Where the cut rounds to an end of the arc, one part has no
+length in doubles; its turn then belongs to the neighbouring part.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def compare(tally: Tally, ring: list[Corner], of: Grown) -> None:
 
 
 def _sides(ring: list[Corner]) -> Iterator[tuple[Place, Place, str, list[str]]]:
-    """The sides that have a length, with the bulges of those beside them that have none."""
+    """Sides with a length, each with the bulges of neighbouring sides without length."""
     n = len(ring)
     empty = [_touch(ring[k][:2], ring[(k + 1) % n][:2]) for k in range(n)]
     for k, (x, y, curved) in enumerate(ring):
@@ -44,19 +44,19 @@ def _sides(ring: list[Corner]) -> Iterator[tuple[Place, Place, str, list[str]]]:
 
 
 def _touch(a: Place, b: Place) -> bool:
-    """Whether two places may stand for one, by the rounding of both."""
+    """Whether two places may stand for one place, given both roundings."""
     return all(abs(exact(p) - exact(q)) <= 2 * unit(exact(p)) for p, q in zip(a, b, strict=True))
 
 
 def _totals(curved: str, beside: list[str]) -> Iterator[Real]:
-    """The bulge of all together, with or without each of those beside it."""
+    """The total bulge, with or without each neighbour's bulge."""
     for taken in product((False, True), repeat=len(beside)):
         parts = [curved, *(one for one, is_taken in zip(beside, taken, strict=True) if is_taken)]
         yield gmpy2.tan(sum((gmpy2.atan(gmpy2.mpfr(exact(one))) for one in parts), gmpy2.mpfr(0)))
 
 
 def _between(of: Grown, start: Place, end: Place) -> Piece | None:
-    """The piece with these ends, if it is the only one."""
+    """The piece with these ends, if unique."""
     found = [
         piece
         for ring in of.rings

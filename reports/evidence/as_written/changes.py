@@ -1,4 +1,4 @@
-"""Commands with a fault: what they write is changed on its way to the judge, who has to notice."""
+"""Faulty commands: a change alters their output on its way to the judge, who has to notice."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MOST = 40  # cases of each setting until a change has to be found
 
 
 def _each(change: Change) -> Change:
-    """A change of every number that stands for a double."""
+    """Applies a change to every number that stands for a double."""
 
     def one(found: re.Match[str]) -> str:
         digits = re.sub(r"e.*|\D", "", found[0]).lstrip("0")
@@ -49,8 +49,8 @@ CHANGES: dict[str, Change] = {
 
 
 def found_after(setting: str, name: str) -> tuple[float, str]:
-    """Seconds of a processor until the judge finds more than in the same answers unchanged, and
-    what it is."""
+    """Processor seconds until the judge finds more faults than without the change, and the first
+    such fault."""
     began = spent()
     for index in range(MOST):
         before = judged(setting, range(index, index + 1))
@@ -62,7 +62,7 @@ def found_after(setting: str, name: str) -> tuple[float, str]:
 
 
 def spent() -> float:
-    """Seconds of processors, by this process and its children."""
+    """Processor seconds for this process and its children."""
     return sum(os.times()[:4])
 
 

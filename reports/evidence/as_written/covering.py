@@ -1,9 +1,9 @@
-"""Whether polygons as written lie in, or around, the points that are as near to a set as a radius.
+"""Whether polygons as written lie in, or around, the points within a radius of a set.
 
-A point is in the sum with a disc iff its distance from the set is at most the radius. Distances
-between rational points and edges have rational squares, so most edges are decided in rational
-numbers: a segment is in the sum if both its ends are as near to one edge of the set, for the points
-near an edge are a convex set. Other segments are cut into the intervals that each edge covers, in
+A point belongs to the sum with a disc iff its distance from the set is at most the radius.
+Distances between rational points and edges have rational squares, so rational numbers decide most
+edges: a segment belongs to the sum if both ends lie near the same edge of the set, for the points
+near an edge form a convex set. Other segments are cut into the intervals that each edge covers, in
 numbers of 1,500 bits.
 """
 
@@ -29,7 +29,7 @@ Interval = tuple[Real, Real]
 
 
 class Neighbourhood:
-    """The points within a radius of a set, given by its rings and the square of the radius."""
+    """The points within a radius of a set, given as rings and the squared radius."""
 
     def __init__(self, rings: Sequence[Ring], squared: Real) -> None:
         self.rings = rings
@@ -37,7 +37,7 @@ class Neighbourhood:
         self.edges = list(edges(rings))
 
     def near(self, p: Point) -> frozenset[int]:
-        """The edges that are as near to a point as the radius."""
+        """The edges within the radius of a point, by number."""
         found = (k for k, edge in enumerate(self.edges) if to_segment(p, edge) <= self.squared)
         return frozenset(found)
 
@@ -45,7 +45,7 @@ class Neighbourhood:
         return any(to_segment(p, e) <= self.squared for e in self.edges) or within(p, self.rings)
 
     def outside_of(self, rings: Iterable[Ring]) -> list[Segment]:
-        """The edges of rings that are not wholly in the neighbourhood."""
+        """Edges of the rings that lie partly outside the neighbourhood."""
         return [segment for ring in rings for segment in self._outside(ring)]
 
     def _outside(self, ring: Ring) -> list[Segment]:
@@ -67,7 +67,7 @@ class Neighbourhood:
         return bool(reach >= 1 - TIE)
 
     def _interval(self, segment: Segment, edge: Segment) -> Interval | None:
-        """The part of a segment, from 0 to 1, that is as near to an edge as the radius."""
+        """The part of a segment, from 0 to 1, within the radius of an edge."""
         parts = [_in_disc(segment, end, self.squared) for end in edge]
         parts.append(_in_strip(segment, edge, self.squared))
         found = [part for part in parts if part]
@@ -76,7 +76,7 @@ class Neighbourhood:
         return min(part[0] for part in found), max(part[1] for part in found)
 
     def _inner(self, segment: Segment) -> list[Interval]:
-        """The parts of a segment in the set itself."""
+        """The parts of a segment inside the set."""
         (ax, ay), (bx, by) = segment
         ux, uy = bx - ax, by - ay
         cuts = {gmpy2.mpq(0), gmpy2.mpq(1)}
@@ -94,7 +94,7 @@ class Neighbourhood:
         ]
 
     def met_by(self, rings: Iterable[Ring]) -> list[Segment]:
-        """The edges of rings that pass through the inside of the neighbourhood: exactly."""
+        """The rings' edges that pass through the neighbourhood's interior; exact."""
         return [
             segment
             for segment in edges(rings)
@@ -117,7 +117,7 @@ def _in_disc(segment: Segment, centre: Point, squared: Real) -> Interval | None:
 
 
 def _in_strip(segment: Segment, edge: Segment, squared: Real) -> Interval | None:
-    """The part that is right beside an edge, between the normals at its ends."""
+    """The part right beside an edge, between the normals at its ends."""
     (px, py), (qx, qy) = edge
     ex, ey = qx - px, qy - py
     norm = ex * ex + ey * ey
@@ -134,7 +134,7 @@ def _in_strip(segment: Segment, edge: Segment, squared: Real) -> Interval | None
 
 
 def _between(ends: Sequence[Any], low: Real, high: Real) -> Interval | None:
-    """Where a linear function with these values at 0 and 1 is between two numbers."""
+    """The interval where a linear function with these values at 0 and 1 lies between two bounds."""
     a, b = ends
     if a == b:
         return (gmpy2.mpq(0), gmpy2.mpq(1)) if low <= a <= high else None

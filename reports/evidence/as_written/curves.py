@@ -43,7 +43,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Grown:
-    """A sum with a disc: of each component its outer ring, then its holes, as pieces."""
+    """A sum with a disc: each component's outer ring, then holes, as pieces."""
 
     squared: Any
     components: list[list[list[Piece]]]
@@ -58,7 +58,7 @@ class Grown:
 
 
 class NoCorner(ValueError):
-    """Two curves of which one cannot go on into the other."""
+    """Raised when one curve cannot continue into the other."""
 
 
 def curve_of(row: Sequence[str]) -> Curve:
@@ -89,7 +89,7 @@ def _pieces(curves: list[Curve], squared: Any) -> list[Piece]:
 
 
 def corner(a: Curve, b: Curve, squared: Any) -> Place:
-    """Where curve `a` enters what is near the feature of curve `b`."""
+    """The place where curve `a` enters the neighbourhood of curve `b`'s feature."""
     if isinstance(a, Line) and isinstance(b, Line):
         return _of_lines(a, b, squared)
     if isinstance(a, Arc) and isinstance(b, Arc):
@@ -122,8 +122,8 @@ def _of_circles(a: Arc, b: Arc, squared: Any) -> Place:
 
 
 def _of_line_and_circle(line: Line, arc: Arc, squared: Any, enters: bool) -> Place:
-    """Where a line enters a disc, its first crossing, or a circle what is on the inner side of the
-    line, the second one; a line through the centre's foot touches where both are one."""
+    """Where a line enters a disc (first crossing), or a circle enters the line's inner side (second
+    crossing); a line through the centre's foot touches, and both crossings coincide."""
     norm = line.dx**2 + line.dy**2
     gap = line.c - (line.dy * arc.x - line.dx * arc.y)  # of the edge's line beyond the centre
     long, root = gmpy2.sqrt(gmpy2.mpfr(norm)), gmpy2.sqrt(gmpy2.mpfr(squared))
@@ -131,7 +131,7 @@ def _of_line_and_circle(line: Line, arc: Arc, squared: Any, enters: bool) -> Pla
     foot = (arc.x + ahead * line.dy / long, arc.y - ahead * line.dx / long)
     if gap == 0 or (gap < 0 and gap**2 == 4 * squared * norm):
         return foot
-    # radius² - ahead², without cancellation in its largest terms
+    # Equals radius² - ahead², without cancellation between large terms.
     left = -(gap / long) * (gap / long + 2 * root)
     if left < 0:
         raise NoCorner(f"{line} and {arc} do not cross")

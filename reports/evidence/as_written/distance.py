@@ -1,4 +1,4 @@
-"""Squared distances in the plane in rational numbers, and points in polygons."""
+"""Squared distances in the plane, in rational numbers, and points in polygons."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def side(a: Point, b: Point, c: Point) -> int:
 
 
 def cross(one: Segment, other: Segment) -> bool:
-    """Whether two segments cross in a point that is inside of both."""
+    """Whether two segments cross at a point inside both."""
     return (
         side(*one, other[0]) * side(*one, other[1]) < 0
         and side(*other, one[0]) * side(*other, one[1]) < 0
@@ -45,7 +45,7 @@ def cross(one: Segment, other: Segment) -> bool:
 
 
 def apart(one: Segment, other: Segment) -> Any:
-    """The squared distance of two segments."""
+    """The squared distance between two segments."""
     if cross(one, other):
         return 0
     ends = [(end, other) for end in one] + [(end, one) for end in other]
@@ -53,8 +53,8 @@ def apart(one: Segment, other: Segment) -> Any:
 
 
 def within(p: Point, rings: Iterable[Ring]) -> bool:
-    """Whether a point is in what rings bound by the even-odd rule; on a ring either way. Segments
-    and points bound nothing."""
+    """Whether a point lies inside the rings by the even-odd rule; points on a ring may count either
+    way. Segments and points bound nothing."""
     inside = False
     for (ax, ay), (bx, by) in edges(ring for ring in rings if len(ring) > 2):
         if (ay > p[1]) != (by > p[1]):

@@ -34,7 +34,7 @@ class Edge:
         return n[0], n[1], gmpy2.mpq(-1), n[0] * self.start.x + n[1] * self.start.y
 
     def across(self, end: Vertex) -> Row:
-        """Right in front of an end."""
+        """The edge's normal line through an end."""
         dx, dy = self.end.x - self.start.x, self.end.y - self.start.y
         return dx, dy, gmpy2.mpq(0), dx * end.x + dy * end.y
 
@@ -52,8 +52,8 @@ def distance(p: tuple[Real, Real], feature: Feature) -> Real:
 
 
 def solutions(features: list[Feature]) -> Iterator[Solution]:
-    """Places as far from all features, of which there are three or more; x, y and the radius.
-    Every three of them are tried, so that none is lost where some are on one line."""
+    """Places equally far from three or more features: x, y and the radius. Tries every three
+    features, so that features on one line hide no solution."""
     for three in combinations(features, 3):
         for found in _of_three(list(three)):
             if found[2] > 0 and all(_as_far(found, feature) for feature in features):
@@ -67,7 +67,7 @@ def _as_far(at: Solution, feature: Feature) -> bool:
 def _of_three(features: list[Feature]) -> list[Solution]:
     points = [one for one in features if isinstance(one, Vertex)]
     rows = [one.row() for one in features if isinstance(one, Edge)]
-    # |x - v|² = |x - w|² is linear
+    # |x - v|² = |x - w|² gives a linear row
     rows += [_between(points[0], other) for other in points[1:]]
     rows += [_in_front(one, points[0]) for one in features if points and isinstance(one, Edge)]
     if not points:
@@ -86,7 +86,8 @@ def _between(v: Vertex, w: Vertex) -> Row:
 
 
 def _in_front(edge: Edge, vertex: Vertex) -> Row:
-    """The normal of an edge at one of its ends, on which both distances agree; else zeros."""
+    """The edge's normal at one of its ends, on which both distances agree; zeros for other
+    vertices."""
     if vertex in (edge.start, edge.end):
         return edge.across(vertex)
     return gmpy2.mpq(0), gmpy2.mpq(0), gmpy2.mpq(0), gmpy2.mpq(0)
@@ -152,7 +153,7 @@ def _roots(p: Real, q: Real, s: Real, p_size: Real, q_size: Real) -> list[Real]:
 
 
 def between(a: Feature, b: Feature) -> Solution | None:
-    """The place right between two features, where they are nearest to each other."""
+    """The midpoint between two features, where they come nearest to each other."""
     if isinstance(a, Edge) and isinstance(b, Edge):
         return None
     if isinstance(a, Edge):

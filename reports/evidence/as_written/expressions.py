@@ -12,7 +12,7 @@ TOKEN = re.compile(r"\s*(\d+|sqrt|[-+*/()])")
 
 
 def value(text: str) -> Real:
-    """A rational number where no root is taken, else one of 1,500 bits."""
+    """A rational number if the text takes no root, else a number of 1,500 bits."""
     tokens: list[str] = []
     at = 0
     while at < len(text.rstrip()):

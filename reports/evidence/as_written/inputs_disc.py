@@ -49,12 +49,13 @@ def _points(points: list[Point]) -> str:
 
 
 def kinds() -> set[str]:
-    """All kinds that may be drawn."""
+    """All kinds that a seed may draw."""
     return {*OTHERS, *(f"turned {name}, {where}" for name in SHAPES for where in PLACED)}
 
 
 def drawn(seed: int, index: int) -> Drawn:
-    """Turned shapes in doubles for even numbers, others for odd ones; which, is drawn."""
+    """Turned shapes with double coordinates for even numbers, other random shapes for odd
+    numbers."""
     draw = random.Random(f"{seed}:{index}")
     if index % 2 == 0:
         return _turned(draw)

@@ -1,4 +1,4 @@
-"""Pairs of sets and scales whose sums have corners that no decimal and no double is."""
+"""Pairs of sets and scales whose sums have corners beyond decimals and doubles."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Pair:
 
 
 def kinds() -> set[str]:
-    """All kinds that may be drawn."""
+    """All kinds that a seed may draw."""
     return {f"{kind}, {where}" for kind in KINDS for where in PLACED}
 
 

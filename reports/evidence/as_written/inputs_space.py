@@ -1,4 +1,4 @@
-"""Pairs of polyhedra in space: turned in doubles, in thirds, far from the origin."""
+"""Pairs of polyhedra: turned in doubles, in thirds, far from the origin."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Solids:
 
 
 def kinds() -> set[str]:
-    """All kinds that may be drawn."""
+    """All kinds that a seed may draw."""
     return {f"{kind}, {where}" for kind in KINDS for where in PLACED}
 
 
@@ -39,7 +39,7 @@ def solids(seed: int, index: int) -> Solids:
 
 
 def prism(ring: list[tuple[int, int]], caps: list[list[int]], height: int) -> Solid:
-    """A straight prism in triangles; `caps` cut its ring into triangles."""
+    """A straight prism as triangles; `caps` triangulate its ring."""
     n = len(ring)
     corners = [(Fraction(x), Fraction(y), Fraction(z)) for z in (0, height) for x, y in ring]
     faces = [[a, c, b] for a, b, c in caps] + [[a + n, b + n, c + n] for a, b, c in caps]

@@ -1,5 +1,5 @@
-"""Radii and places of `minkref events P disc`, of the index and of its page of numbers, from the
-features that each event names: by their equations (docs/disc.md)."""
+"""Judges radii and places from `minkref events P disc`, the index and the index's page of numbers,
+by the equations of each event's named features (docs/disc.md)."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from minkref.reports.evidence.as_written.read_plane import load
 from minkref.reports.evidence.as_written.tally import Tally
 from minkref.reports.evidence.as_written.units import Real, exact, exact_double
 
-NEAR = gmpy2.mpq(1, 2**400)  # relative: the same radius, in numbers of 1,500 bits
+NEAR = gmpy2.mpq(1, 2**400)  # relative: equal radii as numbers of 1,500 bits
 PAGE = "page of view with a disc"
 LINE = re.compile(r"^ *(\S+)  (\w+): (.*)$", re.M)
 
@@ -101,7 +101,8 @@ def _as_near(found: Solution, one: Feature) -> bool:
 def _true(
     kind: str, features: list[Feature], near: tuple[Any, Any], rings: list[Ring]
 ) -> Solution | None:
-    """The place next to the one written that is as far from its features and from none less."""
+    """The solution nearest to the written place that is equally far from its features, with no edge
+    nearer."""
     if kind == "saddle" and len(features) == 2:
         one = between(*features)
         found = [one] if one else []
@@ -120,7 +121,7 @@ def _true(
 
 
 def _index(tally: Tally, answers: Answers, drawn: Drawn, events: Document) -> None:
-    """The file has the events, number for number, and ends of holes at some of them."""
+    """The file has the same events, number for number, and holes end only at listed events."""
     text, _ = answers.file("json", "index", drawn.text, "disc")
     document = load(text)
     for one, other in zip(document["events"], events["events"], strict=True):

@@ -56,7 +56,7 @@ def _convolution(tally: Tally, answers: Answers, pair: Pair) -> None:
 
 
 def _told(tally: Tally, writer: str, text: str, true: object, name: str) -> None:
-    """A number that is printed: exact if it is a fraction, else rounded."""
+    """Judges a printed number: a fraction must be exact, other numbers are rounded."""
     if "/" not in text:
         tally.printed(writer, text, true, name)
     elif exact(text) != true:

@@ -1,5 +1,4 @@
-"""Judges the data of the page of two sets in the plane, and the pictures of a sweep, against exact
-numbers."""
+"""Judges the page data of two sets in the plane, and a sweep's pictures, against exact numbers."""
 
 from __future__ import annotations
 
@@ -64,7 +63,7 @@ def _number(value: Any) -> Any:
 
 
 def _tracks(tally: Tally, data: Document, every: list[Any]) -> None:
-    """Each line of a page, x = r + m (s - c) and y in the same way, is one of the exact lines."""
+    """Checks that each line on a page, x = r + m (s - c) and y likewise, equals an exact line."""
     numbers, centres = [exact(text) for text in data["tracks"]], data["centres"]  # read as doubles
     for track in range(len(numbers) // 4):
         rx, mx, ry, my = numbers[4 * track : 4 * track + 4]

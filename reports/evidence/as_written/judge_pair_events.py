@@ -13,7 +13,7 @@ from minkref.reports.evidence.as_written.tally import Tally
 from minkref.reports.evidence.as_written.units import Real
 
 WRITER = "events --kind pair"
-LIMIT = 200  # events of one set that are looked at
+LIMIT = 200  # events per set
 Direction = tuple[Real, Real]
 
 

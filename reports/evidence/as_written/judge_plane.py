@@ -1,4 +1,4 @@
-"""Every writer and table of sums of two sets in the plane against their exact numbers."""
+"""Judges every writer and table for sums of two sets in the plane against exact numbers."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ READERS: dict[str, Callable[[str], Polygons]] = {
 AREA = re.compile(r"^(?:area|volume) +(?:(\S+), )?(?:about )?(\S+)(?: = (.+)| \(.+\))?$", re.M)
 BOX = re.compile(r">x (\S+) to (\S+), y (\S+) to ([^\s<]+)<")
 ROW = re.compile(r"^ *(\d\S*) +(\S+) +(\d+) +(\d+) +(\d+) +(\S+)(?: .*)?$", re.M)
-PICTURE = 0.02  # of a unit: two decimals, and a scale that is measured
+PICTURE = 0.02  # units; allows for two decimals and a measured scale
 STEPS = 3
 
 
@@ -74,7 +74,8 @@ def approximate(tally: Tally, writer: str, number: str | None, true: Any) -> Non
 
 
 def area_told(tally: Tally, writer: str, table: str, true: Any) -> None:
-    """As a fraction and about, or as one number; a number that is rounded has no `=` beside it."""
+    """Judges an area: a fraction with a rounded number, or one number; no `=` stands beside a
+    rounded number."""
     found = AREA.search(table)
     if not found:
         tally.fault(writer, "no area or volume", table[:300])
@@ -103,8 +104,8 @@ def _file(tally: Tally, writer: str, found: Polygons, true: Polygons, said_exact
 
 
 def _picture(tally: Tally, text: str, polygons: Polygons) -> None:
-    """The box in words, and the corners of the sum by the map that takes its box to the drawn
-    one."""
+    """Judges the box in words, and the sum's corners by the map from the sum's box to the drawn
+    box."""
     places = [(exact(x), exact(y)) for one in polygons for ring in one for x, y in ring]
     xs, ys = zip(*places, strict=True)
     for found, true in zip(
@@ -118,7 +119,7 @@ def _picture(tally: Tally, text: str, polygons: Polygons) -> None:
 
 
 def picture(tally: Tally, writer: str, rings: list[list[Step]], polygons: Polygons) -> None:
-    """Looks for each corner of the sum at its place in the picture, by the map from box to box."""
+    """Looks for each of the sum's corners at the mapped place; the map takes box to box."""
     places = [(exact(x), exact(y)) for one in polygons for ring in one for x, y in ring]
     xs, ys = zip(*places, strict=True)
     drawn = [(float(s.x), float(s.y)) for ring in rings for s in ring]
@@ -151,7 +152,7 @@ def _sweep(tally: Tally, answers: Answers, pair: Pair) -> None:
 
 
 def _arrays(tally: Tally, pair: Pair) -> None:
-    """Doubles of `ScaleIndex`, each with a bound that has to hold."""
+    """Judges doubles from `ScaleIndex`, each with an error bound that must hold."""
     P, Q = (minkref.PolygonSet(text) for text in (pair.P, pair.Q))
     index = minkref.build_index(P, Q, Fraction(pair.scale) / 2, pair.scale)
     value, error = index.area(pair.scale)

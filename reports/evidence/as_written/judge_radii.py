@@ -24,7 +24,7 @@ SLACK = 1 + Fraction(1, 2**40)  # for the roundings of the bound itself
 
 
 def window(drawn: Drawn) -> tuple[Fraction, Fraction]:
-    """From half of the disc to the whole, where that is rational; else from and to doubles."""
+    """From half the disc's radius to the radius, if rational; otherwise both ends are doubles."""
     text = drawn.radius.removeprefix("disc:")
     if text.startswith("sqrt:"):
         radius = Fraction(math.sqrt(Fraction(text.removeprefix("sqrt:"))))
@@ -61,8 +61,8 @@ def judge(tally: Tally, answers: Answers, drawn: Drawn) -> None:
 
 
 def _vertices(tally: Tally, index: Any, radius: Fraction, drawn: Drawn) -> None:
-    """Rows x, y and a bound of the error of both, for a radius that is a double. The bound holds,
-    and is as small as docs/disc.md says; no corner is missing."""
+    """Judges rows of x, y and an error bound for both, at a double radius. The bound holds, and
+    stays as small as docs/disc.md says; no corner may be missing."""
     at = float(radius)
     of = grown(json.loads(index.canonical_json(Fraction(at))))
     rows = [tuple(map(float, row)) for row in index.vertices(at)[0]]

@@ -1,4 +1,4 @@
-"""Every writer and table of sums in space against their exact numbers."""
+"""Judges every writer and table for sums of solids against exact numbers."""
 
 from __future__ import annotations
 

@@ -26,9 +26,9 @@ from minkref.reports.evidence.as_written.polygons import Asked
 from minkref.reports.evidence.as_written.tally import Tally, told
 from minkref.reports.evidence.as_written.units import TIE, Real, exact, exact_double, unit
 
-GREATEST = gmpy2.mpq(2) ** 1023  # smaller numbers are in the range of doubles for certain
-WIDEST = 2  # units in the last place that an enclosure may have
-OFF_INDEX = gmpy2.mpq(1, 2**36)  # of the number, of areas and lengths at any radius (docs/disc.md)
+GREATEST = gmpy2.mpq(2) ** 1023  # smaller numbers are surely in the doubles' range
+WIDEST = 2  # most units in the last place for an enclosure
+OFF_INDEX = gmpy2.mpq(1, 2**36)  # relative, for areas and lengths at any radius (docs/disc.md)
 READERS: dict[str, Callable[[str], read_plane.Polygons]] = {
     "wkt": read_plane.wkt, "geojson": read_plane.geojson, "poly": read_plane.poly,
 }  # fmt: skip
@@ -113,8 +113,8 @@ def _terms(measures: Document, name: str, of: Grown) -> Real:
 def bounds(
     tally: Tally, writer: str, found: Document, true: Real, name: str, off_index: bool = False
 ) -> None:
-    """Two doubles have the true number between them, and no more than WIDEST units, or where they
-    are read off an index OFF_INDEX of the number."""
+    """Checks that two doubles enclose the true number, at most WIDEST units apart; values read off
+    an index may lie OFF_INDEX times the number apart."""
     tally.numbers[writer] += 2
     if found["low"] is None or found["high"] is None:
         if abs(true) < GREATEST:
@@ -173,7 +173,8 @@ def _dxf(tally: Tally, text: str, of: Grown) -> None:
 
 
 def _polygons(tally: Tally, answers: Answers, words: tuple[str, ...], asked: Asked) -> None:
-    """In every format one inside; one around in the format whose turn it is by the radius."""
+    """Judges a polygon inside the sum in every format, and a polygon around the sum in one format,
+    chosen by the radius."""
     turn = sum(map(ord, words[-1])) % len(READERS)
     for number, (ending, reader) in enumerate(READERS.items()):
         for outside in (False, True) if number == turn else (False,):

@@ -49,7 +49,7 @@ def _some_corner(of: Grown) -> tuple[Real, Real]:
 
 
 def bulge(piece: Piece) -> Real:
-    """The tangent of a quarter of an arc's angle, 0 of a line: as DXF has it."""
+    """The tangent of a quarter of an arc's angle, as in DXF; 0 for a line."""
     if not isinstance(piece.curve, Arc):
         return gmpy2.mpq(0)
     return gmpy2.tan(angle(piece) / 4)

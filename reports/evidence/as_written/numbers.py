@@ -16,7 +16,7 @@ COUNTS = {
 }  # fmt: skip
 SEED = settings.SEED
 BATCH = {"disc": 25, "plane": 50, "space": 10}
-WITHIN = 60.0  # seconds, in which a changed answer is found
+WITHIN = 60.0  # seconds until a change must be noticed
 FEW_CHANGES = (("plane", "doubles two units nearer to zero"),)
 Task = tuple[str, int, int]
 

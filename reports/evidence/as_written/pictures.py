@@ -1,4 +1,4 @@
-"""Pictures of sums with a disc: one map takes the sum to the picture, up to its decimals."""
+"""Judges pictures of sums with a disc: one map takes the sum to the picture, up to the decimals."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from minkref.reports.evidence.as_written.tally import Tally
 from minkref.reports.evidence.as_written.units import Real
 
 MARGIN = 12
-LONGER = 656  # of the sum's sides, in units of the picture
+LONGER = 656  # picture units along the sum's longer side
 HALF = 0.000_51  # of the third decimal
 
 
 class Frame:
-    """The box of a sum, its longer side 656 units long, with a margin of 12; y points up."""
+    """The sum's box, 656 units along its longer side, with a margin of 12; y points up."""
 
     def __init__(self, of: Grown) -> None:
         xs, ys = zip(*_extremes(of), strict=True)
@@ -32,7 +32,7 @@ class Frame:
 
 
 def _extremes(of: Grown) -> list[Place]:
-    """Corners, and where arcs are farthest along an axis."""
+    """Corners, and the arcs' farthest points along each axis."""
     found: list[Place] = []
     radius = of.radius
     zero = gmpy2.mpq(0)
@@ -66,7 +66,7 @@ def _between(start: Place, p: Place, end: Place | None, centre: Place) -> bool:
 
 
 def judge(tally: Tally, writer: str, text: str, of: Grown, operand: list[Ring]) -> None:
-    """Corners of the sum and of the operand, radii of arcs."""
+    """Judges the corners of sum and operand, and the radii of arcs."""
     drawn, frame = paths(text), Frame(of)
     steps = [step for ring in drawn["sum"] for step in ring]
     places = [_place(step) for step in steps]

@@ -1,4 +1,4 @@
-"""Places that a file has against the corners that there are, whatever the order of its rings."""
+"""Compares a file's places with the true corners, for any order of rings."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def beside(value: float) -> tuple[float, float, float]:
 
 
 def written(places: set[Double], true: Place) -> Iterator[Double]:
-    """The places of a file that are within one unit of a true place."""
+    """The file's places within one unit of a true place."""
     for x in beside(nearest(true[0])):
         for y in beside(nearest(true[1])):
             if (x, y) in places and all(
@@ -75,7 +75,7 @@ def _missing(tally: Tally, writer: str, places: set[Double], true: Place) -> Non
 
 
 def scale_of(units: Real) -> str:
-    """In which power of a thousand a number of units is."""
+    """The power of a thousand that a number of units reaches."""
     for most in (1, 1000, 10**6, 10**9):
         if units <= most * 1000:
             return f"{most:,}"
@@ -83,7 +83,7 @@ def scale_of(units: Real) -> str:
 
 
 def on(place: Double, piece: Piece, of: Grown) -> bool:
-    """Whether a written place is on the curve of a piece, up to the rounding of both numbers."""
+    """Whether a written place lies on a piece's curve, up to the rounding of both coordinates."""
     x, y = map(exact_double, place)
     slack = unit(x) + unit(y)
     curve = piece.curve

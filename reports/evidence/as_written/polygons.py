@@ -1,4 +1,4 @@
-"""Polygons that `--tolerance` writes: in or around the true sum, and near to it."""
+"""Judges polygons that `--tolerance` writes: inside or around the true sum, and near it."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ READINGS: dict[str, Callable[[str], Any]] = {
 
 
 class Asked:
-    """A sum with a disc, the set that it is of, and a tolerance."""
+    """A sum with a disc, its operand's rings, and a tolerance."""
 
     def __init__(self, rings: list[Ring], of: Grown, tolerance: Any) -> None:
         self.of, self.tolerance = of, tolerance
         self.sum = Neighbourhood(rings, of.squared)
-        # (radius + tolerance)², which is rational if the radius is
+        # (radius + tolerance)², rational if the radius is
         reach = of.squared + 2 * tolerance * of.radius + tolerance**2
         self.wider = Neighbourhood(rings, reach * (1 + TIE))
         self.holes = list(hole_points(of, self.sum))
@@ -79,7 +79,7 @@ def _shown(places: Any) -> str:
 
 
 def middle(piece: Piece, radius: Real, beyond: Real) -> Place:
-    """The middle of a piece, moved out of the sum by a small number."""
+    """The middle of a piece, moved out of the sum by `beyond`."""
     if not isinstance(piece.curve, Arc):
         assert piece.start and piece.end
         long = gmpy2.sqrt(gmpy2.mpfr(piece.curve.dx**2 + piece.curve.dy**2))
@@ -94,7 +94,7 @@ def middle(piece: Piece, radius: Real, beyond: Real) -> Place:
 
 
 def samples(of: Grown) -> Iterator[Place]:
-    """The corners of a sum and the middles of its pieces."""
+    """The sum's corners and the pieces' middles."""
     for piece in (piece for ring in of.rings for piece in ring):
         if piece.start:
             yield piece.start
@@ -102,7 +102,7 @@ def samples(of: Grown) -> Iterator[Place]:
 
 
 def hole_points(of: Grown, near: Neighbourhood) -> Iterator[Place]:
-    """A point of each hole, just beside its boundary."""
+    """A point inside each hole, just beside the boundary."""
     for ring in (hole for component in of.components for hole in component[1:]):
         p = middle(ring[0], of.radius, of.radius / gmpy2.mpq(2) ** 500)
         if near.has(p):

@@ -17,7 +17,7 @@ def pairs(text: str) -> Iterator[tuple[int, str]]:
 
 
 def polylines(text: str) -> list[list[Corner]]:
-    """The closed LWPOLYLINEs of the section ENTITIES; any other entity is refused."""
+    """The closed LWPOLYLINEs in the section ENTITIES; refuses other entities."""
     rings: list[list[Corner]] = []
     section, entity, closed = "", "", []
     for code, value in pairs(text):

@@ -1,5 +1,5 @@
-"""Readers of meshes: OFF, OBJ, PLY, STL in text and in binary, plain JSON. Coordinates stay texts
-(in binary files, doubles)."""
+"""Mesh readers: OFF, OBJ, PLY, STL as text and binary, plain JSON. Coordinates stay texts (binary
+files give doubles)."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def ply(text: str) -> Mesh:
 
 
 def stl(data: bytes) -> Mesh:
-    """Triangles, each with three corners of its own."""
+    """Triangles, each with three separate corners."""
     if len(data) >= 84 and len(data) == 84 + 50 * struct.unpack_from("<I", data, 80)[0]:
         values = [
             struct.unpack_from("<9f", data, 96 + 50 * k) for k in range((len(data) - 84) // 50)

@@ -1,4 +1,4 @@
-"""A reader of pages: the data that their scripts read, numbers as texts."""
+"""A page reader: the data that the page's script reads, with numbers as texts."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ DATA = re.compile(r'<script id="data" type="application/json">(.*?)</script>', r
 
 
 def page_data(answers: Answers, *words: object) -> Document:
-    """The data of the page of a command. ValueError where the page has none."""
+    """The data from a command's page. Raises ValueError if the page has no data."""
     path = answers.folder / "page.html"
     path.unlink(missing_ok=True)
     answers.table(*words, "-o", path)

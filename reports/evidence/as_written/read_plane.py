@@ -1,6 +1,6 @@
-"""Readers of polygon sets: WKT, GeoJSON, `.poly`, plain JSON. Coordinates stay texts.
+"""Readers for polygon sets: WKT, GeoJSON, `.poly`, plain JSON. Coordinates stay texts.
 
-Each reader knows only what its format says, and refuses everything else by ValueError.
+Each reader knows only its format's rules, and raises ValueError for everything else.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ import re
 from typing import Any
 
 Pair = tuple[str, str]
-Polygons = list[list[list[Pair]]]  # of each polygon its rings, the outer one first
+Polygons = list[list[list[Pair]]]  # each polygon's rings, the outer ring first
 
 TOKEN = re.compile(r"\s*(?:([A-Za-z]+)|([-+0-9.][-+0-9.eE/]*)|([(),]))")
 
 
 def wkt(text: str) -> Polygons:
-    """POLYGON, MULTIPOLYGON and empty ones; the repeated vertex of each ring taken off."""
+    """Reads POLYGON and MULTIPOLYGON, also when empty; drops each ring's repeated vertex."""
     tokens = _tokens(text.strip())
     kind = next(tokens).upper()
     if kind not in ("POLYGON", "MULTIPOLYGON"):
@@ -43,7 +43,7 @@ def _tokens(text: str) -> Any:
 
 
 def _nested(tokens: list[str], at: int) -> tuple[Any, int]:
-    """A list in brackets, of lists or of points."""
+    """A bracketed list, with lists or points inside."""
     if tokens[at] != "(":
         return _point(tokens, at)
     items, at = [], at + 1
@@ -70,11 +70,11 @@ def _closed(ring: list[Pair]) -> list[Pair]:
 
 
 class _Text(str):
-    """A number of a JSON text, as it stands there."""
+    """A JSON text's number, unchanged."""
 
 
 def load(text: str) -> Any:
-    """JSON whose numbers stay texts; NaN and infinity are refused."""
+    """JSON whose numbers stay texts; refuses NaN and infinity."""
 
     def refuse(name: str) -> Any:
         raise ValueError(f"{name} is no number of JSON")
@@ -106,7 +106,7 @@ def polygons_of(value: Any) -> Polygons:
 
 
 def poly(text: str) -> Polygons:
-    """Rings in the order of the file; a hole is put to the outer ring before it."""
+    """Rings in the file's order; a hole joins the outer ring before it."""
     words = [line.split("#")[0].split() for line in text.splitlines()]
     lines = iter([line for line in words if line])
     (count,) = next(lines)

@@ -1,4 +1,4 @@
-"""A reader of pictures: the paths of an SVG by class, their ends, arcs and numbers of decimals."""
+"""A picture reader: an SVG's paths by class, with ends, arcs and decimals."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Step:
 
 
 def paths(text: str) -> dict[str, list[list[Step]]]:
-    """The closed rings of each class of paths. Other elements are passed over."""
+    """Closed rings for each class of paths. Skips other elements."""
     found: dict[str, list[list[Step]]] = {}
     for element in ET.fromstring(text).iter("{http://www.w3.org/2000/svg}path"):
         rings = found.setdefault(element.get("class", ""), [])
@@ -30,7 +30,7 @@ def paths(text: str) -> dict[str, list[list[Step]]]:
 
 
 def rings_of(d: str) -> list[list[Step]]:
-    """The subpaths of a path in absolute coordinates; a repeated first place is taken off."""
+    """A path's subpaths in absolute coordinates; drops a repeated first place."""
     rings: list[list[Step]] = []
     for letter, numbers in _commands(d):
         if letter == "M":
@@ -58,7 +58,7 @@ def _commands(d: str) -> list[tuple[str, list[str]]]:
             commands.append((letter, []))
         elif number:
             letter, numbers = commands[-1]
-            if letter in "ML" and len(numbers) == 2:  # more places of a line
+            if letter in "ML" and len(numbers) == 2:  # more places on a line
                 commands.append(("L", [number]))
             else:
                 numbers.append(number)

@@ -1,10 +1,10 @@
-"""A reader of printed tables: rows by the names of their columns."""
+"""A reader for printed tables: rows by column names."""
 
 from __future__ import annotations
 
 
 def boxed(text: str) -> list[dict[str, str]]:
-    """The rows of a table in a box of lines; a row over several lines is put together again."""
+    """Rows of a boxed table; joins rows that span several lines."""
     names: list[str] = []
     rows: list[dict[str, str]] = []
     for line in text.splitlines():

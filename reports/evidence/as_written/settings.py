@@ -1,4 +1,4 @@
-"""The three settings: what is drawn in each, and its judges."""
+"""The three settings: their random cases, and their judges."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ WRITERS = {
 
 
 def judged(setting: str, indices: range, change: Change | None = None) -> Tally:
-    """The judge's tally of these cases of a setting; answers are changed on the way."""
+    """The judge's tally for a setting's cases; `change` alters answers on the way."""
     use_bits()
     tally = Tally()
     with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
-"""Shapes in the plane as people draw them: blocks with steps and slots, frames, cells; and where
-they are put."""
+"""Plane shapes as people draw them: blocks with steps and slots, frames, cells; and their
+places."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from fractions import Fraction
 Number = int | Fraction
 Point = tuple[Fraction, Fraction]
 Rings = list[list[Point]]
-Shape = tuple[Rings, Fraction]  # and a radius at which something happens to it
+Shape = tuple[Rings, Fraction]  # and a radius at which something happens
 
 ORIGIN = Fraction(0)
 PLACED = {
@@ -25,7 +25,7 @@ LESS = {f"walls parallel up to 1e-{n}": Fraction(1, 10**n) for n in (8, 16, 30)}
 
 
 def steps(draw: random.Random) -> Shape:
-    """A block with steps and slots; a radius of some quarters of a unit often closes one."""
+    """A block with steps and slots; a radius of some quarter units often closes one slot."""
     wide = draw.randint(2, 5)
     top = [draw.randint(1, 5) for _ in range(wide)]
     ring = [(0, 0), (wide, 0)]
@@ -35,7 +35,7 @@ def steps(draw: random.Random) -> Shape:
 
 
 def slot(draw: random.Random) -> Shape:
-    """A block with one slot, which is as wide as the disc."""
+    """A block with one slot, as wide as the disc."""
     wide = Fraction(draw.randint(1, 8), 4)
     left, deep = draw.randint(1, 3), draw.randint(1, 4)
     w, h = left + wide + draw.randint(1, 3), Fraction(deep + draw.randint(0, 2))
@@ -46,7 +46,7 @@ def slot(draw: random.Random) -> Shape:
 
 
 def flat(draw: random.Random) -> Shape:
-    """A rectangle with a vertex on a side, straight until it is rounded."""
+    """A rectangle with an extra vertex on a side, straight before rounding."""
     w, h = draw.randint(3, 12), draw.randint(2, 8)
     at = Fraction(draw.randint(1, 7), 8)
     ring = [(Fraction(x), Fraction(y)) for x, y in ((0, 0), (w, 0), (w, h), (0, h))]
@@ -57,7 +57,7 @@ def flat(draw: random.Random) -> Shape:
 
 
 def frame(draw: random.Random) -> Shape:
-    """A frame around a rectangle, which closes at the radius or is narrow there."""
+    """A frame around a rectangle, which closes or becomes narrow at the radius."""
     w, h = draw.randint(1, 5), draw.randint(1, 3)
     a, b = draw.randint(1, 2), draw.randint(1, 2)
     outer = _corners([(-a, -b), (w + a, -b), (w + a, h + b), (-a, h + b)])
@@ -71,7 +71,7 @@ SHAPES: dict[str, Callable[[random.Random], Shape]] = {
 
 
 def tapered(draw: random.Random, less: Fraction) -> Shape:
-    """A slot whose walls are parallel up to a small number; the radius closes a part of it."""
+    """A slot with almost parallel walls, off by a small number; the radius closes a part."""
     left, wide, deep = draw.randint(1, 3), draw.randint(1, 3), draw.randint(1, 5)
     k, m = draw.randint(1, 9), draw.randint(0, 9)
     w, h = left + wide + 1, deep + 1
@@ -81,7 +81,7 @@ def tapered(draw: random.Random, less: Fraction) -> Shape:
 
 
 def cells(draw: random.Random) -> tuple[list[Rings], Fraction]:
-    """Cells of a grid that do not touch, and a radius at which much happens."""
+    """Separate grid cells, and a radius at which much happens."""
     grid = [(x, y) for x in range(0, 10, 2) for y in range(0, 10, 2)]
     chosen = draw.sample(grid, draw.randint(2, 5))
     polygons = [[_corners([(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)])] for x, y in chosen]
@@ -89,7 +89,7 @@ def cells(draw: random.Random) -> tuple[list[Rings], Fraction]:
 
 
 def _corners(ring: Sequence[tuple[Number, Number]]) -> list[Point]:
-    """Without vertices that repeat the one before or are straight."""
+    """The ring without repeated or straight vertices."""
     points = [(Fraction(x), Fraction(y)) for x, y in ring]
     points = [p for k, p in enumerate(points) if p != points[k - 1]]
     n = len(points)
@@ -105,7 +105,7 @@ def moved(rings: Rings, scale: Fraction, x: Fraction, y: Fraction) -> Rings:
 
 
 def turned(rings: Rings, draw: random.Random, where: str) -> Rings:
-    """By any angle, in doubles, as people turn their parts, and then put somewhere, in doubles."""
+    """Turns rings by any angle and then moves them, both in doubles, as people turn their parts."""
     angle = draw.uniform(-math.pi, math.pi)
     c, s = math.cos(angle), math.sin(angle)
     scale, x, y = map(float, PLACED[where])

@@ -1,4 +1,4 @@
-"""Counts of comparisons, by writer, and of faults found, with an example of each kind."""
+"""Counts of comparisons, by writer, and of faults, with examples for each kind."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Tally:
     wrong: Counter[tuple[str, str]] = field(default_factory=Counter)  # by writer and fault
     examples: dict[tuple[str, str], list[str]] = field(default_factory=dict)
     refused: Counter[str] = field(default_factory=Counter)  # by writer and code
-    case: str = ""  # what is looked at, as words of a command
+    case: str = ""  # the current case, as command words
 
     def begin(self, kind: str, case: str) -> None:
         """Look at another case of a kind."""
@@ -60,8 +60,8 @@ class Tally:
             )
 
     def number(self, writer: str, text: str, true: Real, name: str) -> None:
-        """A written number has to be within one unit in the last place, as a decimal and as the
-        double that a reader makes of it."""
+        """Checks that a written number lies within one unit in the true number's last place, both
+        as a decimal and as the double that a reader makes."""
         self.numbers[writer] += 1
         try:
             written = exact(text)
@@ -77,7 +77,7 @@ class Tally:
             )
 
     def printed(self, writer: str, text: str, true: Real, name: str) -> None:
-        """A printed number has to be the true one, rounded to its digits."""
+        """Checks that a printed number equals the true number, rounded to the printed digits."""
         self.numbers[writer] += 1
         try:
             right = is_rounded(text, true)

@@ -1,4 +1,4 @@
-"""Numbers as written against numbers as they are: units in the last place, digits printed."""
+"""Compares written numbers with true numbers: units in the last place, printed digits."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from typing import Any
 import gmpy2
 
 BITS = 1500
-Real = Any  # an mpq, which is exact, or an mpfr of BITS bits
-LEAST = gmpy2.mpq(1, 2**1074)  # the unit of subnormal doubles
-TIE = gmpy2.mpq(1, 2**900)  # relative: two values of 1,500 bits that are nearer are taken as equal
+Real = Any  # an exact mpq, or an mpfr with BITS bits
+LEAST = gmpy2.mpq(1, 2**1074)  # the subnormal doubles' unit
+TIE = gmpy2.mpq(1, 2**900)  # relative: closer values of 1,500 bits count as equal
 MOST_EXPONENT = 20_000
 PRINTED = re.compile(r"[-+−]?(\d+)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
 
@@ -37,7 +37,7 @@ def exact(text: str) -> Any:
 
 
 def exact_double(value: float) -> Any:
-    """The rational number that a double is. ValueError for NaN and infinity."""
+    """The double as a rational number. Raises ValueError for NaN and infinity."""
     if not math.isfinite(value):
         raise ValueError(f"{value} is no number")
     return gmpy2.mpq(value)
@@ -52,17 +52,17 @@ def unit(true: Real) -> Any:
 
 
 def units_off(written: Any, true: Real) -> float:
-    """How far a rational number is from a true one, in units of `unit(true)`."""
+    """Distance between a rational number and a true number, divided by `unit(true)`."""
     return float(abs(written - true) / unit(true))
 
 
 def is_double_of(written: Any, true: Real) -> bool:
-    """Whether a written number is within one unit in the last place of the true one."""
+    """Whether a written number lies within one unit in the true number's last place."""
     return bool(abs(written - true) <= unit(true) * (1 + TIE))
 
 
 def last_digit(text: str) -> Any:
-    """The value of a one in the last digit of a printed number."""
+    """The value of a one in a printed number's last digit."""
     found = PRINTED.fullmatch(text)
     if not found:
         raise ValueError(f"{text!r} is no printed number")
@@ -71,6 +71,6 @@ def last_digit(text: str) -> Any:
 
 
 def is_rounded(text: str, true: Real) -> bool:
-    """Whether a printed number is the true one, or a double within a unit of it, rounded to the
-    digits that are printed."""
+    """Whether a printed number equals the true number, or a double within a unit, rounded to the
+    printed digits."""
     return bool(abs(exact(text) - true) <= (last_digit(text) / 2 + unit(true)) * (1 + TIE))

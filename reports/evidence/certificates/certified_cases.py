@@ -1,4 +1,4 @@
-"""Cases of all families, and certificates of their sums and events."""
+"""Cases from all families, and certificates for their sums and events."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ SMALL = 60
 
 
 def cases(seed: int, families: tuple[str, ...] = tuple(FAMILIES)) -> Iterator[Case]:
-    """Cases of each family in turn, without end: those that are not refused, with an operand that
-    is a region or empty."""
+    """Cases from each family in turn, without end: accepted cases with an operand that is a region
+    or empty."""
     index = 0
     while True:
         for family in families:
@@ -64,7 +64,7 @@ def wound(vertices: int, pitch: int, wall: Fraction) -> _core.PolygonSet:
 
 
 def written(certificate: Certificate, folder: Path, stem: str) -> Path:
-    """The certificate, its case beside it."""
+    """Writes the certificate with its case beside it."""
     (folder / f"{stem}.case.json").write_text(certificate.case(), encoding="utf-8")
     path = folder / f"{stem}.cert.json"
     path.write_text(certificate.text(f"{stem}.case.json"), encoding="utf-8")

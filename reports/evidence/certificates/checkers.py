@@ -29,7 +29,7 @@ def in_python() -> list[str]:
 
 
 def in_cpp() -> list[str]:
-    """Raises FileNotFoundError if it is not built."""
+    """The C++ checker's command. Raises FileNotFoundError if not built."""
     beside = Path(sys.executable).parent / "minkref-check"
     built = ROOT / "build" / "release" / "oracle" / "checker" / "minkref-check"
     found = next((str(path) for path in (beside, built) if path.exists()), None)
@@ -40,7 +40,7 @@ def in_cpp() -> list[str]:
 
 
 def in_proved() -> list[str]:
-    """The one that is proved right in Coq. Raises FileNotFoundError if it is not built."""
+    """The command for the checker proved right with Coq. Raises FileNotFoundError if not built."""
     name = "minkref-check-proved"
     beside = Path(sys.executable).parent / name
     built = ROOT / "build" / "proofs" / name
@@ -61,7 +61,7 @@ def verdicts(command: Sequence[str], files: Sequence[Path]) -> list[Verdict]:
 
 
 def timed(command: Sequence[str], file: Path) -> tuple[Verdict, float]:
-    """The verdict, and the processor's seconds of the whole command with its start."""
+    """The verdict, and processor seconds for the whole command, including its start."""
     began = _spent()
     (verdict,) = verdicts(command, [file])
     return verdict, _spent() - began

@@ -1,4 +1,4 @@
-"""Certificates of the real pairs at scale 1: what it takes to make them and to follow them."""
+"""Certificates for the real pairs at scale 1: the cost of making and following them."""
 
 from __future__ import annotations
 

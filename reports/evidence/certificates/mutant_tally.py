@@ -29,7 +29,7 @@ class Tally:
     mutants: int = 0
     refused: Counter[str] = field(default_factory=Counter)  # by verdict
     fields: Counter[str] = field(default_factory=Counter)
-    verified: Counter[str] = field(default_factory=Counter)  # and confirmed, by what they are
+    verified: Counter[str] = field(default_factory=Counter)  # and confirmed, by kind
     false: list[str] = field(default_factory=list)  # verified, and not confirmed
     disagreements: list[str] = field(default_factory=list)
 
@@ -57,7 +57,7 @@ def spoil_all(
     findings: Findings, spoilt: Callable[[tuple[int, Certified]], Tally],
     certificates: list[Certified], least: int, kinds: tuple[str, ...],
 ) -> Tally:  # fmt: skip
-    """All mutants of all certificates, and what is told of them."""
+    """Judges all mutants of all certificates, and records the findings."""
     total = Tally()
     for tally in in_processes(spoilt, list(enumerate(certificates)), what="certificates"):
         total.add(tally)
@@ -67,14 +67,14 @@ def spoil_all(
 
 @dataclass
 class Spoiling:
-    """A certificate, and how its mutants are judged. `confirms`: whether claims hold, without the
-    checkers; `kind_of`: what a mutant is that is verified and confirmed, None where it should have
-    been refused all the same."""
+    """A certificate, and how to judge its mutants. `confirms` tells whether claims hold, without
+    the checkers; `kind_of` gives the kind of a verified and confirmed mutant, or None if checkers
+    should still have refused the mutant."""
 
     name: str
     case: str
     value: Any
-    each: int  # mutants of a field and a way
+    each: int  # mutants for each field and way
     confirms: Callable[[Any], bool]
     kind_of: Callable[[Mutant], str | None]
 

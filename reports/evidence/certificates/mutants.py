@@ -1,4 +1,4 @@
-"""Small changes of JSON values that leave them readable."""
+"""Small changes to JSON values that keep them readable."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from typing import Any
 
 Path = tuple[Any, ...]
 LEAST = Fraction(1, 1 << 80)
-# The members by which a claim says something: not those that name steps or pieces
+# Members that carry a claim's content, unlike names of steps or pieces
 TOLD = (
     "scale", "components", "holes", "digest", "polygons", "point", "p", "q", "points", "of",
     "from", "to", "sign", "kind", "before", "at", "after",
 )  # fmt: skip
 NO_TRUTH = ("title", "comment", "producer")
-TREE = 2  # of the parts of a plane: a path to an entry is proof, sums, i, planes, j, 2, k
+TREE = 2  # position among a plane's parts; an entry's path is proof, sums, i, planes, j, 2, k
 
 
 @dataclass(frozen=True)
 class Mutant:
-    """`field`: the rule or claim, and the names on the way to what was changed."""
+    """`field`: the rule or claim, and the names on the way to the change."""
 
     field: str
     way: str
@@ -31,8 +31,8 @@ class Mutant:
 
 
 def mutants(value: Any, each: int, dice: random.Random) -> Iterator[Mutant]:
-    """Mutants of each field of each step and claim (and of the case, and of the lists themselves),
-    in each way that fits: `each` at places drawn, or fewer where there are no more."""
+    """Mutants for each field of each step and claim (also of the case, and the lists themselves),
+    changed in each fitting way: `each` at random places, or fewer if no more exist."""
     fields: dict[str, list[Path]] = {}
     for path in places(value):
         if path[0] not in NO_TRUTH:
@@ -68,7 +68,8 @@ def at(value: Any, path: Path) -> Any:
 
 
 def _field(value: Any, path: Path) -> str:
-    """`steps/eq/cells//` is a corner of a cell: each number on the way is a slash."""
+    """A field's name, such as `steps/eq/cells//` for a cell's corner: each number on the way
+    becomes a slash."""
     names = [str(name) if isinstance(name, str) else "" for name in path]
     if len(path) > 1 and path[0] in ("steps", "claims"):
         entry = value[path[0]][path[1]]
@@ -143,7 +144,8 @@ def _is_number(text: str) -> bool:
 
 
 def is_changed(claims: Any, whole: list[dict[str, Any]]) -> bool:
-    """Whether another set, interval, event, point, passage or sign is claimed than those."""
+    """Whether the claims mention a set, interval, event, point, passage or sign that `whole`
+    lacks."""
 
     def is_old(claim: dict[str, Any]) -> bool:
         told = [name for name in TOLD if name in claim]

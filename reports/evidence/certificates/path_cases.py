@@ -14,13 +14,13 @@ from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.certify.plane.certificate import NoProof
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, timed, verdicts
 
-#: Figures of a set of certificates: of each size or time the sum, or the worst.
+#: Figures for a set of certificates: their number, and the worst size and time of each kind.
 Figures = dict[str, float]
 
 
 @dataclass(frozen=True)
 class Made:
-    """A certificate; None where it has none (`why`)."""
+    """A certificate; None without a proof (`why`)."""
 
     name: str
     certificate: PathCertificate | None
@@ -44,7 +44,7 @@ def made(
 
 
 def faults(several: Sequence[Made]) -> list[str]:
-    """Those that a checker does not verify."""
+    """Certificates that a checker does not verify."""
     with tempfile.TemporaryDirectory() as folder:
         files = {one.name: written(one, Path(folder), str(k)) for k, one in enumerate(several)}
         return [
@@ -68,7 +68,7 @@ def figures(several: Sequence[Made]) -> Figures:
 
 
 def joined(first: Figures, second: Figures) -> Figures:
-    """The figures of two sets of certificates together."""
+    """Merges the figures for two sets of certificates."""
     return {
         name: value + second[name] if name == "certificates" else max(value, second[name])
         for name, value in first.items()
@@ -76,7 +76,7 @@ def joined(first: Figures, second: Figures) -> Figures:
 
 
 def checking_seconds(one: Made) -> dict[str, float]:
-    """Processor's seconds of both checkers, each with its start."""
+    """Processor seconds for both checkers, each with its start."""
     with tempfile.TemporaryDirectory() as folder:
         file = written(one, Path(folder), "it")
         return {
@@ -86,7 +86,7 @@ def checking_seconds(one: Made) -> dict[str, float]:
 
 
 def written(one: Made, folder: Path, stem: str) -> Path:
-    """The certificate, its case beside it."""
+    """Writes the certificate with its case beside it."""
     assert one.certificate is not None
     (folder / f"{stem}.case.json").write_text(one.certificate.case(), encoding="utf-8")
     file = folder / f"{stem}.cert.json"

@@ -1,4 +1,5 @@
-"""Pairs of solids of all families, small enough that the slow engine knows their whole sum."""
+"""Pairs of solids from all families, small enough for the slow engine to compute their whole
+sum."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from minkref.fuzz.space.general_pairs import GeneralPair, general_pair
 
 
 def solid_pairs(seed: int) -> Iterator[GeneralPair]:
-    """Pairs of each family in turn, without end; both operands have a volume."""
+    """Pairs from each family in turn, without end; both operands have a volume."""
     index = 0
     while True:
         pair = general_pair(seed, index)

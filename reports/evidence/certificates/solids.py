@@ -1,4 +1,4 @@
-"""Certificates of sums of solids: both checkers, the slow engine, bytes and seconds."""
+"""Certificates for sums of solids: both checkers, the slow engine, bytes and seconds."""
 
 from __future__ import annotations
 

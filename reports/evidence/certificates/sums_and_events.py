@@ -1,4 +1,4 @@
-"""Certificates of many sums and events, followed by both checkers: verdicts, sizes, times."""
+"""Certificates for many sums and events, followed by both checkers: verdicts, sizes, times."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SMALL = 12
 SMALL_SECONDS = 0.2
 LARGE_SECONDS = {"Python": 60.0, "C++": 5.0}
 Row = dict[str, float]
-Work = tuple[str, Callable[[], Certificate]]  # a name, and what is timed
+Work = tuple[str, Callable[[], Certificate]]  # a name, and the timed call
 
 
 def run(findings: Findings, size: Size) -> None:
@@ -68,7 +68,7 @@ def _events() -> Iterator[Work]:
 
 
 def _small() -> Iterator[Work]:
-    """Sums of pairs whose operands have 12 vertices each."""
+    """Sums of pairs with 12 vertices per operand."""
 
     def fits(case: Case) -> bool:
         return case.P.vertices == case.Q.vertices == SMALL

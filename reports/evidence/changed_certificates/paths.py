@@ -28,8 +28,8 @@ MINUTES = Minutes(0.1, 0.5, 2)
 SEED = 1975
 LEAST = Counts(20, 1000, 4000)
 RANDOM = Counts(0, 2, 6)  # random paths, beside a member of each family
-DOORS = Counts(1, 2, 6)  # traps whose doors just shut: ways out that move with the scale
-EACH = Counts(1, 4, 4)  # mutants of a field and a way, of one certificate
+DOORS = Counts(1, 2, 6)  # traps with doors just shut: exits move with the scale
+EACH = Counts(1, 4, 4)  # one certificate's mutants per field and way
 
 
 def run(findings: Findings, size: Size) -> None:

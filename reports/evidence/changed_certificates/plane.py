@@ -1,4 +1,4 @@
-"""Certificates with small changes: which of them the checkers still take for proofs."""
+"""Certificates with small changes, and the ones that the checkers still accept as proofs."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ MINUTES = Minutes(None, 1, 10)
 SEED = 1973
 LEAST = Counts(0, 200, 2000)
 OF_EACH, DEGENERACIES = Counts(0, 1, 8), Counts(0, 1, 4)  # sums, and events
-EACH = 2  # mutants of a field and a way, of one certificate
-TRUTHS = ("claims", "case", "certificate")  # nothing that they say may change
+EACH = 2  # one certificate's mutants per field and way
+TRUTHS = ("claims", "case", "certificate")  # their content must not change
 
 
 def run(findings: Findings, size: Size) -> None:

@@ -1,4 +1,5 @@
-"""Certificates of sums of solids with small changes: which the checkers still take for proofs."""
+"""Certificates for sums of solids with small changes, and the ones that the checkers still accept
+as proofs."""
 
 from __future__ import annotations
 
@@ -22,8 +23,8 @@ MINUTES = Minutes(0.1, 1, 8)
 SEED = 1974
 LEAST = Counts(20, 800, 4000)
 CERTIFICATES = Counts(1, 3, 13)
-MOST_BYTES = 6000  # of a certificate that is changed
-EACH = Counts(1, 4, 8)  # mutants of a field and a way, of one certificate
+MOST_BYTES = 6000  # the largest certificate to change
+EACH = Counts(1, 4, 8)  # one certificate's mutants per field and way
 REWRITTEN = "the same claims, otherwise written, each confirmed"
 
 

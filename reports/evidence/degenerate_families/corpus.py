@@ -36,7 +36,7 @@ def run(findings: Findings, size: Size) -> None:
     findings.target("cases", cases >= LEAST_CASES, f"at least {LEAST_CASES}", cases)
     findings.target("bytes", total < MOST_BYTES, f"under {MOST_BYTES:,}", f"{total:,}")
     of_solids = [p for p in lint.case_paths(lint.CORPUS) if p.parent.name in SOLID_FAMILIES]
-    certified = cases - len(of_solids)  # sums of polyhedra of any shape have no certificates
+    certified = cases - len(of_solids)  # solids' sums have none
     files = sorted(lint.CORPUS.rglob(f"*{lint.ENDING}"))
     for what, command in (("Python", in_python()), ("C++", in_cpp())):
         good = sum(

@@ -78,7 +78,7 @@ def _floats(findings: Findings, values: list[dict[str, Any]]) -> None:
 
 
 def _signs(findings: Findings, values: list[dict[str, Any]]) -> None:
-    """In space: of a normal of one body times an edge of the other."""
+    """Counts wrong signs in space: one body's normal times the other body's edge."""
     wrong: dict[str, Counter[bool]] = {}
     for value in values:
         tally = wrong.setdefault(value["tags"][0], Counter())

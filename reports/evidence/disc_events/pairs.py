@@ -1,5 +1,5 @@
-"""Radii at which two offset features start or stop to share points: right, and what the Appendix as
-printed makes of them."""
+"""Radii at which two offset features start or stop sharing points: the right answers, and the
+answers from the Appendix as printed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where and what the events of a disc are, by a judge that shares nothing with the reference."""
+"""Places and kinds of disc events, from a judge that shares nothing with the reference."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SEED = 2046
 SETS, BATCH = Counts(20, 200, 2000), 10
 FAMILIES = ("disc-doors", "disc-edges-on-one-line")
 MEMBERS = Counts(1, 5, 40)  # of each
-LISTED = Counts(1, 5, 40)  # sets of which the command's own lists are read, and the page's data
+LISTED = Counts(1, 5, 40)  # sets with checked command lists and page data
 MUTATED = Counts(1, 3, 10)  # answers that each mutant changes
 WITHIN = 60.0  # seconds
 
@@ -69,7 +69,7 @@ def run(findings: Findings, size: Size) -> None:
 
 
 def _members(count: int) -> list[str]:
-    """Faults in members of the families that are made to show what may go wrong."""
+    """Faults in members of families made to show likely mistakes."""
     faults = []
     for name in FAMILIES:
         for index in range(count):
@@ -80,8 +80,8 @@ def _members(count: int) -> list[str]:
 
 
 def _listed(count: int, wanted: int) -> list[str]:
-    """`minkref events`, its list as JSON, against what was judged; and the names that the page
-    has."""
+    """Compares the JSON list of `minkref events` with the judged rows, and checks the page's
+    names."""
     faults = []
     every = count // wanted
     for number in range(0, count, every):

@@ -1,4 +1,5 @@
-"""Radii at which sums with a disc change: between two of them nothing does, at each something."""
+"""Radii at which sums with a disc change: between two of them nothing changes, at each
+something."""
 
 from __future__ import annotations
 
@@ -22,7 +23,7 @@ MINUTES = Minutes(0.1, 0.8, 3)
 SEED = 1904
 SETS = Counts(6, 80, 300)
 GAPS = Counts(2, 12, 60)  # of a large polygon
-SECONDS = 20.0  # of an offset by CGAL
+SECONDS = 20.0  # for an offset by CGAL
 
 
 @dataclass
@@ -33,8 +34,8 @@ class Looked:
 
 
 def gaps(rows: list[Any]) -> list[tuple[Fraction, Fraction]]:
-    """Radii between which there is no event, from 0 to beyond the last; of events that doubles tell
-    apart."""
+    """Gaps between events, from 0 to beyond the last event; skips events that doubles do not
+    separate."""
     bounds = [(Fraction(low), Fraction(high)) for _, _, _, (low, high), _, _ in rows]
     found, last = [], Fraction(0)
     for low, high in bounds:

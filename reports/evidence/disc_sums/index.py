@@ -1,5 +1,5 @@
-"""The index of all radii of a sum with a disc: what is read off is the static sum, at any radius;
-how quick it is."""
+"""The index of all radii of a sum with a disc: queries give the static sum at any radius; and their
+speed."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ LARGE = ("neuron", "monkey", "bird")
 ROUNDS = 20
 BUILDS = Counts(1, 3, 5)
 LEAST = Counts(50, 500, 7000)
-WITHIN = Fraction(1, 1000)  # of the radius: polygons of 72 corners
-PARTS = (Fraction(1, 300), Fraction(7, 300), Fraction(1, 15))  # radii, of the length of the box
-TOLERANCE = 1e-3  # of CGAL's approximated offset, as a part of the radius
+WITHIN = Fraction(1, 1000)  # relative to the radius: polygons of 72 corners
+PARTS = (Fraction(1, 300), Fraction(7, 300), Fraction(1, 15))  # radii relative to the box's length
+TOLERANCE = 1e-3  # CGAL's approximated offset, relative to the radius
 EXACT_SECONDS = 40.0
 
 
@@ -67,8 +67,8 @@ def compare_at(index: _core.DiscIndex, P: _core.PolygonSet, square: Fraction, lo
 
 def squares(index: _core.DiscIndex, P: _core.PolygonSet, wanted: int,
             source: random.Random) -> list[Fraction]:  # fmt: skip
-    """Squared radii: half in gaps between events, drawn by number; half at events of rational
-    square, as many as there are."""
+    """Squared radii: half come from random gaps between events, half from events with rational
+    squares, as far as these exist."""
     bounds = index.radii()
     rational = [
         Fraction(square)
@@ -171,7 +171,7 @@ def _speed(name: str, size: Size, findings: Findings) -> dict[str, Any]:
 
 def _beside_cgal(name: str, P: _core.PolygonSet, index: _core.DiscIndex, radius: Fraction,
                  size: Size, findings: Findings) -> dict[str, Any]:  # fmt: skip
-    """A query at one radius, and CGAL's offsets there."""
+    """Times a query and CGAL's offsets at one radius."""
     one = min(index.seconds_of_queries([float(radius)], ROUNDS) for _ in range(5))
     points, _ = index.vertices(float(radius))
     rings = json.loads(P.canonical_json())

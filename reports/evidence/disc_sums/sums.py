@@ -1,5 +1,5 @@
-"""Sums with a disc are CGAL's exact offsets, curve by curve, and quicker; both routes give one
-form."""
+"""Compares sums with a disc to CGAL's exact offsets, curve by curve, and their times; both routes
+give one form."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ SEED = 2012
 SETS = Counts(50, 400, 2000)
 BATCH = 50
 LARGE = ("neuron", "monkey", "bird")
-PARTS = (Fraction(1, 300), Fraction(1, 100), Fraction(1, 30))  # radii, of the length of the box
-SECONDS = Counts(10.0, 20.0, 120.0)  # of an offset by CGAL
+PARTS = (Fraction(1, 300), Fraction(1, 100), Fraction(1, 30))  # radii relative to the box's length
+SECONDS = Counts(10.0, 20.0, 120.0)  # for an offset by CGAL
 TIMES = 5
 WITHIN = Counts(Fraction(1, 20), Fraction(1, 500), Fraction(3, 10**7))  # of the radius
 

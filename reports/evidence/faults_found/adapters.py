@@ -1,4 +1,4 @@
-"""Faulty adapters, written from the page of the protocol alone: each is found."""
+"""Faulty adapters, written from the protocol's page alone: each must be found."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ MINUTES = Minutes(None, 1.2, 40)
 SECONDS, SOON = 240, 60
 SHARE = 0.9
 SEED = 1
-EVERY = Counts(0, 12, 1)  # of the faults, one in so many
+EVERY = Counts(0, 12, 1)  # one fault of so many
 
 
 def search(name: str, seconds: int) -> dict[str, Any]:
-    """Whether the fault is found, by what verdict, after how many seconds."""
+    """Whether minkref finds the fault, with the verdict and the seconds taken."""
     words = ("--seed", SEED, "--shrink-calls", 40, "--call-seconds", 10, "--call-memory", 1500)
     try:
         found, value = first_found(page_adapter(name), seconds, *words)
-    except RuntimeError:  # shrinking is part of the command: a run that breaks down finds nothing
+    except RuntimeError:  # a run that breaks down while shrinking finds nothing
         return {"name": name, "found": False, "seconds": 0.0, "verdict": "the run broke down"}
     seen = [f for f in value["findings"] if f["verdict"] != "undecided"]
     return {

@@ -1,4 +1,4 @@
-"""Which of the seeded faults each degenerate family shows."""
+"""Seeded faults that each degenerate family shows."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ MINUTES = Minutes(None, 1, 5)
 SEED = 11
 MATRIX = FOLDER / "faults_by_family.csv"
 MEMBERS = Counts(0, 3, 10)
-SCALES = 3  # of a member: the critical one, and one on each side
-SECONDS = 1.0  # of one call; a fault that takes longer shows
+SCALES = 3  # per member: the critical scale, and one on each side
+SECONDS = 1.0  # per call; a slower fault shows
 # Families that may show none, and why.
 BLAND: dict[str, str] = {}
 
@@ -64,7 +64,7 @@ def _write_matrix(names: list[str], shown: dict[str, set[str]]) -> None:
 
 
 def _of_family(task: tuple[str, int]) -> tuple[str, list[str], list[str]]:
-    """Its name, the faults that it shows, and where the sound sum is wrong."""
+    """The family's name, the faults that it shows, and the sound sum's errors."""
     family, members = task
     made = module("seeded_adapter", SEEDED).made
     cases = [_questions(family, index) for index in range(members)]
@@ -89,7 +89,7 @@ def _questions(family: str, index: int) -> Question:
 
 
 def _differences(target: Any, cases: list[Question], first: bool) -> list[str]:
-    """Where the answers of an implementation, which keeps its state from case to case, differ."""
+    """Cases where an implementation, which keeps state between cases, answers differently."""
     found = []
     for P, Q, asked in cases:
         target.load(P, Q)

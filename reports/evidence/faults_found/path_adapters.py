@@ -1,4 +1,4 @@
-"""Adapters that answer the verb `path`: right ones and faulty ones."""
+"""Right and faulty adapters that answer the verb `path`."""
 
 from __future__ import annotations
 

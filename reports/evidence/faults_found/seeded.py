@@ -13,7 +13,7 @@ RESTS_ON = ("tests/adapters/seeded/",)
 MINUTES = Minutes(0.1, 1.2, 30)
 
 SECONDS = Counts(4, 12, 60)
-EVERY = Counts(60, 12, 1)  # of the faults, one in so many
+EVERY = Counts(60, 12, 1)  # one fault of so many
 SEED = 40
 # Faults that may stay unseen, and why.
 HARD = {
@@ -33,7 +33,7 @@ def target_of(name: str) -> str:
 
 
 def search(name: str, seconds: int) -> dict[str, Any]:
-    """Whether the fault is found, after how many cases and seconds, and what it shrinks to."""
+    """Whether minkref finds the fault, after how many cases and seconds, and the shrunk case."""
     words = ("--seed", SEED, "--shrink-calls", 80, "--call-seconds", 10)
     found, value = first_found(target_of(name), seconds, *words, path=SEEDED)
     shrunk = value["shrunk"][0] if value["shrunk"] else None

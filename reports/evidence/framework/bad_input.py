@@ -1,4 +1,4 @@
-"""Bad input through the command line, and what is wrong with its refusal."""
+"""Bad input through the command line, and faults of the refusals."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Bad:
 
 
 def attempt(bad: Bad, folder: Path) -> dict[str, Any]:
-    """Runs the command on the bad input; what is wrong with its refusal, if anything."""
+    """Runs the command on the bad input; the refusal's faults, if any."""
     path, out = folder / bad.file, folder / f"{bad.file}.out.json"
     text = bad.text.encode() if isinstance(bad.text, str) else bad.text
     path.write_bytes(text)
@@ -68,7 +68,7 @@ def attempt(bad: Bad, folder: Path) -> dict[str, Any]:
 
 
 def refuse_all(findings: Findings, inputs: list[Bad]) -> None:
-    """The law that every one is refused as it should be."""
+    """The law that the command refuses every bad input properly."""
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(2) as pool:
         rows = list(pool.map(lambda bad: attempt(bad, Path(name)), inputs))
     for row in rows:

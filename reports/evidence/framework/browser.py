@@ -44,8 +44,8 @@ class Browser(Chrome):
         self.get(page.resolve().as_uri())
 
     def run(self, script: str, *arguments: Any) -> Any:
-        """The value that the body of a function returns in the page. An exception there is raised
-        as a JavascriptException."""
+        """The value that a function with this body returns on the page. A script error raises
+        JavascriptException."""
         return self.execute_script(script, *arguments)
 
     def prefer(self, colours: str) -> None:
@@ -59,14 +59,14 @@ class Browser(Chrome):
         self.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
 
     def messages(self) -> list[str]:
-        """Messages of the page on the console since the last call: errors, if anything."""
+        """The page's console messages since the last call: errors, if any."""
         entries = self.get_log("browser")  # type: ignore[no-untyped-call]
         return [entry["message"] for entry in entries]
 
 
 @contextmanager
 def browser(width: int = 1440, height: int = 1000) -> Iterator[Browser]:
-    """Ends what it started, whatever happens."""
+    """A browser; all its processes end on exit, whatever happens."""
     reason = absent()
     if reason is not None:
         raise RuntimeError(reason)

@@ -1,6 +1,7 @@
-"""One step in a child process with a time limit, so that none can hang or take others down.
+"""A step's child process with a time limit, so that no step hangs or takes others down.
 
-As a program: `python -m minkref.reports.evidence.framework.child STEP SIZE`."""
+As a program: `python -m minkref.reports.evidence.framework.child STEP SIZE`.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +28,7 @@ from minkref.version import version
 
 
 def time_limit(step: Step, size: Size) -> float:
-    """Seconds after which a step is ended: far more than it is expected to take."""
+    """Seconds until a step is killed: far more than the step should take."""
     return 240 * (step.minutes[size] or 0) + 900
 
 
@@ -36,8 +37,8 @@ def command(step: Step, size: Size) -> list[str]:
 
 
 def run_in_child(step: Step, size: Size, tick: Callable[[], None]) -> store.Document:
-    """Runs the step, calling `tick` some times a second meanwhile; its result is written and given.
-    A child that crashes or exceeds its time leaves a result `failed` that says so."""
+    """Runs the step while calling `tick` some times a second; writes and returns the result. A
+    child that crashes or exceeds its time leaves a `failed` result with the reason."""
     store.log_path(step.name).parent.mkdir(parents=True, exist_ok=True)
     store.result_path(step.name, size).unlink(missing_ok=True)
     began, problem = time.monotonic(), ""
@@ -45,7 +46,7 @@ def run_in_child(step: Step, size: Size, tick: Callable[[], None]) -> store.Docu
         tempfile.TemporaryDirectory(prefix="minkref-recorded-", ignore_cleanup_errors=True) as name,
         open(store.log_path(step.name), "w", encoding="utf-8") as log,
     ):
-        Path(name).chmod(0o777)  # processes may be those of other users
+        Path(name).chmod(0o777)  # other users' processes may write here
         child = subprocess.Popen(
             command(step, size), stdin=subprocess.DEVNULL, stdout=log, stderr=log,
             start_new_session=True, env=recorded.environment(Path(name)),
@@ -72,7 +73,7 @@ def run_in_child(step: Step, size: Size, tick: Callable[[], None]) -> store.Docu
 
 
 def _end_session(child: subprocess.Popen[bytes]) -> None:
-    """Ends what the child started and left behind: all of the session is its own."""
+    """Kills the child's session, with every process that the child left behind."""
     try:
         os.killpg(child.pid, signal.SIGKILL)
     except ProcessLookupError:
@@ -81,7 +82,8 @@ def _end_session(child: subprocess.Popen[bytes]) -> None:
 
 
 def run_here(name: str, size: Size) -> int:
-    """The work of the child: run, write the result, tell by the exit code whether it broke down."""
+    """The child's work: runs the step, writes the result, and reports a breakdown through the exit
+    code."""
     step = declared(name)
     assert step is not None
     findings, began = Findings(), time.monotonic()

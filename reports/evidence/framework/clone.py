@@ -1,4 +1,4 @@
-"""Fresh clones of this checkout, and commands in them that are given nothing else of it."""
+"""Fresh clones of this checkout, and commands in them that get nothing else from it."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Taken:
 
 
 class Clone:
-    """The files of a commit in the folder `root`."""
+    """A commit's files under the folder `root`."""
 
     def __init__(self, root: Path, commit: str = "HEAD") -> None:
         self.root = root
@@ -33,8 +33,8 @@ class Clone:
         git(root, "checkout", "--quiet", commit)
 
     def call(self, title: str, *command: str) -> Taken:
-        """With PATH and HOME alone in the environment, and a compiler cache that is switched off:
-        times are those of a cold one. The log goes to build/evidence."""
+        """Runs a command with PATH and HOME alone in the environment and the compiler cache
+        switched off, so that times are a cold cache's. The log goes to build/evidence."""
         log = FOLDER / "clones" / f"{self.root.name} {title}.log".replace(" ", "-")
         log.parent.mkdir(parents=True, exist_ok=True)
         path = [part for part in os.environ["PATH"].split(":") if str(ROOT / ".venv") not in part]
@@ -59,6 +59,6 @@ def git(folder: Path, *words: str) -> str:
 
 
 def processor_seconds() -> float:
-    """Processor seconds of all children that have ended."""
+    """Processor seconds of all ended children."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime

@@ -13,13 +13,13 @@ from minkref.reports.evidence.framework.part import Findings
 from minkref.reports.evidence.framework.places import ROOT
 
 COMMAND = (sys.executable, "-m", "minkref")
-GRACE = 900.0  # seconds beyond what a run is given
+GRACE = 900.0  # seconds beyond a run's limit
 Document = dict[str, Any]
 
 
 def minkref(*words: object, seconds: float | None = None, **variables: str) -> tuple[int, Document]:
-    """Exit code and document, with these variables in the environment. RuntimeError where there is
-    no document, subprocess.TimeoutExpired after `seconds`."""
+    """Exit code and document, with these extra environment variables. Raises RuntimeError without a
+    document, subprocess.TimeoutExpired after `seconds`."""
     ran = subprocess.run(
         [*COMMAND, *map(str, words), "--json"], capture_output=True, text=True, timeout=seconds,
         env={**os.environ, **variables},
@@ -32,21 +32,21 @@ def minkref(*words: object, seconds: float | None = None, **variables: str) -> t
 
 
 def verify(*words: object, seconds: float, path: Path | None = None) -> tuple[int, Document]:
-    """The same of a run of so many seconds. `path` is put before PYTHONPATH."""
+    """Runs `minkref verify` for so many seconds. `path` precedes PYTHONPATH."""
     return minkref("verify", *words, seconds=seconds + GRACE, **searched(path))
 
 
 def first_found(
     target: str, seconds: int, *words: object, path: Path | None = None
 ) -> tuple[bool, Document]:
-    """Whether a search on one core, which ends with the first finding, has one."""
+    """Whether a one-core search, which ends at the first finding, finds anything."""
     more = ("--first", "--seconds", seconds, "--jobs", 1, "--no-models", *words)
     code, value = verify(target, *more, seconds=seconds, path=path)
     return code in (1, 3), value
 
 
 def searched(path: Path | None) -> dict[str, str]:
-    """Variables: it is put before PYTHONPATH."""
+    """Variables with `path` before PYTHONPATH."""
     before = os.environ.get("PYTHONPATH", "")
     return {} if path is None else {"PYTHONPATH": f"{path}{os.pathsep}{before}"}
 
@@ -54,7 +54,7 @@ def searched(path: Path | None) -> dict[str, str]:
 def begun(
     ledger: Path, *arguments: str, path: Path | None = None, **variables: str
 ) -> subprocess.Popen[str]:
-    """A run on a ledger, in a session of its own, whose document goes to a pipe."""
+    """A run on a ledger, in its own session, whose document goes to a pipe."""
     words = [*COMMAND, "verify", *arguments, "--no-models", "--jobs", "2", "--shrink-calls", "0"]
     return subprocess.Popen(
         [*words, "--json", "--ledger", str(ledger)],
@@ -81,7 +81,7 @@ def told(counts: dict[str, int]) -> str:
 
 
 def tests_pass(findings: Findings, what: str, path: str) -> str:
-    """The law that pytest ends well on these tests; its last line."""
+    """The law that pytest passes these tests; returns pytest's last line."""
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:xdist", path]
     ran = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     tail = ran.stdout.strip().splitlines()[-1] if ran.stdout.strip() else ran.stderr[-200:]

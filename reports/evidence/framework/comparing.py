@@ -1,4 +1,4 @@
-"""Answers of several targets on one case, and the verdicts on them."""
+"""Several targets' answers on one case, and the verdicts."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Bench:
 
 
 def available_cgal(findings: Findings, *wanted: str) -> list[str]:
-    """Those of the named CGAL targets that this machine has; a missed target for each other."""
+    """The named CGAL targets on this machine; each absent target becomes a missed target."""
     entries = {entry.name: entry for entry in list_targets()}
     found = []
     for name in wanted:

@@ -12,9 +12,9 @@ from minkref.reports.evidence.framework.places import ROOT
 
 TRIAL = "reference/paper/trials/float_trial.cpp"
 LIBRARY = ROOT / "build" / "release" / "reference" / "libminkref_reference.a"
-UNSAFE = 3  # exit code of the trial where the library refuses to compute
+UNSAFE = 3  # the trial's exit code when the library refuses to compute
 
-# By compiler. The last one of gcc leaves a program that flushes subnormal numbers from its start.
+# By compiler. gcc's last flags leave a program that flushes subnormal numbers from the start.
 TAKEN = {
     "g++": (
         ("-O0",),
@@ -24,7 +24,7 @@ TAKEN = {
         ("-O2", "-fno-signed-zeros", "-fno-trapping-math", "-fno-math-errno"),
         ("-O2", "LINK:-ffast-math"),
     ),
-    # Where nothing is optimised, leave to multiply by reciprocals changes nothing.
+    # Without optimization, -freciprocal-math changes nothing.
     "clang++": (
         ("-O0",),
         ("-O0", "-freciprocal-math"),
@@ -58,8 +58,8 @@ REFUSED = {
 
 @dataclass(frozen=True)
 class Tried:
-    """`compiled`: whether it was; `code`: the exit code; `counts`: of each thing, how often it was
-    tried and how often it was wrong."""
+    """`compiled`: whether the compiler succeeded; `code`: the exit code; `counts`: tries and errors
+    for each checked thing."""
 
     compiled: bool
     code: int = -1
@@ -72,7 +72,7 @@ class Tried:
 
     @property
     def is_refused(self) -> bool:
-        """By the compiler, or in words when it runs."""
+        """Whether the compiler or the running program refuses with an explanation."""
         if not self.compiled:
             return "minkref needs" in self.told
         return self.code == UNSAFE and "cannot compute exactly" in self.told
@@ -84,7 +84,7 @@ def compilers() -> list[str]:
 
 
 def trial(compiler: str, flags: tuple[str, ...], seed: int, count: int) -> Tried:
-    """Compiles the trial with these flags, and runs it on so many rounds."""
+    """Compiles the trial with these flags, and runs it for so many rounds."""
     link = [flag.removeprefix("LINK:") for flag in flags if flag.startswith("LINK:")]
     compile_flags = [flag for flag in flags if not flag.startswith("LINK:")]
     with tempfile.TemporaryDirectory(prefix="minkref-") as folder:

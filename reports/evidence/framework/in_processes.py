@@ -1,4 +1,4 @@
-"""One function on many tasks, in two processes."""
+"""Runs a function on many tasks, in two processes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Result = TypeVar("Result")
 def in_processes(
     work: Callable[[Task], Result], tasks: Sequence[Task], each: int = 1, what: str = "tasks"
 ) -> Iterator[Result]:
-    """Results in the order of the tasks; every `each` of them the log tells how many there are."""
+    """Results in the tasks' order; after every `each` results the log tells the count."""
     with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
         for done, result in enumerate(pool.imap(work, tasks), 1):
             if done % each == 0 or done == len(tasks):

@@ -1,4 +1,5 @@
-"""From files that were read to the C++ under them: names of the extension module, and includes."""
+"""Leads from files that Python read to their C++ sources: through names from the extension module,
+and includes."""
 
 from __future__ import annotations
 
@@ -18,13 +19,13 @@ USED = re.compile(r"\b_core\.(\w+)")
 IMPORTED = re.compile(r"from minkref\._core import \(?([\w\s,]+)")
 INCLUDED = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
 SOURCES = (".cpp", ".hpp", ".h")
-BINDING = "bindings"  # the folder of the sources of the extension module
+BINDING = "bindings"  # the extension module's sources
 ALWAYS = ("CMakeLists.txt", "tools/cmake/MinkrefBuild.cmake", f"{BINDING}/core.cpp")
 
 
 def reached(files: Iterable[str], root: Path) -> set[str]:
-    """With the sources of the extension module's functions and classes that Python files name, and
-    all that is included from there. A folder (`oracle/cgal/`) stands for its sources."""
+    """Adds the sources of extension functions and classes that Python files name, and everything
+    included from there. A folder (`oracle/cgal/`) stands for its sources."""
     found, sources = set(), set()
     for name in files:
         if name.endswith("/"):
@@ -43,7 +44,7 @@ def reached(files: Iterable[str], root: Path) -> set[str]:
 
 
 def names_used(text: str) -> set[str]:
-    """The names of the extension module in a Python text."""
+    """Names that a Python text uses from the extension module."""
     imported = " ".join(IMPORTED.findall(text))
     quoted = re.findall(r'"(\w+)"', text) if "getattr(_core" in text else ()
     return {*USED.findall(text), *re.findall(r"\w+", imported), *quoted}
@@ -51,7 +52,7 @@ def names_used(text: str) -> set[str]:
 
 @cache
 def bindings(root: Path) -> dict[str, set[Path]]:
-    """Where each name of the extension module is defined."""
+    """The source files that define each name of the extension module."""
     found: dict[str, set[Path]] = {}
     for path in (root / BINDING).glob("*.cpp"):
         for groups in DEFINED.findall(read(path)):
@@ -60,7 +61,7 @@ def bindings(root: Path) -> dict[str, set[Path]]:
 
 
 def closure(sources: Iterable[Path], root: Path) -> set[Path]:
-    """These files and what they include, from file to file; a header brings what implements it."""
+    """The files with all direct and indirect includes; a header brings its implementations."""
     seen: set[Path] = set()
     left = [path for path in sources if path.is_file()]
     while left:
@@ -84,8 +85,8 @@ def included(path: Path, root: Path) -> tuple[Path, ...]:
 
 
 def implementations(header: Path, root: Path) -> set[Path]:
-    """The source of the same name, and sources of the folder that have no header of their name and
-    include this one."""
+    """The source with the header's name, and the folder's sources without a header of their name
+    that include this header."""
     if header.suffix == ".cpp" or header.parent.name == BINDING:
         return set()
     return {header.with_suffix(".cpp"), *of_headers(root, header.parent).get(header, ())} & {

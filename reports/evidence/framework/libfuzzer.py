@@ -28,7 +28,7 @@ OPTIONS = (
 
 @dataclass(frozen=True)
 class Fuzzed:
-    """One target after its time. `findings` are names of artifacts that it left."""
+    """A fuzz target's result. `findings` are names of artifacts left behind."""
 
     target: str
     code: int
@@ -43,7 +43,7 @@ class Fuzzed:
 
 
 def has_fuzzer() -> bool:
-    """clang is here, with the libraries of its sanitizers and of libFuzzer."""
+    """Whether clang exists, with its sanitizer and libFuzzer libraries."""
     source = 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }'
     flags = ["-fsanitize=fuzzer,address,undefined", "-x", "c++", "-", "-o", "/dev/null"]
     if shutil.which("clang++") is None:
@@ -52,7 +52,7 @@ def has_fuzzer() -> bool:
 
 
 def build(folder: Path, below: str, *arguments: str, target: str = "all") -> list[Path]:
-    """Configures and builds in `folder`; the executables `fuzz_*` in it, `below` that path."""
+    """Configures and builds in `folder`; returns the executables `fuzz_*` from the path `below`."""
     if not has_fuzzer():
         subprocess.run(["tools/scripts/require_packages.sh", *PACKAGES], cwd=ROOT, check=True)
     configure = ["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", *OPTIONS, *arguments]
@@ -70,8 +70,8 @@ def build(folder: Path, below: str, *arguments: str, target: str = "all") -> lis
 
 
 def fuzz(target: Path, seconds: int, corpus: Path, seeds: Path, *flags: str) -> Fuzzed:
-    """One target for so many seconds, from its seeds, where there are such, and what earlier runs
-    found (`corpus`)."""
+    """Runs a target for so many seconds, starting from its seeds, if any, and from earlier finds
+    (`corpus`)."""
     corpus.mkdir(parents=True, exist_ok=True)
     artifacts = FOLDER / "fuzzing" / target.name
     shutil.rmtree(artifacts, ignore_errors=True)

@@ -15,7 +15,7 @@ VERIFY = ROOT / "tests" / "verify"  # adapters with planted faults
 
 
 def module(name: str, *folders: Path) -> Any:
-    """One whose own imports stand beside it in these folders."""
+    """A test module whose own imports lie in these folders."""
     for folder in folders:
         if str(folder) not in sys.path:
             sys.path.insert(0, str(folder))
@@ -35,7 +35,7 @@ def losing_a_hole() -> str:
 
 
 def path_adapter(way: str) -> str:
-    """One that answers the verb `path`: the target."""
+    """The target name for an adapter that answers the verb `path`."""
     return f"cmd:{sys.executable} {VERIFY / 'path_adapter.py'} {way}"
 
 
@@ -45,7 +45,7 @@ def seeded_adapter(fault: str) -> str:
 
 
 def page_adapters(which: str) -> dict[str, Any]:
-    """By name, with the class of each: the UNUSUAL, which are right, or the FAULTY."""
+    """Adapter classes by name: the UNUSUAL adapters, all right, or the FAULTY ones."""
     found: dict[str, Any] = getattr(module("catalogue", PAGE_ALONE), which)
     return found
 

@@ -1,4 +1,5 @@
-"""The operands of the evidence: the paper's models where MINKREF_MODELS has them, else ours."""
+"""The evidence's operands: the paper's models if MINKREF_MODELS provides them, else our
+look-alikes."""
 
 from __future__ import annotations
 
@@ -17,7 +18,7 @@ REAL_PAIRS = (("disc1", "neuron"), ("disc5", "neuron"), ("monkey", "bird"))
 
 @cache
 def operand(name: str) -> Operand:
-    """The model, or our look-alike of it."""
+    """The model, or our look-alike."""
     return read_operand(or_look_alike(name, all_models()))
 
 
@@ -26,7 +27,8 @@ def has_paper_models(*names: str) -> bool:
 
 
 def tell_absent(findings: Findings, *names: str) -> bool:
-    """Whether all the named models are there; notes those that a look-alike stands for."""
+    """Whether the paper's models exist for all names; notes each model that a look-alike
+    replaces."""
     absent = [name for name in names if not has_paper_models(name)]
     for name in absent:
         alike = or_look_alike(name, all_models())

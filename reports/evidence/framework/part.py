@@ -1,4 +1,4 @@
-"""A step of the evidence: the size that it is given, and the findings that it fills."""
+"""A step's size, and the findings that the step fills."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from enum import IntEnum, StrEnum
 from typing import Any, Generic, NamedTuple, TypeVar
 
 Count = TypeVar("Count")
-EVERYTHING = ("./",)  # for RESTS_ON: of what no process tells what it reads
+EVERYTHING = ("./",)  # for RESTS_ON, when no process can report its reads
 
 
 class Counts(NamedTuple, Generic[Count]):
-    """Counts of anything, by size."""
+    """Counts of anything, per size."""
 
     quick: Count
     whole: Count
@@ -20,7 +20,7 @@ class Counts(NamedTuple, Generic[Count]):
 
 
 class Minutes(NamedTuple):
-    """Expected on two cores; None where there is no form of that size."""
+    """Expected minutes on two cores; None if the step has no form of that size."""
 
     quick: float | None
     whole: float | None
@@ -28,7 +28,7 @@ class Minutes(NamedTuple):
 
 
 class Size(IntEnum):
-    """QUICK: all steps in minutes; WHOLE: `make evidence`; FULL: the counts of the claims."""
+    """QUICK: all steps in minutes; WHOLE: `make evidence`; FULL: the claims' counts."""
 
     QUICK = 0
     WHOLE = 1
@@ -71,7 +71,7 @@ class Findings:
         self.checks.append(Check(what, str(wanted), str(reached), bool(met), False))
 
     def none(self, what: str, found: int | Sequence[object]) -> None:
-        """A law that there is none: their number, or themselves, of which the first are shown."""
+        """A law that nothing was found: shows the number, or the first finds."""
         shown = found if isinstance(found, int) else "; ".join(map(str, found[:3])) or 0
         self.law(what, not found, 0, shown)
 

@@ -1,4 +1,4 @@
-"""Where the evidence is, and where it keeps what it finds."""
+"""The folders of the evidence and of its results."""
 
 from __future__ import annotations
 

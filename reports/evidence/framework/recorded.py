@@ -1,4 +1,4 @@
-"""Files of the repository that the processes of a step read and started."""
+"""Repository files that a step's processes read and started."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from minkref.reports.evidence.framework.includes import reached
 
 RECORDER = Path(__file__).with_name("recording")
 VARIABLE = "MINKREF_EVIDENCE_RECORD"
-MODELS = "MINKREF_MODELS"  # before the names of the paper's own models, which are elsewhere
+MODELS = "MINKREF_MODELS"  # prefixes names of the paper's own models, which lie elsewhere
 PAPER_FILES = ("nazca_monkey.poly", "bird.poly", "neuron.poly")
 LISTED = "minkref/models/index.json"
 
 
 def environment(folder: Path) -> dict[str, str]:
-    """In which a process, and the Python processes that it starts, record to this folder."""
+    """An environment for a process that makes it and its Python children record to this folder."""
     before = os.environ.get("PYTHONPATH", "")
     path = os.pathsep.join(filter(None, (str(RECORDER), before)))
     return {**os.environ, VARIABLE: str(folder), "PYTHONPATH": path}
@@ -26,7 +26,7 @@ def environment(folder: Path) -> dict[str, str]:
 def files_of(folder: Path, root: Path) -> set[str]:
     """Names from the root: what was read, and of extension module and programs the sources."""
     found = {name for line in lines(folder) if (name := named(line, root))}
-    if LISTED in found:  # C++ reads the files that it lists, unheard
+    if LISTED in found:  # C++ reads the listed files unnoticed
         found |= {name for name in known(root) if Path(name).parent == Path(LISTED).parent}
         found |= {f"{MODELS}/{name}" for name in PAPER_FILES}
     return reached(found, root)
@@ -39,8 +39,9 @@ def lines(folder: Path) -> set[str]:
 
 
 def named(line: str, root: Path) -> str | None:
-    """The source of a compiled module; the sources of a program that CMake built are those of the
-    folder that stands for it: `oracle/cgal/` for `build/release/oracle/cgal/minkref-cgal-full`."""
+    """A read file's name in the repository: the source for a compiled module, and for a program
+    built with CMake the folder of its sources: `oracle/cgal/` for
+    `build/release/oracle/cgal/minkref-cgal-full`."""
     path = Path(line)
     if path.parent.name == "__pycache__":
         path = path.parent.parent / f"{path.name.partition('.')[0]}.py"
@@ -57,7 +58,8 @@ def named(line: str, root: Path) -> str | None:
 
 @cache
 def known(root: Path) -> frozenset[str]:
-    """All files of the repository: what git does not ignore, or without git what is there."""
+    """All repository files: everything that git does not ignore, or without git everything
+    present."""
     command = ["git", "-C", str(root), "ls-files", "-z", "-co", "--exclude-standard"]
     listed = subprocess.run(command, capture_output=True, text=True, check=False)
     if listed.returncode == 0:

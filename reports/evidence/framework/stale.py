@@ -1,4 +1,4 @@
-"""Which rows of the summary are stale: rests_on.json says of each file what rows rest on it."""
+"""Finds stale rows of the summary: rests_on.json maps each file to the rows that rest on it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def read(path: Path) -> dict[str, set[str]]:
 
 
 def write(path: Path, rests_on: Mapping[str, Iterable[str]]) -> None:
-    """A line for each file, with the numbers of the rows that rest on it."""
+    """Writes a line for each file, with the numbers of the rows that rest on the file."""
     rows = sorted(rests_on)
     of_file: dict[str, list[int]] = {}
     for number, row in enumerate(rows):
@@ -38,15 +38,15 @@ def write(path: Path, rests_on: Mapping[str, Iterable[str]]) -> None:
 
 
 def resting_on(files: Iterable[str], rests_on: Mapping[str, Iterable[str]]) -> list[str]:
-    """Rows that a change of one of the files makes stale."""
+    """Rows that a change to one of the files makes stale."""
     return [row for row, own in sorted(rests_on.items()) if store.touched(own, files)]
 
 
 def stale(
     summary: str, rests_on: Mapping[str, Iterable[str]], row_of: Mapping[str, str]
 ) -> dict[str, str]:
-    """Rows of the summary that are stale for the work tree, and why. By hashes where the result is
-    here, else by what git says has changed since the commit of the row."""
+    """Stale rows of the summary for the work tree, with reasons. Compares hashes if the result
+    exists here, else asks git for changes since the row's commit."""
     found: dict[str, str] = {}
     changed_since = cache(store.changed_since)
     for step, entry in table.entries_of(summary).items():
@@ -65,7 +65,7 @@ def stale(
 
 
 def is_of(document: store.Document, entry: table.Entry) -> bool:
-    """Whether the row tells this result. Its commit may be a later one, with the same files."""
+    """Whether the row describes this result. The row's commit may be later, with the same files."""
     return replace(table.entry_of(document), commit=entry.commit) == entry
 
 

@@ -1,4 +1,4 @@
-"""The parts of the evidence, which are folders, and their steps, which are modules with MINUTES."""
+"""The evidence's parts, which are folders, and their steps, which are modules with MINUTES."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PACKAGE = __name__.rpartition(".framework")[0]
 class Step:
     name: str  # part/module
     minutes: Minutes
-    alone: bool = False  # nothing runs beside it: it measures time, or looks at all processes
+    alone: bool = False  # runs alone, because the step measures time or looks at all processes
 
     @property
     def part(self) -> str:
@@ -29,18 +29,19 @@ class Step:
 
     @property
     def row(self) -> str:
-        """The name of its row in the summary: its part's, or its own."""
+        """The name of the step's row in the summary: the part's name, or the step's own."""
         return self.name if self.only_full else self.part
 
 
 def steps() -> list[Step]:
-    """All, by name. Their modules are read, not imported, which would take seconds."""
+    """All steps, sorted by name. Reads the modules without importing them, which would take
+    seconds."""
     found = (f"{path.parent.name}/{path.stem}" for path in sorted(ROOM.glob("*/*.py")))
     return [step for name in found if (step := declared(name))]
 
 
 def declared(name: str) -> Step | None:
-    """None for a module that is no step."""
+    """The step from a module; None for other modules."""
     text = (ROOM / f"{name}.py").read_text(encoding="utf-8")
     if "\nMINUTES = " not in text:
         return None
@@ -55,8 +56,8 @@ def declared(name: str) -> Step | None:
 
 
 def module(step: str) -> ModuleType:
-    """It has run(findings, size), and perhaps SEED, and RESTS_ON: folders, beyond what its
-    processes are seen to read."""
+    """The step's module, with run(findings, size), and perhaps SEED, and RESTS_ON: folders beyond
+    the recorded reads."""
     return importlib.import_module(f"{PACKAGE}.{step.replace('/', '.')}")
 
 

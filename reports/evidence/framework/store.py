@@ -1,4 +1,4 @@
-"""Results of steps, kept in build/evidence until a file changes that they rest on."""
+"""Step results, kept in build/evidence until a file changes that they rest on."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from minkref.reports.evidence.framework.recorded import MODELS, known
 Document = dict[str, Any]
 SUMMARY, RESTS_ON = "SUMMARY.md", "rests_on.json"  # in the room
 BOOKKEEPERS = ("child", "includes", "places", "recorded", "stale", "steps", "store", "table")
-PROSE = (".md", ".svg", RESTS_ON)  # no result rests on it by the folder that it is in
+PROSE = (".md", ".svg", RESTS_ON)  # a folder's hash leaves these files out
 
 
 def result_path(step: str, size: Size) -> Path:
@@ -30,13 +30,13 @@ def log_path(step: str) -> Path:
 
 
 def hashes(names: Iterable[str]) -> dict[str, str]:
-    """By name. A folder whose files are all among them stands for these."""
+    """Hashes by name. A folder replaces its files if all of them appear."""
     return {name: hash_of(name) for name in in_folders(names)}
 
 
 def bookkeeping() -> frozenset[str]:
-    """The files that start steps, and keep and tell their results, and the summary, which the site
-    shows: every step reads some of these files, and no result rests on them."""
+    """Files that start steps or keep and report results, and the summary, which the site shows:
+    every step reads some such files, but no result rests on them."""
     if not places.ROOM.is_relative_to(places.ROOT):
         return frozenset()
     room = places.ROOM.relative_to(places.ROOT)
@@ -65,7 +65,7 @@ def files_below(folder: str) -> frozenset[str]:
 
 
 def in_folders(names: Iterable[str]) -> set[str]:
-    """A folder stands for its files where all of them are there."""
+    """Replaces files by their folder if the folder is complete."""
     found = set(names)
     parents = {name: {f"{parent}/" for parent in Path(name).parents} for name in found}
     full = {f for f in set().union(*parents.values()) if len(files_below(f)) > 1 and
@@ -77,13 +77,13 @@ def in_folders(names: Iterable[str]) -> set[str]:
 
 
 def commit_of(names: Iterable[str]) -> str:
-    """HEAD, with a `+` where one of the files is not as it is there; empty without git."""
+    """HEAD, with a `+` if one of the files differs from HEAD; empty without git."""
     head = git("rev-parse", "HEAD").strip()
     return head + ("+" if touched(names, changed_since("HEAD") or ()) else "")
 
 
 def changed_since(commit: str) -> list[str] | None:
-    """Names of files; None where there is no such commit."""
+    """Names of changed files; None if the commit does not exist."""
     command = ["git", "-C", str(places.ROOT), "diff", "--name-only", commit, "--"]
     told = subprocess.run(command, capture_output=True, text=True, check=False)
     if told.returncode:
@@ -92,7 +92,7 @@ def changed_since(commit: str) -> list[str] | None:
 
 
 def touched(names: Iterable[str], changed: Iterable[str]) -> bool:
-    """Whether one of the changed files is among these, or in a folder among these."""
+    """Whether a changed file appears among the names, or below a named folder."""
     held = set(names)
     folders = tuple(name.removeprefix("./") for name in held if name.endswith("/"))
     return any(
@@ -106,7 +106,7 @@ def git(*words: str) -> str:
 
 
 def read(step: str, size: Size) -> Document | None:
-    """The result, or None where there is none that can be read."""
+    """The result; None without a readable result."""
     try:
         value = json.loads(result_path(step, size).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -123,8 +123,9 @@ def write(document: Document) -> None:
 
 
 def is_current(document: Document, with_models: bool = True) -> bool:
-    """Nothing that it rests on has changed. The paper's models are not always there to ask."""
-    files = document["files"]  # none: the run was ended before they were known
+    """Whether every file that the result rests on is unchanged. The paper's models are not always
+    at hand."""
+    files = document["files"]  # empty: the run ended before the files were known
     unasked = bookkeeping()
     return bool(files) and all(
         hash_of(name) == digest
@@ -134,8 +135,8 @@ def is_current(document: Document, with_models: bool = True) -> bool:
 
 
 def kept(step: str, size: Size) -> Document | None:
-    """A finished result that stands for this code, of this size or a larger one. One that failed is
-    never kept."""
+    """A finished result that fits this code, with this size or a larger size. Never returns a
+    failed result."""
     for each in sorted(Size, reverse=True):
         document = read(step, each) if each >= size else None
         if document and document["status"] != "failed" and is_current(document):
@@ -144,6 +145,7 @@ def kept(step: str, size: Size) -> Document | None:
 
 
 def latest(step: str, size: Size) -> Document | None:
-    """The result to tell of a step: the kept one, or the last of this size or a larger one."""
+    """The result to report for a step: the kept result, or the last result with this size or a
+    larger size."""
     found = [document for each in Size if each >= size and (document := read(step, each))]
     return kept(step, size) or max(found, key=lambda one: str(one["date"]), default=None)

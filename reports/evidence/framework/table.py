@@ -1,5 +1,5 @@
-"""The summary: a table for the terminal, and as Markdown a row for each part and a section below
-it for each step, which later summaries read again where there is no other result."""
+"""The summary: a table for the terminal; as Markdown a row for each part, and below a section for
+each step, which later summaries reuse if no new result exists."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ TOLD = re.compile(
 
 @dataclass(frozen=True)
 class Entry:
-    """The entry of a step in the summary."""
+    """A step's entry in the summary."""
 
     step: str
     status: str
@@ -47,7 +47,7 @@ class Entry:
 
 
 def entries_of(text: str) -> dict[str, Entry]:
-    """The entries of a summary, by step."""
+    """A summary's entries, by step."""
     found = {}
     for step, status, size, minutes, date, commit, seed, models, body in TOLD.findall(text):
         body = f"{body.rstrip()}\n"
@@ -107,8 +107,8 @@ def row(name: str, steps: int, entries: list[Entry]) -> str:
 def markdown(
     steps: list[Step], entries: dict[str, Entry], claim: Callable[[str], str], quick: bool
 ) -> str:
-    """`steps`: all that there are, with results or not. Those that run in full only have rows of
-    their own below the parts'."""
+    """The summary as Markdown. `steps` lists all steps, with or without results. Full-only steps
+    get their own rows below the parts' rows."""
     today = datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d")
     rows: dict[str, list[str]] = {}
     for step in sorted(steps, key=lambda step: step.only_full):
@@ -139,7 +139,7 @@ def markdown(
 
 
 def short(document: Document) -> str:
-    """The checks that were missed, or else what the first checks reached."""
+    """The missed checks, or else the first checks' results."""
     if document.get("error"):
         return str(document["error"])
     bad = [check for check in document["checks"] if not check["met"]]

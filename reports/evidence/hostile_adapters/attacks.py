@@ -17,18 +17,18 @@ FOLDER = ROOT / "tests" / "adapters" / "hostile"
 WORDS: tuple[str, ...] = ("--no-models", "--shrink-calls", "0", "--jobs", "1", "--no-settings")
 WORDS += ("--call-seconds", "3", "--call-memory", "400", "--call-output", "32")
 WAYS = ("sandbox", "none")
-EVERY = Counts(0, 4, 1)  # of the files, one in so many
-FEWER = Counts(0, 1, 1)  # of the attacks that are quick
+EVERY = Counts(0, 4, 1)  # one file of so many
+FEWER = Counts(0, 1, 1)  # one quick attack of so many
 AT_ONCE = 2
 
 
 def room(name: str) -> Any:
-    """A module of tests/adapters/hostile."""
+    """A module from tests/adapters/hostile."""
     return module(name, FOLDER, FOLDER / "files")
 
 
 def attacked(attack: Any, way: str) -> dict[str, Any]:
-    """One run of verify on a hostile adapter or function."""
+    """Runs verify on a hostile adapter or function."""
     words = (*attack.words, *WORDS, "--isolation", way)
     seen = room("attack").attack(attack.adapter, *words, told=attack.told, tty=attack.tty)
     row = {

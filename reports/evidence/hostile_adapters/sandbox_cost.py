@@ -1,4 +1,4 @@
-"""The cost of the walls around an adapter: its start, and each case of an adapter that is kept."""
+"""The cost of an adapter's walls: for a start, and for each case of a running adapter."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def run(findings: Findings, size: Size) -> None:
 
 
 def _report(findings: Findings, what: str, times: list[list[float]], unit: float) -> float:
-    """The middle difference of what was measured in turn."""
+    """The median difference between the alternating measurements."""
     for kind, values in zip((SANDBOX, NONE), times, strict=True):
         least, middle, most = min(values), statistics.median(values), max(values)
         findings.figures[f"{what}, {kind}"] = (
@@ -69,7 +69,7 @@ def _report(findings: Findings, what: str, times: list[list[float]], unit: float
 
 
 def _starts(walls: list[Isolation], count: int) -> list[list[float]]:
-    """Seconds, in turn with the sandbox and without it."""
+    """Start times, alternating between sandbox and none."""
     times: list[list[float]] = [[], []]
     with tempfile.TemporaryDirectory(prefix="minkref-start-") as folder:
         program = Path(folder, "greets.py")
@@ -86,7 +86,7 @@ def _starts(walls: list[Isolation], count: int) -> list[list[float]]:
 
 
 def _rounds(walls: list[Isolation], count: int) -> list[list[float]]:
-    """Seconds for the same cases by an adapter that is kept, in turn with the sandbox and not."""
+    """Times for the same cases with a running adapter, alternating between sandbox and none."""
     words = [sys.executable, str(SEEDED / "seeded_adapter.py"), "sound"]
     names = [f"random:12:{index}" for index in range(CASES)]
     cases = [naming.load(CaseName(name, "random")) for name in names]
@@ -94,7 +94,7 @@ def _rounds(walls: list[Isolation], count: int) -> list[list[float]]:
     times: list[list[float]] = [[], []]
     try:
         for kind in (0, 1):
-            _ask(targets[kind], cases)  # it is started, and has loaded what it needs
+            _ask(targets[kind], cases)  # starts the adapter, which loads its modules
         for number in range(2 * count):
             kind = number % 2
             since = time.perf_counter()

@@ -1,4 +1,4 @@
-"""Every function, class and method of the extension module, called with arguments that are none."""
+"""Calls every function, class and method of the extension module with nonsense arguments."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MINUTES = Minutes(0.05, 1, 20)
 SEED = 20120524
 CALLS = Counts(150, 2_000, 40_000)
 BATCH = 40  # calls in one process
-CPU_SECONDS = 20  # for a batch; a function that is asked for years of work is broken off
+CPU_SECONDS = 20  # per batch; stops a function that faces years of work
 BYTES = 6 << 30
 SHOWN = 5
 LEFT_OUT = {"set_memory_limit", "filter_trial", "open", "save"}  # settings, years of work, files
@@ -72,7 +72,7 @@ def objects() -> list[Any]:
 
 
 def callables(made: list[Any]) -> list[tuple[str, Callable[..., Any], list[str]]]:
-    """Name, function, and the types of its arguments as its signature has them."""
+    """Name, function, and the argument types in its signature."""
     found = []
     for name in sorted(vars(_core)):
         each = getattr(_core, name)
@@ -117,7 +117,7 @@ def drawn(dice: random.Random, kind: str, made: list[Any]) -> Any:
 
 
 def outcomes(batch: list[tuple[str, Callable[..., Any], list[Any]]]) -> list[str]:
-    """Outcomes of the calls, in a child process: ok, or the name of an exception; last a signal."""
+    """The calls' outcomes from a child process: ok, or an exception's name; at the end a signal."""
     reader, writer = os.pipe()
     child = os.fork()
     if child == 0:

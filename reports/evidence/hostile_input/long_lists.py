@@ -18,7 +18,7 @@ MINUTES = Minutes(None, 1, 3)
 PAIR = ("monkey", "bird")
 MOST_SECONDS = {"json": 4.0, "jsonl": 4.0, "parquet": 3.0}  # beyond finding them
 MOST_SEARCH = 2.0  # the same
-MOST_MIB = 160  # of writing, beyond finding; Parquet has a group of rows in memory
+MOST_MIB = 160  # for writing, beyond finding; Parquet holds a row group in memory
 CONDITIONS = {
     "one scale": "s = 1",
     "a box": "x in [0, 1] and y in [0, 1]",
@@ -27,7 +27,7 @@ CONDITIONS = {
     "one scale, or an edge in an interval": "s = 7/5 or (parents has T 0.5 and 1 < s <= 11/10)",
 }
 STEPS = (200, 5000)
-MOST_SWEEP_MIB = 16  # that a sweep of many steps has more than one of few
+MOST_SWEEP_MIB = 16  # how much more a sweep with many steps may need
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ def _sweeps(findings: Findings) -> None:
 
 
 def _cost(*arguments: str) -> Cost:
-    """The cost of the command with these arguments; its output goes nowhere."""
+    """The command's cost with these arguments; discards the output."""
     command = [sys.executable, "-m", "minkref", *arguments]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
         _, status, usage = os.wait4(process.pid, 0)

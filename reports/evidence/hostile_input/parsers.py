@@ -1,4 +1,4 @@
-"""libFuzzer on every reader, those of polyhedra and of index files too, with the address and
+"""Runs libFuzzer on every reader, also for polyhedra and index files, with the address and
 undefined behaviour sanitizers."""
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def row_of(target: Path, seconds: int) -> dict[str, Any]:
 def run(findings: Findings, size: Size) -> None:
     if (
         size is not Size.FULL
-    ):  # the readers only: all of the reference would take half an hour of one core
+    ):  # only the readers: the whole reference would take a core half an hour
         targets = build(FOLDER / "readers", "tests/fuzzing", f"-DMINKREF_REFERENCE_ARCHIVE={BUILT}")
         findings.note("Of the code, the readers are instrumented, and the reference is not.")
     else:

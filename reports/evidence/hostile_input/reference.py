@@ -27,7 +27,7 @@ FLAGS = (
     "-timeout=60",
     "-rss_limit_mb=3000",
 )
-# Bytes of an input: of a case file; of the bytes that the targets on convex bodies read at most.
+# Most input bytes: for a case file; for the targets on convex bodies.
 MOST_BYTES, MOST_BYTES_OF_BODIES = 8192, 256
 AT_ONCE = 2
 VALID_SHARE = 0.9

@@ -1,5 +1,5 @@
-"""Signs that the float filter hands on, and that plain doubles get wrong; and all that is computed
-in doubles, compiled with the flags that people use."""
+"""Signs that the float filter hands on and plain doubles get wrong; and all double computations,
+compiled with the flags that people use."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ WANTED = 1000
 BATCH = 100_000
 MOST_BATCHES = 50
 SEED, ROUNDS = 1, 40_000
-EVERY = Counts(1, 4, 1)  # of the flags, one in so many
+EVERY = Counts(1, 4, 1)  # one set of flags from so many
 
 
 def run(findings: Findings, size: Size) -> None:
@@ -62,7 +62,7 @@ def _taken(findings: Findings, compiler: str, every: int) -> None:
 
 
 def _refused(findings: Findings, compiler: str, every: int) -> None:
-    """By an error of the compiler, or in words at the first door."""
+    """Checks refusals: by a compiler error, or in words at the first call."""
     taken = [
         " ".join(flags)
         for flags in REFUSED[compiler][::every]

@@ -1,5 +1,5 @@
-"""The C++ tests under the sanitizers: memory and undefined behaviour in all of them, races in those
-of the index and its threads."""
+"""Runs the C++ tests under the sanitizers: memory and undefined behaviour in all tests, races in
+the tests of the index and its threads."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ ENVIRONMENT = {
 
 @dataclass(frozen=True)
 class Tests:
-    """Results of a preset's tests. `reports` come from the sanitizers, each by its first line."""
+    """A preset's test results. `reports` are the first lines of the sanitizers' reports."""
 
     ran: int
     failed: list[str]
@@ -62,7 +62,7 @@ def run_tests(preset: str) -> Tests:
 
 
 def read(results: Path, seconds: float) -> Tests:
-    """Reads the JUnit file of ctest, which holds the output of each test."""
+    """Reads ctest's JUnit file, which holds each test's output."""
     cases = ElementTree.parse(results).getroot().findall("testcase")
     by_status: dict[str, list[str]] = {}
     reports = []

@@ -1,5 +1,5 @@
-"""All targets in one run, those of other libraries and what CGAL has raw: no false alarm, and known
-faults found by search and shrunk to a handful of vertices."""
+"""Runs all targets at once, including other libraries and CGAL's raw methods: no false alarm, and
+search finds known faults and shrinks them to a handful of vertices."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ SEED = 2024
 SECONDS = Counts(4, 75, 1200)
 SHRINK_CALLS = Counts(10, 100, 400)
 FEW_VERTICES = 16
-# Target: a kind of fault that its version here is known to have, and where that is reported.
+# Target: a fault known in its version here, that version, and the report.
 KNOWN = {
     "cgal-reduced": ("hole-lost", "5.5.", "CGAL issue 5830"),
     "cgal-full": ("crashed", "5.5.", "CGAL issue 8551"),
     "manifold3d": ("extra", "3.5.4", "a copy of the first operand is united into the result"),
     "pysfcgal": ("hole-lost", "2.3.0", "holes of the second operand are dropped"),
 }
-# These alone show CGAL issue 5839.
+# Only these targets show CGAL issue 5839.
 RAW = tuple(f"cgal-{method}-raw" for method in ("reduced", "vertical", "triangulation"))
 
 
@@ -56,7 +56,7 @@ def run(findings: Findings, size: Size) -> None:
         if target["name"] in TRUTHS or target["name"].startswith("cgal-")
     )
     findings.none("undecided, of our routes and CGAL's", undecided)
-    if size is Size.FULL:  # else there is no time to find them
+    if size is Size.FULL:  # shorter runs may not find them
         _known(findings, value)
     for row in value["shrunk"]:
         kinds = " ".join(row["reasons"]) or row["verdict"]
@@ -65,7 +65,7 @@ def run(findings: Findings, size: Size) -> None:
 
 
 def _confirmed(findings: Findings, value: dict[str, Any]) -> None:
-    """Every `wrong` in the plane once more, by the slow engine."""
+    """Confirms every `wrong` plane result again, with the slow engine."""
     wrong = [
         finding
         for finding in value["findings"]

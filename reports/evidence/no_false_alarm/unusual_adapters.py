@@ -21,7 +21,7 @@ CASES = Counts(0, 15, 500)
 PAIRS = Counts(0, 30, 300)  # of one run
 RUNS = 12
 WORKERS = 2  # adapters judged at a time
-# Two that take only convex polygons meet more of them here.
+# Two adapters that only take convex polygons meet more of them here.
 CONVEX = ("--family", "convex", "--family", "collinear", "--family", "offset")
 GOOD = ("pass", "pass-within", "skipped")
 
@@ -42,7 +42,7 @@ def programs(folder: Path) -> dict[str, str]:
 def judged(
     target: str, cases: int, pairs: int, more: tuple[str, ...]
 ) -> tuple[Counter[str], list[str]]:
-    """Verdicts on at least so many cases that were not skipped, and lines that show the others."""
+    """Verdicts on at least so many unskipped cases, and lines that reproduce the other verdicts."""
     counts: Counter[str] = Counter()
     shown: list[str] = []
     for seed in range(1, RUNS + 1):

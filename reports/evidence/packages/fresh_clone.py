@@ -14,7 +14,7 @@ MINUTES = Minutes(None, None, 45)
 ALONE = True
 RESTS_ON = EVERYTHING
 
-RUN_LIMIT = 300.0  # seconds of `make run` when all is built
+RUN_LIMIT = 300.0  # seconds for `make run` after the build
 
 
 def call(findings: Findings, clone: Clone, title: str, *command: str) -> float:

@@ -17,7 +17,7 @@ MINUTES = Minutes(None, 0.5, 40)
 
 
 def call(findings: Findings, title: str, *command: str | Path) -> str | None:
-    """Runs a command, its log in build/evidence. Returns its output; None where it fails."""
+    """Runs a command with its log in build/evidence. Returns the output; None on failure."""
     log = FOLDER / f"packages {title}.log".replace(" ", "-")
     done = subprocess.run(
         [str(word) for word in command], cwd=ROOT, capture_output=True, text=True, check=False
@@ -71,7 +71,7 @@ def fetched(findings: Findings, folder: Path) -> None:
 
 
 def installed(findings: Findings, folder: Path) -> None:
-    """cmake --install, found by the interpreter of the build without PYTHONPATH."""
+    """Checks `cmake --install`: the build's interpreter finds the package without PYTHONPATH."""
     prefix = folder / "prefix"
     call(findings, "virtual environment", sys.executable, "-m", "venv", "--without-pip", prefix)
     command = ("cmake", "--install", ROOT / "build" / "release", "--component", "python")
@@ -84,7 +84,7 @@ def installed(findings: Findings, folder: Path) -> None:
 def run(findings: Findings, size: Size) -> None:
     with tempfile.TemporaryDirectory(prefix="minkref-packages-") as name:
         folder = Path(name)
-        if size is Size.FULL:  # the others are builds of an hour
+        if size is Size.FULL:  # the other two build for an hour
             bare(findings, folder)
             fetched(findings, folder)
         installed(findings, folder)

@@ -9,7 +9,7 @@ from typing import Any
 from minkref import _core
 
 Point = tuple[float, float]
-Piece = tuple[Point | None, Point, Point]  # the centre of an arc, where it starts and ends
+Piece = tuple[Point | None, Point, Point]  # an arc's centre, start and end
 
 
 def true_rings(P: _core.PolygonSet, radius: float) -> list[list[Piece]]:
@@ -26,8 +26,8 @@ def true_rings(P: _core.PolygonSet, radius: float) -> list[list[Piece]]:
 
 
 def ring_difference(got: Any, wanted: list[list[Piece]]) -> float:
-    """The greatest distance of an end of a piece, or of a centre, from where it should be, in
-    diagonals of the sum; infinite if rings or pieces are others. Pieces of one arc are one."""
+    """The greatest distance of a piece's end or centre from its true place, divided by the sum's
+    diagonal; infinite if rings or pieces differ. Pieces of one arc count as one piece."""
     found, left = [merged(ring) for ring in got], [merged(ring) for ring in wanted]
     if sorted(map(len, found)) != sorted(map(len, left)):
         return math.inf
@@ -63,7 +63,7 @@ def _apart(one: Piece, other: Piece) -> float:
 
 
 def merged(ring: Any) -> list[Piece]:
-    """A full circle is cut where it starts."""
+    """The ring with each arc's pieces joined; cuts a full circle at its start."""
     pieces = [(centre and tuple(centre), tuple(start), tuple(end)) for centre, start, end in ring]
     first = next((k for k, p in enumerate(pieces) if p[0] is None or p[0] != pieces[k - 1][0]), 0)
     result: list[Any] = []

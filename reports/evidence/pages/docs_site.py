@@ -24,7 +24,7 @@ TYPE = """const field = document.querySelector("input[name=query]");
     field.dispatchEvent(new Event("input", {bubbles: true}));
     field.dispatchEvent(new KeyboardEvent("keyup", {bubbles: true}))"""
 FOUND = "return document.querySelectorAll('.md-search-result__item').length"
-EVERY = Counts(0, 4, 1)  # of the pages, one in so many
+EVERY = Counts(0, 4, 1)  # one page of so many
 SECONDS = 60  # until the search has read its index
 
 

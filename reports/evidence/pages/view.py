@@ -1,4 +1,4 @@
-"""The pages of `minkref view`: their size, and the rings that they draw against the sum."""
+"""The pages of `minkref view`: sizes, and drawn rings compared with the sum."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ CLOSE = 1e-9  # diagonals of the sum
 RINGS = """return arguments[0].map(
     (s) => window.minkref.rings(s).map((polygon) => [polygon.outer, ...polygon.holes]))"""
 MARKS = "return document.getElementById('marks').getAttribute('d').split('M').length - 1"
-Polygons = list[list[list[tuple[float, float]]]]  # per polygon its outer ring, then its holes
+Polygons = list[list[list[tuple[float, float]]]]  # each polygon's outer ring, then holes
 OFFSETS = """return arguments[0].map((r) => window.minkref.rings(r).map((ring) => ring.pieces))"""
 
 
@@ -122,8 +122,8 @@ def true_polygons(P: _core.PolygonSet, Q: _core.PolygonSet, scale: float) -> Pol
 
 
 def difference(got: Any, wanted: Polygons) -> float:
-    """The greatest distance of a vertex from where it should be, in diagonals of the sum; infinite
-    if the rings are others."""
+    """The greatest distance of a vertex from its true place, divided by the sum's diagonal;
+    infinite if the rings differ."""
     if [[len(ring) for ring in polygon] for polygon in got] != [
         [len(ring) for ring in polygon] for polygon in wanted
     ]:
@@ -147,7 +147,7 @@ def _look_at_disc(findings: Findings, path: Path, P: Operand, count: int) -> Non
     first, last = disc_picture.window_around(index, P.set)
     data = disc_picture.picture(index, P.set, Window(str(first), str(last)))
     write_atomically(path, disc_page(P.name, data))
-    # Where the events are, and some way beyond.
+    # Radii near the events and somewhat beyond.
     radii = [dice.choice(data["radii"]) * dice.uniform(0.8, 1.3) for _ in range(count)]
     with browser() as window:
         window.open(path)

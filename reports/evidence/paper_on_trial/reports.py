@@ -42,7 +42,7 @@ def run(findings: Findings, size: Size) -> None:
             findings.none(f"checks of `{what}` that fail", len(told["failed"]))
         rows = json.loads((folder / "audit.json").read_text(encoding="utf-8"))
         passed = sum(row["outcome"] == "passed" for row in rows)
-        left_out = sum(row["outcome"] == "left out" for row in rows)  # what takes long, if quick
+        left_out = sum(row["outcome"] == "left out" for row in rows)  # slow checks, if quick
         findings.equal(
             "entries of the audit whose check passes",
             len(ENTRIES) - (left_out if size is Size.WHOLE else 0),

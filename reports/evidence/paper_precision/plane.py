@@ -48,7 +48,8 @@ def _wrong_sums(
     pairs: list[tuple[_core.PolygonSet, _core.PolygonSet]],
     arithmetics: tuple[str, ...],
 ) -> None:
-    """Sums at scale 7/5 with other numbers of vertices, components or holes than the exact one."""
+    """Counts sums at scale 7/5 that differ from the exact sum's numbers of vertices, components or
+    holes."""
 
     def shape(answer: _core.Sum) -> tuple[int, int, int]:
         return answer.region.vertices, answer.components, answer.holes
@@ -85,7 +86,7 @@ def _least(findings: Findings, pairs: list[tuple[_core.PolygonSet, _core.Polygon
 def _table(
     pairs: list[tuple[_core.PolygonSet, _core.PolygonSet]], arithmetics: tuple[str, ...]
 ) -> dict[str, dict[str, Any]]:
-    """By arithmetic and form: the sums of the counts over all pairs of operands."""
+    """Counts summed over all operand pairs, by arithmetic and form."""
     table: dict[str, dict[str, Any]] = {}
     for arithmetic in arithmetics:
         for form in FORMS:

@@ -1,4 +1,4 @@
-"""The paper's way to the events of two facets in space in its own arithmetic, against the exact
+"""The paper's way to the events of two facets in space, in its own arithmetic, against the exact
 events."""
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ class Task:
 
 
 def study(task: Task) -> dict[str, dict[str, int]] | None:
-    """By arithmetic and form; nothing of what is no pair, or has too many facets."""
+    """Counts by arithmetic and form; None for invalid pairs, or too many facets."""
     families = [name for name in GROUPS[task.group] if name in FAMILIES]
     try:
         pair = pair_of_family(families[task.number % len(families)], SEED, task.number)
-    except ValueError:  # a solid that crosses itself
+    except ValueError:  # a self-intersecting solid
         return None
     P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
     if dict(_core.space_events(P, Q, "1", "1").counts())["facets"] > task.most_facets:

@@ -1,5 +1,5 @@
-"""The paper's program of Section 4, followed literally on monkey and bird, the largest pair of its
-Table 1: whether it has the right sum in doubles and MPFR."""
+"""The paper's program from Section 4, followed literally on monkey and bird, the largest pair of
+its Table 1: does it get the right sum in doubles and MPFR?"""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The paper's program of Section 4, followed literally in several arithmetics: how often it has the
-right sum, and which formula is to blame."""
+"""The paper's program from Section 4, followed literally in several arithmetics: how often the sum
+is right, and which formula to blame."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ MINUTES = Minutes(0.2, 1.5, 30)
 SEED = 1
 AFTER = (1, 10, 100)  # re-scalings
 ROUNDING = ("double", "mpfr:53", "mpfr:100", "mpfr:200", "mpfr:1000")
-FEW = ("double", "mpfr:200")  # of pairs with many edges, by programs that invent events
+FEW = ("double", "mpfr:200")  # for pairs with many edges, and programs that invent events
 LARGE = ("double", "mpfr:53", "mpfr:200")  # of the solve as printed on large pairs
 MANY = 60_000  # pairs of edges
 MOST = 600_000
 HUGE = 60_000_000
 MOST_PAIRS = Counts(8_000, 20_000, HUGE)  # of edges
-TOO_MANY = 10  # times as many intersections as there are: no sum is asked for, it is another one
+TOO_MANY = 10  # more than so many times the true intersections: skips the sum, which would differ
 CORRECTED = {name: corrected for name, _, corrected, _ in _core.paper_readings()}
 PRINTED = {name: values[0] for name, values, *_ in _core.paper_readings()}
 VARIANTS = {
@@ -50,7 +50,7 @@ SOLVE = "solve as printed"
 
 @dataclass(frozen=True)
 class Task:
-    """`intersections`: how many there are after each of AFTER."""
+    """`intersections`: the true count after each number in AFTER."""
 
     pair: Pair
     arithmetic: str
@@ -61,7 +61,7 @@ class Task:
 @dataclass(frozen=True)
 class Row:
     run: Run
-    same: tuple[bool, ...]  # after each of AFTER, the same set of points, exactly
+    same: tuple[bool, ...]  # after each number in AFTER, exactly the same set of points
 
 
 def follow(task: Task) -> Row:
@@ -102,7 +102,7 @@ def pairs_of_edges(pair: Pair) -> int:
 
 
 def tasks(chosen: list[Pair], size: Size) -> tuple[list[Task], list[str]]:
-    """Those that take longest first."""
+    """Tasks and notes, the longest tasks first."""
     found, notes = [], []
     for pair in chosen:
         count = pairs_of_edges(pair)
@@ -116,8 +116,8 @@ def tasks(chosen: list[Pair], size: Size) -> tuple[list[Task], list[str]]:
 
 
 def _plan(count: int, size: Size) -> dict[str, tuple[str, ...]]:
-    """The arithmetics in which each program is tried with so many pairs of edges."""
-    if count > HUGE:  # as printed the solve leaves so many regions that memory does not suffice
+    """The arithmetics for each program, given so many pairs of edges."""
+    if count > HUGE:  # the printed solve leaves too many regions for memory
         return {ALL_CORRECTED: tuple(reversed(ROUNDING))}
     if count > MOST:
         return {ALL_CORRECTED: ROUNDING, SOLVE: LARGE}
@@ -136,7 +136,7 @@ def run(findings: Findings, size: Size) -> None:
 
 
 def follow_all(every: list[Pair], notes: list[str], findings: Findings, size: Size) -> None:
-    """`notes`: of models that look-alikes stand for."""
+    """Runs all pairs. `notes` name models that look-alikes replace."""
     chosen, more = tasks(every, size)
     for note in (*notes, *more):
         findings.note(note)
@@ -181,7 +181,7 @@ def in_rational_numbers(rows: list[Row], findings: Findings) -> None:
 
 
 def _renewed(runs: list[Run], paper_models: bool) -> str:
-    """The committed runs, with these runs in place of the runs of the same pairs."""
+    """The committed runs, with new runs replacing older runs of the same pairs."""
     names = {run.name for run in runs}
     others = [run for run in committed().runs if run.name not in names]
     today = datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d")

@@ -1,5 +1,5 @@
-"""The paper's repair of convex sums (Section 6), followed literally: how often it has the facets of
-the sum, and which sentence is to blame."""
+"""The paper's repair of convex sums (Section 6), followed literally: how often it gets the sum's
+facets, and which sentence to blame."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ BITS = {"double": 53, "mpfr:200": 200}
 CORRECTED = {name: corrected for name, _, corrected, _ in _core.repair_readings()}
 PRINTED = {name: values[0] for name, values, *_ in _core.repair_readings()}
 WRONG = [name for name in CORRECTED if CORRECTED[name] != PRINTED[name]]
-# Variants that start at errors of facets, and look nowhere else.
+# Variants that start at facet errors, and nowhere else.
 FROM_ERRORS = {
     "chains from errors of facets of both bodies": CORRECTED | {"search": "beside-errors"},
     "chains from errors of facets of P": CORRECTED
@@ -83,7 +83,7 @@ def _prism(dice: random.Random) -> Polyhedron:
 
 
 def _with_a_part_in_common(dice: random.Random) -> Pair:
-    """A + B and A + C: the facets of A are parallel to each other."""
+    """A + B and A + C: both have facets parallel to A's facets."""
     A, B, C = (_hull(dice, 4) for _ in "ABC")
     return reference_sum(A, B, Fraction(1)), reference_sum(A, C, Fraction(1))
 
@@ -120,7 +120,7 @@ class Found:
     faults: Counter[str]  # all as printed
     not_proven: list[str]  # laws broken
     without_end: Counter[str]  # pairs with a descent that never ends
-    ee_alone: int  # ee-errors, and no error of a facet of P
+    ee_alone: int  # ee-errors without a facet error of P
     structure: Counter[str]  # right, by rounding arithmetic
     most_ulps: dict[str, float]
 
@@ -168,8 +168,8 @@ def _fault(
 def _is_proven(
     P: _core.ConvexPolyhedron, Q: _core.ConvexPolyhedron, scalings: list[Scaling]
 ) -> bool:
-    """Whether all corrected in rational numbers is the proven update, scaling after scaling, and
-    its facets, found with no pair in common, are those of the sum."""
+    """Whether the fully corrected variant, in rational numbers, equals the proven update at every
+    scaling, and its facets, found without a common pair, are the sum's facets."""
     repair = _core.PaperRepair(P, Q, UNIT, "rational", CORRECTED)
     proven = _core.DynamicConvexSum(P, Q, UNIT)
     for scaling in scalings:
@@ -230,7 +230,7 @@ def run(findings: Findings, size: Size) -> None:
 
 
 def _is_wrong(name: str) -> bool:
-    """Not those that are right, as far as is known."""
+    """Whether a variant may be wrong: all but the variants believed right."""
     return name not in ("all corrected", THEOREM_1)
 
 
@@ -242,8 +242,8 @@ def _right(results: list[Found], name: str) -> dict[str, int]:
 
 
 def _smallest(readings: dict[str, str]) -> str | None:
-    """The first pair of tetrahedra with corners of the unit cube, and the first scaling by 1 and 2,
-    for which these readings lose the sum."""
+    """The first pair of tetrahedra with corners from the unit cube, and the first scaling by 1 and
+    2, for which these readings lose the sum."""
     scalings = [s for s in product("12", repeat=3) if len(set(s)) > 1]
     for P, Q in _tetrahedra():
         for x, y, z in scalings:

@@ -29,8 +29,8 @@ MINUTES = Minutes(0.1, 1.2, 15)
 SEED = 2207
 PAIRS = Counts(40, 1_500, 20_000)
 PROCESSES = 2
-SECONDS = 20.0  # in which two builds of the index and the walk of a lattice pair must end
-BYTES = 4 << 30  # that a worker may take
+SECONDS = 20.0  # for two index builds and the walk of a lattice pair
+BYTES = 4 << 30  # a worker's memory limit
 CERTIFIED = 40  # one of so many pairs, and each with an event that only shows at its scale
 MOST_INTERVALS = 6  # of a pair
 Told = dict[str, Any]
@@ -50,7 +50,7 @@ def run(findings: Findings, size: Size) -> None:
 
 @dataclass
 class Table:
-    """The findings of all workers."""
+    """All workers' findings."""
 
     counts: Counter[str] = field(default_factory=Counter)
     wrong: list[str] = field(default_factory=list)
@@ -60,7 +60,7 @@ class Table:
     lock: threading.Lock = field(default_factory=threading.Lock)
 
     def fill(self, numbers: Iterator[int]) -> None:
-        """Takes numbers of pairs until there are none."""
+        """Takes pair numbers until none remain."""
         with Worker() as worker:
             while True:
                 with self.lock:
@@ -101,7 +101,7 @@ def _some(names: list[str]) -> str:
 
 
 class Worker:
-    """A process that judges pairs, and is ended where one takes too long."""
+    """A process that judges pairs, killed and restarted after a slow pair."""
 
     def __init__(self) -> None:
         self._start()
@@ -115,7 +115,7 @@ class Worker:
         self._pipe.recv()
 
     def ask(self, name: str) -> Told | None:
-        """None where there was no answer in time."""
+        """The judgement; None without an answer within SECONDS."""
         self._pipe.send(name)
         try:
             if self._pipe.poll(SECONDS):
@@ -135,7 +135,7 @@ class Worker:
 
 
 def work(pipe: Connection) -> None:
-    """The loop of a worker."""
+    """A worker's loop."""
     child.begin()
     resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     with SampledEvents() as sampled:
@@ -183,8 +183,8 @@ def _shape(case: Case) -> Counter[str]:
 
 
 def false_certificates(case: Case, truth: Events, counts: Counter[str]) -> list[str]:
-    """Certifies that there is no event in intervals between two events, which is true, and across
-    some, which is not."""
+    """Tries to certify the absence of events in intervals: true between two events, false across
+    some."""
     dice = random.Random(f"intervals {case.name.text}")
     scales = [event.s for event in truth.events]
     ends = [Fraction(0), *scales, 2 * max(scales, default=Fraction(1))]

@@ -1,4 +1,4 @@
-"""Boundary events against the heights of the vertices of the swept solid."""
+"""Boundary events against the vertex heights of the swept solid."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MINUTES = Minutes(0.05, 0.4, 0.5)
 
 SEED = 5
 PAIRS = Counts(12, 80, 100)
-# Between fractions with primes that no event of small integer operands has.
+# Fractions of primes that no event of small integer operands has.
 LOW, HIGH = "101/1009", "1009/101"
 
 

@@ -1,4 +1,4 @@
-"""Hand-made cases of tight passages, their random laws, and what they cost."""
+"""Hand-made cases with tight passages, random laws, and costs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Topology events of the paper's pairs, each confirmed by static sums around it."""
+"""Topology events for the paper's pairs, each confirmed by neighbouring static sums."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ WINDOWS: dict[tuple[str, str], tuple[str | None, str | None]] = {
     ("monkey", "bird"): ("1/2", "2"),
 }
 
-LOOKED: Counts[int | None] = Counts(2, 60, None)  # scales of a pair, of all
+LOOKED: Counts[int | None] = Counts(2, 60, None)  # checked scales per pair; None for all
 
 
 def run(findings: Findings, size: Size) -> None:

@@ -11,7 +11,8 @@ MINUTES = Minutes(None, 0.7, 6)
 ALONE = True
 SEED = 1
 
-# For each large pair: CGAL over a query by form; builds in CGAL's sums or in seconds; bytes.
+# For each large pair: the ratio of CGAL to a query, by form; builds, counted as CGAL sums or
+# seconds; bytes.
 RATIOS = {
     "monkey + bird": {"double": 100_000, "homogeneous": 3_000, "rational": 500},
     "neuron + disc1": {"double": 10_000},

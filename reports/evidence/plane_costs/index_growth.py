@@ -25,10 +25,10 @@ ALONE = True
 WINDOW = ("1/2", "2")
 PLOT = Path("reports/evidence/index_growth.svg")
 WANTED_EDGES = Counts(0, 10_000, 1_000_000)
-LONGEST = Counts(0.0, 3.0, 100.0)  # seconds of a build, after which a family ends
+LONGEST = Counts(0.0, 3.0, 100.0)  # build seconds after which a family ends
 QUERIES, PASSES = 20, 5
 SIZES = (8, 16, 24, 36, 52, 76, 110, 160, 240, 350, 580)
-# Edges; beyond, where the arrangement does not fit into memory, points are tried.
+# Edges; above this count the arrangement exceeds memory, so points are tried.
 MOST_STATIC = 6000
 POINTS = 60
 
@@ -67,7 +67,7 @@ def comb(teeth: int, seed: int) -> _core.PolygonSet:
 
 
 def spiral(steps: int, seed: int) -> _core.PolygonSet:
-    """Three turns of a band."""
+    """A band with three turns."""
     outer: list[tuple[float, float]] = []
     inner: list[tuple[float, float]] = []
     for k in range(4 * steps):
@@ -90,8 +90,8 @@ FAMILIES: dict[str, Callable[[int, int], _core.PolygonSet]] = {
 def difference(
     index: _core.ScaleIndex, P: _core.PolygonSet, Q: _core.PolygonSet, scale: str
 ) -> str:
-    """The scale, if the sum there is not the static one, or, of a large one, if points on either
-    side of its boundary are not where the collision of the operands says."""
+    """The scale, if the sum differs from the static sum, or, for large sums, if points near the
+    boundary contradict the operands' collision; else an empty text."""
     counts = index.counts()
     if counts["s_edges"] + counts["t_edges"] <= MOST_STATIC:
         return str(index.first_difference([scale]))

@@ -1,4 +1,4 @@
-"""The static sum by the paper's route and by CGAL's reduced convolution, interleaved."""
+"""Times the static sum by the paper's route and by CGAL's reduced convolution, interleaved."""
 
 from __future__ import annotations
 

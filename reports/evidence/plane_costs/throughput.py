@@ -1,4 +1,4 @@
-"""How many small cases a second are verified, and where the time goes."""
+"""Small cases verified per second, and the time for each step."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Calls and counts of a step of the dynamic sum."""
+"""Calls and counts for a dynamic sum's step."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SECONDS = 600
 
 
 def undefined_symbols(library: Path) -> list[str]:
-    """Those of the project that a shared library leaves to somebody else."""
+    """Project symbols that a shared library imports."""
     done = subprocess.run(
         ["nm", "--dynamic", "--demangle", "--undefined-only", str(library)],
         capture_output=True, text=True, check=True,

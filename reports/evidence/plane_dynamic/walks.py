@@ -22,7 +22,7 @@ KINDS = ("pair", "parallel", "triple")
 
 
 def operand(dice: random.Random, holes: bool) -> tuple[str, int]:
-    """A polygon of 8 to 40 vertices on a grid, as JSON text, and its number of vertices."""
+    """A grid polygon with 8 to 40 vertices, as JSON text, and the vertex count."""
     while True:
         grid = dice.choice((8, 12, 20))
         outer: Ring | None = None

@@ -16,7 +16,7 @@ from minkref.reports.evidence.framework.part import Findings, Minutes, Size
 
 MINUTES = Minutes(0.1, 0.3, 0.3)
 
-#: pairs that meet on an interval, births and deaths, those of SS, ST and TT pairs
+#: pairs that meet on an interval; births and deaths; counts for SS, ST and TT pairs
 COUNTED = {
     ("disc1", "neuron"): (76_761, 145_453, (39_809, 77_912, 27_732)),
     ("monkey", "bird"): (1_535_530, 3_026_701, (718_956, 1_605_254, 702_491)),

@@ -1,4 +1,4 @@
-"""All triple events of the paper's pairs; a hole that dies at one of them."""
+"""All triple events for the paper's pairs; also a hole that dies at a triple event."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from minkref.reports.evidence.framework.part import Findings, Minutes, Size
 
 MINUTES = Minutes(0.05, 0.3, 2)
 
-#: by a count in doubles
+#: counted in doubles
 COUNTED = {("disc1", "neuron"): 25_600, ("monkey", "bird"): 727_000}
 SECONDS = 60.0
 

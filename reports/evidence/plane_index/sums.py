@@ -1,5 +1,5 @@
-"""The index of all scales: its sums are those of the static route, its events those of the dynamic
-sum."""
+"""The index of all scales: sums equal the static route's sums, events equal the dynamic sum's
+events."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ MINUTES = Minutes(None, 7, 55)
 
 SEED = 2012
 WINDOW = ("1/10", "10")
-SCALES = Counts(0, 100, 1000)  # of each real pair, beside its events
+SCALES = Counts(0, 100, 1000)  # per real pair, besides its events
 PAIRS, SCALES_OF_A_PAIR = Counts(0, 150, 2500), 20
 PINCHED = Counts(0, 200, 5000)  # pairs
 ROUTES = tuple(_core.ROUTES)
-EVERY = Counts(0, 8, 1)  # of the events of a real pair and of the corpus, one in so many
+EVERY = Counts(0, 8, 1)  # one event of so many, for real pairs and the corpus
 SAMPLE = 40  # certificates
 MAKERS: dict[str, Callable[[int, int], Pair]] = {
     "holes": holes_pair,
@@ -53,8 +53,8 @@ Task = tuple[str, str, str, tuple[str | None, str | None], tuple[str, ...]]
 
 
 def same_sums(task: Task, routes: tuple[str, ...] = ROUTES[:1]) -> tuple[str, int, str]:
-    """The name of the task, sums compared, and the first scale at which they differ. The scales of
-    the task, or some at and between its own events."""
+    """The task's name, the number of compared sums, and the first scale with a difference. Uses the
+    task's scales, or else some at and between the index's events."""
     name, P_text, Q_text, window, given = task
     P, Q = _core.PolygonSet.from_json(P_text), _core.PolygonSet.from_json(Q_text)
 
@@ -106,7 +106,7 @@ def same_events(task: Task) -> tuple[str, int, str]:
 
 
 def drawn(index: _core.ScaleIndex, seed: str, count: int) -> list[str]:
-    """Seeded: of each four one at an event, one between two, two anywhere."""
+    """Seeded scales: out of every four, one at an event, one between two events, two anywhere."""
     dice = random.Random(f"{SEED} {seed}")
     events = [Fraction(scale) for scale in index.event_scales()]
     begin, end = index.window
@@ -209,7 +209,8 @@ def run(findings: Findings, size: Size) -> None:
 
 
 def _certificates(findings: Findings, tasks: list[Task]) -> None:
-    """Certifies the sum at an event, if there is an event: the digest is that of the index."""
+    """Certifies sums at drawn scales, at an event if any exists: the digest must equal the index's
+    digest."""
     with tempfile.TemporaryDirectory() as folder:
         files, other = [], []
         for number, (name, P_text, Q_text, window, _) in enumerate(tasks):

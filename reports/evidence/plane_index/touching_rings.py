@@ -28,13 +28,13 @@ SEED = 46
 ROUTES = tuple(_core.ROUTES)
 HAIR = Fraction(1, 2**20)  # relative: beside an event
 RANDOM, PINCHED = Counts(0, 200, 2000), Counts(0, 400, 5000)
-EVERY = Counts(0, 7, 1)  # of the cells and holes, one in so many
+EVERY = Counts(0, 7, 1)  # one cell or hole of so many
 EVERY_SET = 3  # of triangular holes
 Task = tuple[str, str, str, Window]
 
 
 def same_as_static(task: Task) -> tuple[str, int, str]:
-    """The name of the task, sums compared, and the first that differs, or what was raised."""
+    """The task's name, the number of compared sums, and the first difference or exception."""
     name, P_text, Q_text, window = task
     P, Q = _core.PolygonSet.from_json(P_text), _core.PolygonSet.from_json(Q_text)
     compared = 0
@@ -75,7 +75,7 @@ def telling_scales(events: list[str], window: Window) -> list[str]:
 
 
 def cell_tasks(side: int) -> Iterator[Task]:
-    """Each with no window; every other one in a window too."""
+    """Tasks without a window, and four in five with a window too."""
     for number, case in enumerate(beside_segments(side)):
         yield case.name, case.P, case.Q, (None, None)
         window = window_of(number)
@@ -84,8 +84,7 @@ def cell_tasks(side: int) -> Iterator[Task]:
 
 
 def triangle_tasks() -> Iterator[Task]:
-    """All triangular holes on the lattice that touch the triangle around them, each beside one of
-    the short segments."""
+    """Triangular lattice holes that touch the surrounding triangle, each beside a short segment."""
     outer: Ring = [(0, 0), (4, 0), (0, 4)]
     nodes: list[Point] = [(x, y) for x in range(5) for y in range(5 - x)]
     segments = [(1, 0), (0, 1), (1, -1), (2, -1), (1, -2), (1, 1), (2, 1)]

@@ -1,4 +1,4 @@
-"""Valid scales of paths, traps, their certificates, and how fast they are found."""
+"""Valid scales of paths, traps, their certificates, and speed."""
 
 from __future__ import annotations
 
@@ -42,8 +42,8 @@ HAIR = Fraction(1, 1 << 20)
 CONTACTS = ("allowed", "forbidden")
 SLOW_SCALES = 4
 TARGET_SECONDS = 1.0
-RUNS = 3  # of which the shortest counts
-WIDTH = Counts(Fraction(1, 2), Fraction(1, 20), Fraction(1, 1000))  # of the bracket by sums
+RUNS = 3  # the shortest counts
+WIDTH = Counts(Fraction(1, 2), Fraction(1, 20), Fraction(1, 1000))  # width of the bracket by sums
 ABOVE = Fraction(4)  # a scale that is too large
 TARGET_RATIO = 10.0
 WORDS = {"trapped": "claims of a ring", "escapes": "claims of a way out", "hit": "claims of a hit"}
@@ -91,7 +91,8 @@ def _cases(findings: Findings, count: int, slow: int) -> None:
 def _certified(
     findings: Findings, what: str, several: list[dict[str, float]], without: Counter[str]
 ) -> None:
-    """`several`: of certificates that both checkers verified; `without`: why others have none."""
+    """`several`: figures of certificates that both checkers verified; `without`: reasons for
+    missing certificates."""
     total = several[0]
     for one in several[1:]:
         total = joined(total, one)
@@ -133,7 +134,7 @@ def _path_proof(case: PathCase, contact: str) -> Made:
 
 
 def _proofs(several: list[Made]) -> dict[str, Any]:
-    """Both checkers on those that there are."""
+    """Runs both checkers on the existing certificates."""
     there = [one for one in several if one.certificate is not None]
     without = Counter(one.why for one in several if one.certificate is None)
     return {"unproven": faults(there), "without": without, "proofs": figures(there)}
@@ -196,7 +197,7 @@ def _traps(findings: Findings, count: int) -> None:
 
 
 def judge_trap(index: int) -> dict[str, Any]:
-    """A place in a room with a door of random width."""
+    """Judges a place in a room with a door of random width."""
     dice = random.Random(f"{SEED}:trap:{index}")
     part, assembly, at = _trap(dice)
     found = minkref.trapped_scales(part, assembly, at)
@@ -297,7 +298,8 @@ def _trap(dice: random.Random) -> tuple[minkref.PolygonSet, minkref.PolygonSet, 
 
 
 def _speed(findings: Findings, width: Fraction) -> None:
-    """Pillars in rows, a star-like part of 100 vertices, a way of 100 segments between them."""
+    """Times a star-like part with 100 vertices on a path with 100 segments, between rows of
+    pillars."""
     part, obstacles, path = large_path()
     every = []
     for _ in range(RUNS):
@@ -385,7 +387,7 @@ def large_path() -> tuple[minkref.PolygonSet, minkref.PolygonSet, list[tuple[int
             pillars.append([outline])
     obstacles = minkref.PolygonSet(pillars).scaled("1/10000")
     path = [(5, -8)]
-    for k in range(100):  # row by row, between the rows
+    for k in range(100):  # row by row, between the pillars
         row, step = divmod(k, 10)
         x = 10 * step + 5 if row % 2 == 0 else 95 - 10 * step
         path.append((x, 10 * row + 5 + (step % 3 - 1 if 0 < step < 9 else 0)))

@@ -1,4 +1,4 @@
-"""One interior point of every face of the arrangement, decided from the definition."""
+"""Decides an interior point of every arrangement face from the definition."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, S
 MINUTES = Minutes(0.1, 0.6, 1)
 
 DISCS = Counts(1, 2, 2)
-MOST_SPOT_CHECKS = 5  # decisions of each kind checked again in plain Python fractions
+MOST_SPOT_CHECKS = 5  # decisions per kind checked again with plain Python fractions
 
 
 def spot_check(findings: Findings, case: Case, faces: list[tuple[str, str, bool]]) -> None:
-    """Some of the decisions again, by code that shares nothing with them."""
+    """Repeats some decisions with independent code."""
     right = tried = 0
     for wanted in (True, False):
         for x, y, _ in [face for face in faces if face[2] == wanted][:MOST_SPOT_CHECKS]:

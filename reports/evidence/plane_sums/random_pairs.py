@@ -22,7 +22,7 @@ from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, S
 MINUTES = Minutes(0.1, 1, 3)
 
 SEED = 2012
-PAIRS = Counts(200, 3_000, 10_000)  # fewer ones are spread evenly over all
+PAIRS = Counts(200, 3_000, 10_000)  # fewer pairs spread evenly over all
 ROUTES = TRUTHS
 BATCH = 50
 
@@ -45,8 +45,8 @@ def shape(case: Case) -> dict[str, int]:
 
 
 def refutes(outcome: Outcome) -> bool:
-    """The result says of the witness point what the witness says is not so. (Rings that are badly
-    made are a fault in themselves.)"""
+    """Whether the result contradicts the witness at the witness point. (Badly made rings are
+    themselves a fault.)"""
     if set(outcome.reasons) <= {Reason.NOT_CLOSED, Reason.SELF_INTERSECTING}:
         return bool(outcome.reasons)
     if outcome.witness is None or outcome.got is None:
@@ -56,7 +56,7 @@ def refutes(outcome: Outcome) -> bool:
 
 
 def fault(case: Case, outcome: Outcome) -> dict[str, Any]:
-    """A disagreement, with its witness checked once more by plain fractions."""
+    """A disagreement, its witness checked again with plain fractions."""
     proven = (
         outcome.witness is not None
         and holds(case.P_json, case.Q_json, case.scale, outcome.witness)
@@ -74,7 +74,7 @@ def fault(case: Case, outcome: Outcome) -> dict[str, Any]:
 
 
 def work(job: tuple[range, list[str]]) -> dict[str, Any]:
-    """One batch of pairs in a worker process."""
+    """Judges a batch of pairs, as a worker process."""
     indices, targets = job
     tally: Counter[str] = Counter()
     faults = []

@@ -67,7 +67,7 @@ def five_scales(findings: Findings, cgal: list[str], pairs: tuple[tuple[str, str
 
 
 def seeded_scales(count: int) -> list[str]:
-    """Scales in [1/10, 10], three decimals, from SEED."""
+    """Scales from [1/10, 10] with three decimals, drawn with SEED."""
     dice = random.Random(SEED)
     return [str(Fraction(dice.randint(100, 10_000), 1000)) for _ in range(count)]
 
@@ -110,7 +110,7 @@ def seeded(findings: Findings, cgal: list[str], count: int, real: bool) -> None:
 
 
 def triangulation(findings: Findings, pairs: tuple[tuple[str, str], ...]) -> None:
-    """At scale 1, by CGAL's slowest method."""
+    """Compares sums at scale 1 with CGAL's slowest method."""
     if not pairs or not available_cgal(findings, TRIANGULATION):
         return
     with Bench([PAPER, TRIANGULATION], seconds=1200, gigabytes=12) as bench:

@@ -24,7 +24,7 @@ CASES = (
 
 
 def answer(case: Case, arithmetic: str) -> dict[str, Any]:
-    """The answer of one arithmetic for one sum."""
+    """The answer for a sum in one arithmetic."""
     try:
         result = _core.minkowski_sum(case.P, case.Q, case.scale, "paper", arithmetic)
     except _core.UndecidedSign:

@@ -16,7 +16,7 @@ from minkref.reports.evidence.framework.part import Findings, Minutes, Size
 MINUTES = Minutes(0.1, 0.1, 0.1)
 
 SCALE = Fraction(541, 186)
-# S-edges and T-edges of the reduced convolution (or their sum), all edges of the full one.
+# S-edges and T-edges of the reduced convolution (or their total), and all full convolution edges.
 PAPER: dict[tuple[str, str], dict[str, object]] = {
     ("monkey", "bird"): {"reduced S, T": "10225, 6200", "reduced": 16425, "full": 31371},
     ("disc1", "neuron"): {"reduced": 3195, "full": 5119},
@@ -25,8 +25,9 @@ Point = Vector[Fraction]
 
 
 def unbalanced(first: _core.PolygonSet, second: _core.PolygonSet) -> int:
-    """Nodes of the full convolution at which signed edges in and out do not cancel; exact."""
-    # In the order in which convolution edges name them.
+    """Counts nodes of the full convolution where signed incoming and outgoing edges do not cancel;
+    exact."""
+    # Rings have the order that convolution edges use.
     P, Q = fraction_rings(first.to_json(), SCALE), fraction_rings(second.to_json())
     balance: Counter[Point] = Counter()
     for kind, sign, ring, index, other_ring, other in _core.full_convolution(first, second):

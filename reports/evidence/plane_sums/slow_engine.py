@@ -39,7 +39,8 @@ DRAWN = FOLDER / "slow_engine_and_cgal.html"
 
 
 def judge(index: int) -> dict[str, Any]:
-    """A pair without holes is put before CGAL only, some of whose methods take no others."""
+    """Judges a pair; CGAL alone judges pairs without holes, since some CGAL methods take no
+    others."""
     case: Case = load_in_plane(CaseName(f"random:{SEED}:{index}", "random pairs"))
     holes = case.P.ring_count + case.Q.ring_count > 2
     tally: Counter[str] = Counter()
@@ -59,7 +60,7 @@ _claims: CgalClaims | None = None
 
 
 def draw(rows: list[dict[str, Any]]) -> str:
-    """A page of all differences: what the slow engine has, what CGAL has, and the witness."""
+    """A page with all differences: the slow engine's sum, CGAL's sum, and the witness."""
     figures = []
     for row in rows:
         point = tuple(float(Fraction(x)) for x in row["point"])
@@ -90,7 +91,7 @@ def _rings(polygons: Any) -> list[list[list[tuple[float, float]]]]:
 
 
 def large_operands(findings: Findings) -> None:
-    """Seconds of single points at the size of the paper's models, reading included."""
+    """Times single points on operands as large as the paper's models, including reading."""
     for first, second, scale in (("monkey", "bird", "1"), ("neuron", "bird", "1/3")):
         tell_absent(findings, first, second)
         case = case_of(first, second, scale)

@@ -1,13 +1,13 @@
-"""Faults put into the reference, and which judge, law or test catches each.
+"""Plants faults into the reference, and finds the judge, law or test that catches each fault.
 
 The preset `faults` builds the reference with faults that the environment variable MINKREF_FAULT
-switches on (reference/fault.hpp). Each fault of the plane is put before the laws and tests of the
-reference, its own routes against each other, and the judges of `minkref verify minkref`; each of
-space before the laws and tests of space, and each of sums with a disc before those of the disc.
+switches on (reference/fault.hpp). Plane faults face the reference's laws and tests, its own routes
+against each other, and the judges of `minkref verify minkref`; space faults face the laws and tests
+of space, disc faults the disc's laws and tests.
 
-`python -m minkref.reports.evidence.planted_faults.faults [FAULT...]` puts in these only (those
-that the table does not have, if none are named) and makes their rows anew. Exit code 1: one of them
-is not caught, or there is an alarm without a fault, and the table is left alone.
+`python -m minkref.reports.evidence.planted_faults.faults [FAULT...]` plants only the named faults
+(without names, the faults missing from the table) and renews their rows. Exit code 1: a fault is
+not caught, or an alarm sounds without a fault; after an alarm the table stays unchanged.
 """
 
 from __future__ import annotations
@@ -46,12 +46,12 @@ SUITE_SECONDS, VERIFY_SECONDS, PYTEST_SECONDS = 300, 150, 150
 FEWEST = 25
 FEWEST_OF_LIST = {"IN_PLANE": FEWEST, "IN_SPACE": FEWEST, "WITH_DISC": 12}
 JOBS = 2
-EVERY = Counts(0, 6, 1)  # of the faults, one in so many
+EVERY = Counts(0, 6, 1)  # one fault of so many
 
 
 @dataclass
 class Caught:
-    """By whom: names of targets of `verify`, of suites and of tests."""
+    """Names of `verify` targets, suites and tests that caught a fault."""
 
     judges: list[str] = field(default_factory=list)
     routes: list[str] = field(default_factory=list)
@@ -62,14 +62,14 @@ class Caught:
 
 
 def listed(where: str = "IN_PLANE|IN_SPACE|WITH_DISC") -> dict[str, str]:
-    """Every fault and what is wrong with it, in the order of reference/fault.hpp."""
+    """Every fault with its description, sorted like reference/fault.hpp."""
     text = (ROOT / "reference" / "fault.hpp").read_text(encoding="utf-8").replace("\\\n", " ")
     lists = re.findall(rf"^#define MINKREF_FAULTS_(?:{where})\(X\)(.*)", text, re.MULTILINE)
     return dict(re.findall(r'X\(\s*(\w+),\s*"([^"]+)"\s*\)', " ".join(lists)))
 
 
 def build(targets: tuple[str, ...] = ()) -> None:
-    """All of it, or what these targets need."""
+    """Builds everything, or these targets' needs."""
     words = ["cmake", "--build", str(BUILD), "-j", "2"]
     for command in (
         ["cmake", "--preset", "faults", f"-DPython_EXECUTABLE={sys.executable}"],
@@ -84,10 +84,10 @@ def build(targets: tuple[str, ...] = ()) -> None:
 def ended(
     fault: str, seconds: float, *command: str | Path
 ) -> subprocess.CompletedProcess[str] | None:
-    """A command with the fault put in; None where it does not end."""
+    """Runs a command with the fault planted; None if the command does not end."""
     variables = {
         **os.environ, "MINKREF_FAULT": fault, "PYTHONPATH": str(BUILD / "package"),
-        "PYTHONSAFEPATH": "1",  # not the package of the checkout, in which this runs
+        "PYTHONSAFEPATH": "1",  # hides the checkout's package, despite the working folder
     }  # fmt: skip
     try:
         return subprocess.run(
@@ -99,8 +99,8 @@ def ended(
 
 
 def laws(fault: str, suites: tuple[str, ...]) -> list[str]:
-    """The first test of each suite of the reference that fails; a suite that ends by a signal, or
-    not at all, has caught it too."""
+    """Each reference suite's first failing test; a suite that ends with a signal, or never, has
+    also caught the fault."""
     failed = []
     for suite in suites:
         with tempfile.NamedTemporaryFile(suffix=".json") as report:
@@ -125,7 +125,7 @@ def laws(fault: str, suites: tuple[str, ...]) -> list[str]:
 
 
 def python_tests(fault: str) -> list[str]:
-    """The first that fails of tight passages made by hand, and of parents by their definition."""
+    """The first failing test, among hand-made tight passages and parents by definition."""
     words = ("-m", "pytest", "-qx", "-p", "no:cacheprovider", *PYTEST_FOLDERS)
     done = ended(fault, PYTEST_SECONDS, sys.executable, *words)
     if done is None:
@@ -156,7 +156,7 @@ def before_judges(fault: str, caught: Caught) -> None:
 
 
 def put_in(fault: str) -> Caught:
-    """Without a fault all that any is put before."""
+    """Runs the laws, tests and judges meant for this fault; without a fault, all."""
     caught = Caught()
     if not fault or fault in listed("IN_PLANE"):
         caught.tests += laws(fault, SUITES) + python_tests(fault)
@@ -168,7 +168,7 @@ def put_in(fault: str) -> Caught:
 
 
 def _suites(faults: list[str]) -> tuple[str, ...]:
-    """Before which faults that are not of the plane are put."""
+    """The suites for faults outside the plane."""
     chosen: tuple[str, ...] = ()
     for where, suites in (("IN_SPACE", SPACE_SUITES), ("WITH_DISC", DISC_SUITES)):
         if set(faults) & set(listed(where)):
@@ -211,7 +211,7 @@ def run(findings: Findings, size: Size) -> None:
 
 
 def _before_suites(findings: Findings, names: list[str]) -> None:
-    """Before the laws in C++ alone, which need a tenth of the build."""
+    """Runs only the C++ laws, which need a tenth of the build."""
     build(tuple(f"test_{suite}" for suite in EVERY_SUITE))
     findings.none("alarms without a fault", laws("", EVERY_SUITE))
     in_plane = listed("IN_PLANE")
@@ -232,7 +232,7 @@ def row(name: str, caught: Caught) -> str:
 
 
 def rows_of_table() -> dict[str, str]:
-    """By name, as they stand."""
+    """The table's current rows, by fault."""
     lines = TABLE.read_text(encoding="utf-8").splitlines()
     return {line.split("`")[1]: line for line in lines if line.startswith("| `")}
 

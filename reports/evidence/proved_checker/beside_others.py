@@ -1,5 +1,4 @@
-"""The checker that is proved right: whether it agrees with the others, mutants, speed, and a
-theorem."""
+"""The checker proved right: agreement with the other checkers, mutants, speed, and a theorem."""
 
 from __future__ import annotations
 
@@ -87,8 +86,9 @@ def run(findings: Findings, size: Size) -> None:
 
 
 def _certified(case: Case) -> Certificate:
-    """The sum with its tight passages, and where there are pieces to show it a point of it; and the
-    turn of three vertices of the convolution, if it has one sign from half the scale to double."""
+    """Certifies the sum with its tight passages, a point of the sum if pieces can show that point,
+    and the turn of three convolution vertices if the turn keeps its sign from half the scale to
+    double."""
     certificate = Certificate(case.P, case.Q)
     certificate.sum(case.scale, passages=True)
     if case.P.is_region and case.Q.is_region:
@@ -109,8 +109,8 @@ def _fresh(count: int) -> Iterator[tuple[str, Certificate]]:
 
 
 def _events(count: int) -> Iterator[tuple[str, Certificate]]:
-    """Each with the interval from the event before it, the sum at it, with its tight passages, and
-    the interval after it."""
+    """Certificates for events, each with the interval from the previous event, the sum at the
+    event, with tight passages, and the interval afterwards."""
     for case, scale, before in itertools.islice(events(SEED, 1), count):
         certificate = Certificate(case.P, case.Q)
         certificate.event(scale, before, passages=True)
@@ -118,7 +118,7 @@ def _events(count: int) -> Iterator[tuple[str, Certificate]]:
 
 
 def _corpus(findings: Findings) -> None:
-    """The certificates of the corpus in the plane: each claim in them is proved."""
+    """Checks that each claim from the corpus's plane certificates is proved."""
     files = [
         path
         for path in sorted(CORPUS.rglob("*.cert.json"))
@@ -172,7 +172,7 @@ def _agree(
 
 
 def _degeneracies(findings: Findings, folder: Path) -> None:
-    """Certificates of what makes a scale critical, which are signs"""
+    """Certificates for the signs that make a scale critical."""
     files: list[Path] = []
     for case, scale, _ in itertools.islice(events(SEED, 1), DEGENERACIES):
         certificate = Certificate(case.P, case.Q)
@@ -184,7 +184,8 @@ def _degeneracies(findings: Findings, folder: Path) -> None:
 
 
 def _small() -> Iterator[tuple[str, Certificate]]:
-    """Sums, in full and with what else is claimed of them, and in turn events"""
+    """Certificates for full sums with their other claims, and, alternating with them, for
+    events."""
     some = (case for case in cases(SEED + 1) if 0 < case.P.vertices + case.Q.vertices < 40)
     for case, (other, scale, before) in zip(some, events(SEED + 1, 1), strict=False):
         certificate = _certified(case)
@@ -199,7 +200,8 @@ def _small() -> Iterator[tuple[str, Certificate]]:
 
 
 def _mutants(findings: Findings, wanted: int, folder: Path) -> None:
-    """Claims changed, and in another batch the case (with its digest the old one)."""
+    """Judges certificates with changed claims, and another batch with changed cases (under the old
+    digest)."""
     accepted: list[str] = []
     true = 0
     refused: Counter[str] = Counter()
@@ -266,7 +268,7 @@ def _compared(findings: Findings, title: str, file: Path) -> None:
 
 
 def _bodies(findings: Findings, folder: Path, count: int) -> None:
-    """Sums of convex polyhedra: fresh ones, and with changed claims."""
+    """Judges sums of convex polyhedra: fresh, and with changed claims."""
     dice = random.Random(SEED)
     made, changed = [], []
     for i in range(count):
@@ -275,7 +277,7 @@ def _bodies(findings: Findings, folder: Path, count: int) -> None:
         value = json.loads(made[-1].read_text(encoding="utf-8"))
         for j, mutant in enumerate(mutants({"claims": value["claims"]}, 1, dice)):
             if all(claim in value["claims"] for claim in mutant.value["claims"]):
-                continue  # in another order, or fewer
+                continue  # reordered or fewer claims
             changed.append(folder / f"body{i}.{j}.cert.json")
             changed[-1].write_text(json.dumps({**value, **mutant.value}), encoding="utf-8")
     codes = zip(*(verdicts(c, made) for c in (in_proved(), in_python(), in_cpp())), strict=True)

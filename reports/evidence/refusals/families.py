@@ -1,5 +1,5 @@
-"""A hundred members of every family of invalid input: refused by each command that reads operands,
-and by the slow engine."""
+"""A hundred members of every invalid family: refused by each command that reads operands, and by
+the slow engine."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ MINUTES = Minutes(None, 1.2, 20)
 
 SEED = 47
 COUNT = Counts(0, 4, 100)
-LONG = ("invalid-too-many-vertices", "invalid-too-many-digits")  # files of tens of megabytes
+LONG = ("invalid-too-many-vertices", "invalid-too-many-digits")  # files with tens of megabytes
 REFUSED = 2  # the exit code
 
 
 @dataclass
 class Told:
-    """Answers of the commands to the members of one family."""
+    """The commands' answers to a family's members."""
 
     family: str
     different: int = 0

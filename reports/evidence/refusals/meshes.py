@@ -116,11 +116,11 @@ BAD.append(Bad("a factor of zero", "scale.off", _cube(), ("scale-zero",), scale=
 
 
 GROWTH = Counts((2_000, 8_000), (5_000, 40_000), (10_000, 100_000))
-MOST_SLOPE = 1.35  # of the logarithms of time and corners
+MOST_SLOPE = 1.35  # log time over log corners
 
 
 def _double_cone(corners: int) -> _core.Polyhedron:
-    """Over a star and below it: boxes of nearly all triangles overlap."""
+    """A cone above and below a star: boxes of nearly all triangles overlap."""
     points: list[tuple[int, int, int]] = []
     for k in range(corners):
         radius, angle = 10**9 // (1 + k % 2), 2 * math.pi * k / corners
@@ -149,7 +149,7 @@ def _validation_grows(findings: Findings, size: Size) -> None:
     findings.figures["validation of a double cone"] = dict(
         zip(map(str, sizes), (round(one, 2) for one in seconds), strict=True)
     )
-    # A spike bent across its neighbours.
+    # Bends a spike across its neighbours.
     crossing = _double_cone(sizes[0])
     points = crossing.points()
     points[100], points[104] = points[104], points[100]

@@ -1,4 +1,4 @@
-"""Runs ended by Ctrl-C at random moments: what they wrote."""
+"""Ends runs by Ctrl-C at random moments, and checks their output."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Runs killed by SIGKILL at random moments, and resumed from their ledgers: of a function, and of
-an adapter in the sandbox."""
+"""Kills runs by SIGKILL at random moments and resumes them from their ledgers: runs of a function,
+and of a sandboxed adapter."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ SEED = 11
 KILLS, CASES = Counts(0, 3, 20), Counts(0, 200, 700)
 KILLS_IN_SANDBOX, CASES_IN_SANDBOX = Counts(0, 5, 50), 150
 MARK = "MINKREF_EVIDENCE_MARK"
-PATIENCE = 5.0  # seconds in which what was sent SIGKILL has to be gone
+PATIENCE = 5.0  # seconds until a killed process must be gone
 
 
 def start(ledger: Path, mark: str, words: tuple[str, ...]) -> subprocess.Popen[str]:
@@ -45,7 +45,7 @@ def findings_of(text: str) -> list[str]:
 
 
 def results_in(ledger: Path) -> set[str]:
-    """The whole lines of a ledger but its first, each of which has been reported."""
+    """A ledger's whole lines without the first line; each of them has been reported."""
     if not ledger.is_file():
         return set()
     whole = ledger.read_text(encoding="utf-8").rpartition("\n")[0]
@@ -53,7 +53,7 @@ def results_in(ledger: Path) -> set[str]:
 
 
 def running(mark: str) -> int:
-    """Processes of a run, its adapters among them."""
+    """Counts a run's processes, including its adapters."""
     count = 0
     for entry in Path("/proc").iterdir():
         if entry.name.isdecimal():
@@ -72,7 +72,7 @@ def left(mark: str) -> int:
 
 
 def groups_of(owners: list[int]) -> list[Path]:
-    """Control groups that these processes made."""
+    """Control groups made by these processes."""
     rooms = find_rooms()
     found = (room.folder.glob(f"minkref-{owner}-*") for owner in owners for room in rooms)
     return [path for paths in found for path in paths]

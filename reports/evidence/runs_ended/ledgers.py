@@ -1,5 +1,5 @@
-"""Changed ledgers: one is gone on with only where its whole lines are a beginning of those that
-were written."""
+"""Changed ledgers: a run resumes a ledger only if its whole lines are a beginning of the written
+lines."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def cut(dice: random.Random, text: bytes, _: bytes) -> bytes:
 
 
 def signed_anew(dice: random.Random, text: bytes, _: bytes) -> bytes:
-    """Some values are others, and the codes are those of what the file now says."""
+    """Changes some values and recomputes the codes for the new content."""
     chain = Chain(ledger_key())
     lines = []
     for line in text.splitlines():
@@ -103,7 +103,7 @@ def signed_anew(dice: random.Random, text: bytes, _: bytes) -> bytes:
 
 
 def changed(dice: random.Random, value: Any) -> None:
-    """One member, at any depth, is another, absent or added."""
+    """Changes, removes or adds a member at any depth."""
     keys = list(value) if isinstance(value, dict) else list(range(len(value)))
     key = dice.choice(keys) if keys else None
     if key is not None and isinstance(value[key], dict | list) and dice.randrange(4):
@@ -127,7 +127,7 @@ KINDS: dict[str, Change] = {
 
 
 def outcome(path: Path) -> tuple[str, list[CaseResult]]:
-    """The code of the refusal, or nothing and the results; another exception by its name."""
+    """The refusal's code, or an empty code and the results; another exception gives its name."""
     try:
         with Ledger(path, HEAD) as ledger:
             known = [ledger.result(k, result(k).name) for k in range(RESULTS)]
@@ -144,7 +144,7 @@ def fault(kind: str, text: bytes, data: bytes, code: str, known: list[CaseResult
         return code
     if kind == "signed anew":
         return ""
-    # Half a line at the end is what a kill leaves: it is dropped, whatever it is.
+    # A kill leaves half a line at the end: the reader drops that half, whatever its content.
     whole = data[: data.rfind(b"\n") + 1] or data
     if code:
         return "a beginning is refused" if text.startswith(whole) else ""
@@ -160,7 +160,7 @@ def run(findings: Findings, size: Size) -> None:
     faults: list[str] = []
     with tempfile.TemporaryDirectory() as folder:
         before = os.environ.get("XDG_STATE_HOME")
-        os.environ["XDG_STATE_HOME"] = folder  # the key is this run's own
+        os.environ["XDG_STATE_HOME"] = folder  # gives this run its own key
         try:
             text = written(Path(folder, "whole.jsonl"), 0)
             other = written(Path(folder, "other.jsonl"), 100)

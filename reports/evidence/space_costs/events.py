@@ -1,4 +1,4 @@
-"""Events of the facets of sums in space, complete and exact, on large pairs: seconds and memory."""
+"""Events between facets of sums, complete and exact, on large pairs: seconds and memory."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ALONE = True
 WINDOW = ("1/5", "2")
 THREADS = 2
 PLOT = Path("reports/evidence/space_event_speed.svg")
-THEIRS = 8_427_881 / (65 * 60)  # events a second, as the paper gives them for its pair
+THEIRS = 8_427_881 / (65 * 60)  # events per second, as the paper gives them for its pair
 MOST_SECONDS, MOST_SECONDS_OF_ALL = 90, 240
 MOST_BYTES = 4e9
 LEAST_RATE = 100_000  # events of two facets a second and core
@@ -88,7 +88,7 @@ def _told(row: dict[str, Any]) -> str:
 
 
 def _timed(solids: Solids, concurrent: bool) -> dict[str, Any]:
-    """In a child process of its own, for its memory."""
+    """Runs in a separate child process, to measure its memory."""
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
     child = context.Process(target=_work, args=(theirs, solids, concurrent))

@@ -19,22 +19,22 @@ from minkref.reports.space_speed_plot import draw
 MINUTES = Minutes(None, 1.5, 30)
 ALONE = True
 
-NEF_LIMIT = 300.0  # seconds of a call, where Nef's time is a target
+NEF_LIMIT = 300.0  # seconds for a call with a target for Nef's time
 LIMIT = Counts(0.0, 20.0, 60.0)  # of any other
 GROWN = Counts(0, 2, 99)  # of the sizes, the first so many
-LONGEST = 20.0  # seconds of ours, after which a family ends
-BUSY = 0.1  # the share of the machine that others take beyond which processor time counts
+LONGEST = 20.0  # seconds of our time after which a family ends
+BUSY = 0.1  # machine share of other programs beyond which processor time counts
 
 PLOT = Path("reports/evidence/space_speed.svg")
 
 
 def look(pair: TimedPair, tools: Tools, limit: float, findings: Findings) -> dict[str, Any]:
-    """All tools on one pair, one after the other, and what is to be said of it. `limit` is that of
-    Nef. Where others take much of the machine half of the processor time of our two threads stands
-    for seconds, and Nef's for Nef's."""
+    """Runs all tools on one pair, one after the other, and records the findings. `limit` is Nef's
+    limit. If other programs take much of the machine, processor time replaces wall clock: half of
+    it for our two threads, all of it for Nef."""
     P, Q = pair.solids()
     ours, nef, manifold = tools.exact(P, Q), tools.nef(P, Q), tools.manifold(P, Q)
-    # A call that was ended does not tell its own processor time, which looks like that of others.
+    # A killed call reports no processor time, so its own time would look like other programs' time.
     others = max(ours.others, nef.others if nef.seconds is not None else 0.0)
     busy = others > BUSY
     ratio, bound = ratio_of(ours, nef, limit, busy)
@@ -71,15 +71,16 @@ def look(pair: TimedPair, tools: Tools, limit: float, findings: Findings) -> dic
 
 
 def spent(answer: Timed, busy: bool, threads: int = 1) -> float | None:
-    """Wall clock, or where the machine is busy the processor time, shared by the threads; None
-    without an answer."""
+    """Wall clock, or on a busy machine the processor time divided by the threads; None without an
+    answer."""
     if not busy or answer.seconds is None or answer.processor is None:
         return answer.seconds
     return answer.processor / threads
 
 
 def ratio_of(ours: Timed, nef: Timed, limit: float, busy: bool) -> tuple[float | None, bool]:
-    """Nef's time to ours, and whether it is only a lower bound, since Nef ran into its limit."""
+    """Nef's time divided by ours, and whether the ratio is only a lower bound, since Nef hit its
+    limit."""
     seconds = spent(ours, busy, THREADS)
     over = nef.why.startswith("no answer in")
     if seconds is None or (nef.seconds is None and not over):
@@ -149,7 +150,7 @@ def grow(family: str, sizes: tuple[int, ...], tools: Tools) -> list[dict[str, An
 
 
 def grown(rows: list[dict[str, Any]], findings: Findings) -> None:
-    """How the time of each tool grows at the end of its curve."""
+    """Notes how each tool's time grows at the end of its curve."""
     for family in GROWING:
         for tool in ("minkref", NEF, MANIFOLD):
             own = [row for row in rows if row["family"] == family and row[tool] is not None]

@@ -1,5 +1,5 @@
-"""Events of the facets of sums in space: computer algebra, all pairs of facets, and arrangements at
-single scales agree with the lists."""
+"""Events between facets of sums: the lists agree with computer algebra, with all facet pairs, and
+with arrangements at single scales."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ LISTS = Counts(1, 30, 500)
 BATCHES = 20
 FROM, TO = "1/5", "2"
 MOST_FACETS = 160
-EVENTS_OF_A_PAIR = 3  # that arrangements are looked at around
+EVENTS_OF_A_PAIR = 3  # events with arrangements around them
 
-Task = tuple[str, int, int]  # what, its number, how many
+Task = tuple[str, int, int]  # kind, number, count
 
 
 @dataclass
@@ -57,7 +57,7 @@ def judge(task: Task) -> tuple[str, Answer]:
 
 
 def of_lists(number: int) -> Answer:
-    """One pair of small polyhedra."""
+    """Judges the list for a pair of small polyhedra."""
     pair = solids_of(SEED, number)
     answer = Answer()
     if pair is None:

@@ -1,4 +1,4 @@
-"""Valid scales of paths in space, and how fast they are found."""
+"""Valid scales of paths in space, and speed."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def _cases(findings: Findings, count: int, slow: int) -> None:
         faults += found["faults"]
     findings.none("random paths in space: answers that differ", faults)
     findings.equal("random paths in space", count, tally["cases"])
-    judged = tally["slow cases"]  # it has no operands without volume
+    judged = tally["slow cases"]  # skips operands without volume
     findings.law("of them before the slow engine", judged * 2 > slow, f"half of {slow}", judged)
     findings.equal("scales that could not be decided", 0, tally["refused"])
     findings.note(
@@ -115,8 +115,8 @@ def _scales(
 
 
 def _speed(findings: Findings, knot: tuple[int, int]) -> None:
-    """Balls in a grid, a star-like part, a way of 100 segments between them; and through a knot,
-    where to find the convex pieces takes longest."""
+    """Times two paths: a star-like part on 100 segments between balls in a grid; and a knot, where
+    finding the convex pieces takes longest."""
     part, obstacles, path = among_balls()
     seconds, told, figures = _timed(part, obstacles, path)
     findings.target(
@@ -174,7 +174,7 @@ def among_balls() -> tuple[minkref.Polyhedron, minkref.Polyhedron, Path]:
 def through_a_knot(
     stretches: int, section: int
 ) -> tuple[minkref.Polyhedron, minkref.Polyhedron, Path]:
-    """An angle of two arms through the middle of a trefoil, in a screw."""
+    """A part with two arms on a helix through the middle of a trefoil."""
     knot = wide_knot(2, 3, stretches, section, 1000)
     angle = minkref.Polyhedron(
         [(-2, -2, -1), (3, -2, -1), (3, 0, -1), (0, 0, -1), (0, 3, -1), (-2, 3, -1),

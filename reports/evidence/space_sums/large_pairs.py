@@ -1,4 +1,4 @@
-"""Sums of larger polyhedra of any shape are CGAL's, and have Manifold's volume."""
+"""Sums of larger polyhedra of any shape equal CGAL's sums, and have Manifold's volume."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _judges: dict[Size, tuple[NefJudge, ManifoldJudge]] = {}  # of this process, whi
 
 
 def judge(task: Task) -> dict[str, Any]:
-    """All answers on one pair."""
+    """Judges all answers on one pair."""
     sys.set_int_max_str_digits(0)  # exact volumes have as many digits as they need
     index, size = task
     if size not in _judges:

@@ -24,13 +24,13 @@ SEED = 2012
 PAIRS = Counts(14, 300, 2000)
 NEF_SECONDS = Counts(3.0, 10.0, 20.0)
 POINTS = Counts(10, 20, 30)
-EVERY_FOR_LAWS = Counts(5, 5, 3)  # one pair in so many, prime to the 14 families
+EVERY_FOR_LAWS = Counts(5, 5, 3)  # one pair of so many; coprime to the 14 families
 
 POLYCUBES = Counts(8, 200, 1500)
 FORMS = ("off", "obj", "ply")
 
 Task = tuple[int, Size]
-_nef: dict[Size, NefJudge] = {}  # of this process, which ends it
+_nef: dict[Size, NefJudge] = {}  # this process's judge, which ends with the process
 
 
 def judge(task: Task) -> dict[str, Any]:
@@ -74,8 +74,8 @@ def judge(task: Task) -> dict[str, Any]:
 
 
 def triangle_faults(found: _core.PolyhedralSet) -> list[str]:
-    """Faults of the mesh of triangles in any format. A mesh whose text is exact must also enclose
-    the volume of the set."""
+    """Faults of the triangle mesh, for each format. An exactly written mesh must also enclose the
+    set's volume."""
     surface = found.mesh("triangles")
     faults = []
     for form in FORMS:
@@ -92,7 +92,7 @@ def triangle_faults(found: _core.PolyhedralSet) -> list[str]:
 
 
 def polycube_faults(index: int) -> list[str]:
-    """Faults in a sum with random cells, which touch along edges and in vertices."""
+    """Faults of a sum with random cells, which touch along edges and at vertices."""
     dice = random.Random(f"minkref polycube {SEED} {index}")
     share = dice.choice((0.3, 0.5, 0.7))
     cells = [(x, y, z) for x in range(3) for y in range(3) for z in range(3)

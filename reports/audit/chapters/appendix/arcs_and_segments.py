@@ -164,7 +164,7 @@ def _(shown: Shown) -> None:
 
 
 def _drawn_ring(dice: random.Random) -> list[tuple[int, int]]:
-    """A box with a pocket: the bottom of it, and how far its walls lean, are random."""
+    """A box with a pocket; the pocket's bottom and the lean of the walls are random."""
     u, v = (dice.randint(2, 5) for _ in "uv")
     depth = dice.randint(2, 6)
     left, right = -u - dice.randint(-1, 3), v + dice.randint(-1, 3)
@@ -227,7 +227,7 @@ def _(shown: Shown) -> None:
     found = three_circles(corners, 1)
     shown.equal("circles about $(0, 0)$, $(7, 1)$ and $(3, 5)$: minimal polynomial of $s$",
                 found.polynomial, _circumradius([c[1] for c in corners]))  # fmt: skip
-    # In coordinates along the first line.
+    # Use coordinates along the first line.
     p, q, m = vector("p"), vector("q"), vector("m")
     h = sp.Symbol("h", real=True)
     for what, across, offset in (

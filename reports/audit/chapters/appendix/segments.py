@@ -157,7 +157,8 @@ def _(shown: Shown) -> None:
 
 
 def _interval(a: Side, b: Side) -> str:
-    """By the code; raises AssertionError where the symbolic oracle has another one."""
+    """The interval from the code; raises CheckFailed if the symbolic oracle finds another
+    interval."""
     told = answers(moving(a, 5), moving(b, 5))
     if told.corrected != told.symbolic:
         raise CheckFailed(text((a, b, told)))
@@ -226,8 +227,8 @@ def _(shown: Shown) -> None:
 
 
 def _parallel(a: Side, b: Side) -> str:
-    """For the radius 1, by the code; raises AssertionError where the symbolic oracle has another
-    one."""
+    """The interval for radius 1 from the code; raises CheckFailed if the symbolic oracle finds
+    another interval."""
     rows = moving(a, 1).numbers, moving(b, 1).numbers
     ((_, empty, low, high),) = _core.pair_intervals([rows])
     found = None if empty else (low, high)

@@ -1,4 +1,4 @@
-"""What else there is: events of four facets, how many there are, reflex edges."""
+"""Further statements: events of four facets, event counts, reflex edges."""
 
 from __future__ import annotations
 
@@ -136,7 +136,8 @@ def _(shown: Shown) -> None:
 
 
 def _crossing(count: int) -> list[Facet]:
-    """Triangles of a vertex of P and a facet of Q, whose planes pass near the origin at 10."""
+    """Triangles from a vertex of P and a facet of Q each, whose planes pass near the origin at
+    scale 10."""
     dice = random.Random(SEED)
     found: list[Facet] = []
     while len(found) < count:

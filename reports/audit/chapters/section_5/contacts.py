@@ -1,4 +1,4 @@
-"""Contacts of facets, and vertex events."""
+"""Facet contacts and vertex events."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def _(shown: Shown) -> None:
 
 
 def _in_arithmetics(shown: Shown) -> None:
-    """How often systems that have a solution are found to have none."""
+    """Counts solvable systems that each arithmetic calls inconsistent."""
     pair = pair_of_family("mixed", 1, 0)
     P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
     for arithmetic in ("rational", "double", "mpfr:53", "mpfr:200"):

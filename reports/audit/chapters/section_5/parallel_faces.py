@@ -1,4 +1,4 @@
-"""Faces that are parallel, or coplanar."""
+"""Parallel or coplanar faces."""
 
 from __future__ import annotations
 
@@ -97,8 +97,8 @@ def _(shown: Shown) -> None:
 
 
 def _the_code_sees(shown: Shown) -> None:
-    """Two bodies each: one under a long triangle, one with a top that carries the triangle of the
-    other operand."""
+    """Two bodies per operand: one below a long triangle, and one whose top carries the other
+    operand's triangle."""
     bodies = (
         ([(-9, 0, 0), (9, -1, 0), (9, 1, 0)], [(33, -1, 0), (37, -2, 0), (35, 2, -1)]),
         ([(0, -9, 0), (1, 9, 0), (-1, 9, 0)], [(32, -1, 0), (37, -3, -1), (36, 2, -1)]),
@@ -228,7 +228,7 @@ def _in_plane(dice: random.Random) -> Facet:
 
 
 def _coplanar_vertex_events(a: Facet, b: Facet) -> set[Fraction]:
-    """Scales at which a vertex of one is on the line of a side of the other and on that side."""
+    """Scales at which a vertex of one facet lies on a side of the other facet."""
     found = set()
     for one, other in ((a, b), (b, a)):
         for v, side in product(one.vertices, other.edges):
@@ -242,8 +242,8 @@ def _coplanar_vertex_events(a: Facet, b: Facet) -> set[Fraction]:
 
 
 def _candidates(slope: Fraction, constant: Fraction, v: Vertex, side: Edge) -> list[Fraction]:
-    """Of a vertex and a line in x + y + z = 0; for a vertex that runs along the line at all scales
-    those at which it is at an end of the side."""
+    """Candidate scales for a vertex and a line in x + y + z = 0; if the vertex runs along the line
+    at all scales, the scales at which the vertex meets an end of the side."""
     if slope:
         return [-constant / slope]
     if constant:

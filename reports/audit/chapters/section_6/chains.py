@@ -1,4 +1,4 @@
-"""Pairs of faces and vertices, chains of edges, and the boundary."""
+"""Face-vertex pairs, chains of edges, and the boundary."""
 
 from __future__ import annotations
 
@@ -157,7 +157,8 @@ def _(shown: Shown) -> None:
 
 
 def _meets_with_ties(P: Body, e: Edge, Q: Body, g: Edge) -> bool:
-    """In a direction orthogonal to both edges they are farthest, perhaps with others."""
+    """Whether both edges are farthest along some direction orthogonal to them, perhaps with other
+    features."""
     n = cross(P.along(e), Q.along(g))
     return any(n) and any(
         support(P.points, way) >= set(e) and support(Q.points, way) >= set(g)
@@ -209,7 +210,7 @@ def _(shown: Shown) -> None:
 
 
 def _faces_of_pairs(P: Body, Q: Body, pairs: Pairs) -> set[frozenset[Vector]]:
-    """The vertices of the sums of all compatible pairs."""
+    """Vertex sets of the pairs' sums, for all compatible pairs."""
     rows = [
         *zip(P.facets, map(tuple, pairs.fv), strict=True),
         *zip(map(tuple, pairs.vf), Q.facets, strict=True),

@@ -45,7 +45,7 @@ def _rise(body: Body, v: int, w: int, n: Whole) -> int:
 
 
 def _printed_witness(body: Body, v: int, n: Whole) -> tuple[int, int]:
-    """IC times the length of n, and the other end of the edge that has it."""
+    """IC times the length of n, and the other end of the edge with this value."""
     return max((abs(_rise(body, v, w, n)), w) for w in body.neighbours[v])
 
 
@@ -59,7 +59,7 @@ def _printed_walk(body: Body, v: int, n: Whole) -> list[int]:
 
 
 def _walk(points: list[Whole] | tuple[Whole, ...], near: list[list[int]], v: int, n: Whole) -> int:
-    """Up to the highest neighbour, as long as one is higher."""
+    """Walks to the highest neighbour while one is higher; returns the last vertex."""
     while True:
         best = max(near[v], key=lambda w: dot(n, points[w]))
         if dot(n, points[best]) <= dot(n, points[v]):

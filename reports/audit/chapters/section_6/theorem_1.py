@@ -1,4 +1,4 @@
-"""What a sum of convex bodies consists of, and Theorem 1."""
+"""The parts of a sum of convex bodies, and Theorem 1."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def _(shown: Shown) -> None:
         )
 
 
-# Vertices in the order of the text.
+# Vertices in the text's order.
 ONE_KIND = (
     hull([(0, -3, 5), (-1, -1, 4), (-2, 4, -5), (4, 5, -3)]),
     hull([(1, 5, 1), (3, 0, 3), (2, 3, -1), (-5, -5, 0)]),
@@ -78,7 +78,8 @@ EXCHANGED = (
 
 
 def _errors(before: Pairs, after: Pairs) -> tuple[int, int, int]:
-    """How many facets of P, facets of Q and pairs of edges are no longer compatible."""
+    """Counts P's facets and Q's facets with changed vertices, and edge pairs no longer
+    compatible."""
     return (
         sum(a != b for a, b in zip(before.fv, after.fv, strict=True)),
         sum(a != b for a, b in zip(before.vf, after.vf, strict=True)),

@@ -1,6 +1,6 @@
-"""Records what this process reads and starts: each interpreter imports this first that a step of
-the evidence starts. One name of a file a line, at once, since processes may be killed; where
-nothing can be recorded, as in a sandbox, nothing is."""
+"""Records the reads and starts of this process: every interpreter that an evidence step starts
+imports this module first. Writes a file name per line, immediately, since processes may be killed;
+records nothing where writing fails, as in a sandbox."""
 
 from __future__ import annotations
 
