@@ -27,7 +27,7 @@ class Conversation:
         self.end.start()
 
     def line(self, text: str) -> dict[str, Any]:
-        """The answer to a line, whatever it is."""
+        """Sends a line, valid or not, and returns the answer."""
         assert self.process.stdin and self.process.stdout
         self.process.stdin.write(text + "\n")
         self.process.stdin.flush()
@@ -44,7 +44,7 @@ class Conversation:
         return self.ask("hello", protocols=["adapter-v1"], minkref="0.1.0")
 
     def sum(self, P: dict[str, Any], Q: dict[str, Any]) -> dict[str, Any]:
-        """The answer to `at`, or to `load` where that is no result."""
+        """The answer to `at`; the answer to `load` if that is no result."""
         dimension = 2 if "polygons" in P else 3
         loaded = self.ask("load", dimension=dimension, P=P, Q=Q)
         return loaded if loaded["status"] != "result" else self.ask("at", scale="1", sP=P)

@@ -1,4 +1,4 @@
-"""The header for sums in C compiles alone, in C and in C++."""
+"""The C header for sums compiles alone, as C and as C++."""
 
 from __future__ import annotations
 

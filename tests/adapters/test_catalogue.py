@@ -82,7 +82,7 @@ def test_two_at_once_install_once(sources: Path, tmp_path: Path) -> None:
 
 
 def test_a_process_waits_for_another(sources: Path, tmp_path: Path) -> None:
-    """The lock is one of processes, and goes with the one that held it."""
+    """The lock is between processes, and ends with its holder."""
     lock = str(tmp_path / ".toy.lock")
     holder = subprocess.Popen([sys.executable, "-c", HOLD, lock], stdout=subprocess.PIPE, text=True)
     assert holder.stdout is not None

@@ -1,4 +1,4 @@
-"""Each installed adapter on sums that are known; what is not installed is skipped by name."""
+"""Each installed adapter on known sums; adapters not installed are skipped by name."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def prism(ring: Ring, height: int, base: int = 0) -> Set:
 
 
 def tunnel() -> Set:
-    """A plate of 9 by 9 by 1 with a tunnel of 3 by 3."""
+    """A plate, 9 by 9 by 1, with a 3 by 3 tunnel."""
     vertices = [[x, y, z] for z in (0, 1) for x, y in box(0, 0, 9) + box(3, 3, 3)]
     faces = []
     for i in range(4):
@@ -55,7 +55,7 @@ UNIT, FRAME = plane([box(0, 0, 1)]), plane([box(0, 0, 9), box(3, 3, 3)])
 PAIR = plane([box(0, 0, 1)], [box(9, 9, 1)])
 THIN, WIDE = plane([box(0, 0, 9), box(1, 1, 7)]), plane([box(0, 0, 5), box(1, 1, 3)])
 CUBE, BLOCK = prism(box(0, 0, 1), 1), prism(box(0, 0, 9), 9)
-# Operands, what the case needs, and the area of the sum of the regions.
+# Operands, the capabilities that the case needs, and the area of the regions' sum.
 PLANE = {
     "squares": (UNIT, UNIT, set(), 4),
     "negative": (plane([box(-7, -3, 2)]), UNIT, set(), 9),
@@ -66,7 +66,7 @@ PLANE = {
     "pair and square": (PAIR, UNIT, {"non-convex", "components"}, 8),
     "square and pair": (UNIT, PAIR, {"non-convex", "components"}, 8),
 }
-# The areas of the sums of the boundaries.
+# The areas of the boundaries' sums.
 CURVES = {"squares": 4, "negative": 8, "L and square": 12}
 SPACE = {
     "cubes": (CUBE, CUBE, set(), 8),
@@ -81,8 +81,8 @@ SPACE = {
 
 @pytest.fixture(params=catalogue.ADAPTERS)
 def adapter(request: pytest.FixtureRequest, converse: Callable[[list[str]], Any]) -> Any:
-    """A conversation with an adapter that is there. Boost.Polygon is compiled where it is not: its
-    headers are a requirement of the project."""
+    """A conversation with an installed adapter. Boost.Polygon is compiled if missing: the project
+    requires its headers."""
     name = request.param
     if name == "boost-polygon":
         catalogue.install(name)
@@ -94,7 +94,7 @@ def adapter(request: pytest.FixtureRequest, converse: Callable[[list[str]], Any]
 
 
 def said(value: Any, hello: dict[str, Any]) -> Any:
-    """Numbers as the adapter wants them; indices of faces stay numbers."""
+    """Numbers in the adapter's form; face indices stay numbers."""
     if isinstance(value, dict):
         return {k: v if k == "faces" else said(v, hello) for k, v in value.items()}
     if isinstance(value, list):

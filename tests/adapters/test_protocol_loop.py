@@ -1,4 +1,4 @@
-"""The loop of adapters in Python: whatever the implementation does, each request gets its line."""
+"""The Python loop of adapters: whatever the implementation does, each request gets its line."""
 
 from __future__ import annotations
 

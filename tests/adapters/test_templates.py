@@ -1,4 +1,4 @@
-"""Each template works as it is written, without dependencies."""
+"""Each template works as written, without dependencies."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
 
 
 def started(ending: str, folder: Path) -> list[str]:
-    """The words that start the template; compiled where its language is."""
+    """The command that starts the template, after compilation if the language needs it."""
     source = str(TEMPLATES / f"template.{ending}")
     if ending == "py":
         return [sys.executable, source]

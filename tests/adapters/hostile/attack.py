@@ -1,4 +1,4 @@
-"""One run of `minkref verify` on a hostile target, and all that can be seen of it."""
+"""One run of `minkref verify` on a hostile target, and all visible traces of the run."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ WRITTEN = {"run.ledger", "junit.xml", "out.sarif", "summary.md", "lines.jsonl"}
 
 @dataclass
 class Seen:
-    """The doings of a run, in its own words and in those of the kernel."""
+    """A run's doings, as the run and the kernel tell them."""
 
     code: int | None
     seconds: float
@@ -184,13 +184,13 @@ def changed(before: dict[str, str], after: dict[str, str]) -> list[str]:
 
 
 def unknown(work: Path) -> list[str]:
-    """Names of files in the run's folder that are no outputs of the run, or are links."""
+    """Names of unexpected files and of links below the run's folder."""
     found = [path for path in work.iterdir() if path.name not in WRITTEN and path.name != "report"]
     return sorted(path.name for path in found + [p for p in work.rglob("*") if p.is_symlink()])
 
 
 def written(work: Path) -> dict[str, str]:
-    """The texts of the outputs."""
+    """The texts of the run's outputs."""
     paths = [path for path in work.rglob("*") if path.is_file() and not path.is_symlink()]
     return {
         str(path.relative_to(work)): path.read_bytes().decode(errors="replace")

@@ -13,11 +13,10 @@ ALL_WAYS = (PASS, WRONG, ERRORED, CRASHED, LATE, MEMORY, "skipped", "pass-within
 
 @dataclass(frozen=True)
 class Attack:
-    """`verdicts`: the possible ones; none: the run does not begin, exit code 2. Things that the
-    adapter may get at, in its own words: `inside` the sandbox, where all of them are its own and
-    end with it, and `alone`, without a sandbox. `leaves`: files where everybody may write, or
-    shared memory, without a sandbox. `kills`: may end the run, without a sandbox and a user of its
-    own."""
+    """`verdicts`: the possible verdicts; none: the run does not begin, exit code 2. Things that the
+    adapter may reach, in its own words: `inside` the sandbox, where all these things are its own
+    and end with it, and `alone`, without a sandbox. `leaves`: without a sandbox, files in public
+    folders or shared memory. `kills`: may end the run, without a sandbox and a separate user."""
 
     adapter: str
     verdicts: tuple[str, ...] = (PASS,)
@@ -173,7 +172,7 @@ FUNCTIONS = [
     *functions((CRASHED, ERRORED), "writes_into_its_operands", kind="so"),
     *functions((CRASHED, ERRORED, MEMORY, LATE), "rings_beyond_memory", kind="so"),
 ]
-# Attacks by words of the protocol itself, which a function cannot make.
+# Attacks with words of the protocol itself, beyond the power of functions.
 SPEAK = ("PrintsADocument", "NastyReason", "ObeyTheTerminal", "ObeyTheTerminalInTheLog", "OtherSeq")
 SPEAK += ("AnswersAhead", "AnswersTwice", "AnswersBeforeItIsAsked", "DiesWhileItsChildrenAnswer")
 OUTLIVED = {"EatsSharedMemory": (ERRORED,)}  # an exception ends an adapter, and no function

@@ -19,7 +19,7 @@ KEPT = ".local"
 
 
 def faults_of(attack: Attack, seen: Seen, sandboxed: bool) -> list[str]:
-    """Each in a few words; none where all is as it is promised."""
+    """The faults, each in a few words; none if the run keeps all promises."""
     alone = not sandboxed
     if alone and attack.kills and os.geteuid() != 0 and seen.code not in CODES:
         return traces(attack, seen, alone)  # it may end us: what counts is what is left
@@ -34,13 +34,13 @@ def faults_of(attack: Attack, seen: Seen, sandboxed: bool) -> list[str]:
 
 
 def got(seen: Seen) -> list[str]:
-    """The things that the adapter got at, as its version tells."""
+    """The things that the adapter reached, as its version tells."""
     words = [word for word in seen.version.split() if word.startswith("got:")]
     return sorted({word.removeprefix("got:") for word in words})
 
 
 def public(trace: str) -> bool:
-    """Whether everybody may leave it there."""
+    """Whether anybody may leave such a trace."""
     return trace.startswith(
         ("/tmp/", "/var/tmp/", "/dev/shm/", "/dev/mqueue/", "shm", "sem", "msg")
     )
@@ -88,7 +88,7 @@ def traces(attack: Attack, seen: Seen, alone: bool) -> list[str]:
 
 
 def outputs(seen: Seen) -> list[str]:
-    """Faults of output files, which must be well-formed whatever texts they had to hold."""
+    """Faults of output files, which must be well-formed with any text inside."""
     faults = []
     for name, text in seen.files.items():
         if name not in WRITTEN and not name.startswith("report/"):

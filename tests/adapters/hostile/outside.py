@@ -11,18 +11,18 @@ from pathlib import Path
 
 MARK = "minkref-hostile"
 CHECKOUT = Path(__file__).resolve().parents[3]
-# Where a marker may be found that a hostile adapter could write.
+# Places where a hostile adapter could write a marker.
 PLACES = [CHECKOUT, *map(Path, ("/etc", "/usr/local/bin", "/var/tmp", "/", "/tmp", "/dev/shm"))]
 PLACES += [Path("/run"), Path("/dev/mqueue")]
 
 
 def ipc_key(run: str) -> int:
-    """By which shared memory of a run is known."""
+    """The key of the shared memory that a run's adapters take."""
     return int(run[:7], 16)
 
 
 def listing(folder: Path) -> dict[str, str]:
-    """All that is in a folder, links not followed: kind, mode and content of each."""
+    """Kind, mode and content of all files below a folder; follows no links."""
     found = {}
     for path in sorted(folder.rglob("*")):
         status = path.lstat()
@@ -36,7 +36,7 @@ def listing(folder: Path) -> dict[str, str]:
 
 
 def markers(run: str) -> list[str]:
-    """Files in places of the system that name this run, or that hostile adapters write there."""
+    """Files in system folders with the hostile adapters' mark and this run's name."""
     found = []
     for place in PLACES:
         with contextlib.suppress(OSError):
@@ -45,7 +45,7 @@ def markers(run: str) -> list[str]:
 
 
 def sockets(run: str, port: int) -> list[str]:
-    """Those that listen on the port, or have a name of this run."""
+    """Sockets that listen on the port or have a name of this run."""
     found = []
     for table in ("tcp", "tcp6"):
         for line in Path("/proc/net", table).read_text().splitlines()[1:]:
@@ -57,7 +57,7 @@ def sockets(run: str, port: int) -> list[str]:
 
 
 def shared(run: str) -> list[str]:
-    """Shared memory, semaphores and queues of the key that hostile adapters take of the run."""
+    """Shared memory, semaphores and queues under the run's key."""
     found = []
     for kind in ("shm", "sem", "msg"):
         for line in Path("/proc/sysvipc", kind).read_text().splitlines()[1:]:
@@ -72,12 +72,12 @@ def mounts() -> list[str]:
 
 
 def left(run: str, port: int) -> list[str]:
-    """All of it that is there now."""
+    """All existing traces of the run."""
     return [*markers(run), *sockets(run, port), *shared(run), *mounts()]
 
 
 def remove(run: str) -> None:
-    """Takes away what was found, so that the next run begins as this one did."""
+    """Removes the traces found, so that the next run begins like this one."""
     for name in markers(run):
         path = Path(name)
         if path.is_dir() and not path.is_symlink():
@@ -91,7 +91,7 @@ def remove(run: str) -> None:
 
 
 def remove_folder(folder: Path) -> None:
-    """Also where something in it is closed, or deeper than a path is long."""
+    """Removes a folder, even if it holds closed folders or exceeds the length of a path."""
     for path, names, _ in os.walk(folder):
         for name in names:
             with contextlib.suppress(OSError):

@@ -1,4 +1,4 @@
-"""One command on one hostile file, and what is wrong with how it ended, if anything."""
+"""Runs a command on a hostile file, and tells faults of its ending."""
 
 from __future__ import annotations
 

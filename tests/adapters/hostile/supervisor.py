@@ -1,10 +1,11 @@
 """`python supervisor.py OUT SECONDS [tty] [memory] -- COMMAND...`: runs a command, tells what it
 left.
 
-It is the parent that the kernel gives to all orphans below it, so that no process escapes it by
-forking; whatever is there two seconds after the command has ended was left behind. All of that is
-ended before it ends itself. With `tty` the command has a terminal of its own; with
-`memory` no process of it may have more than six gigabytes."""
+The kernel gives all orphans below the supervisor to it, so that no process escapes by forking.
+Processes alive two seconds after the command's end were left behind; the supervisor ends them
+before itself. With `tty` the command has a separate terminal; with `memory` each process may have
+six gigabytes at most.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +31,7 @@ PATIENCE = 2.0  # seconds in which what was sent SIGKILL may still end
 
 
 def children() -> list[int]:
-    """The children of this process, as the kernel lists them."""
+    """The children that the kernel lists for this process."""
     found = Path(f"/proc/self/task/{os.getpid()}/children")
     return [int(word) for word in found.read_text().split()]
 
@@ -61,7 +62,7 @@ def reap() -> None:
 
 
 def left_behind() -> list[str]:
-    """Processes that are alive after some patience, each with its command."""
+    """Processes alive after some patience, each with its command."""
     end = time.monotonic() + PATIENCE
     while True:
         reap()
@@ -131,8 +132,8 @@ def main() -> None:
 
 
 def waited(pid: int, end: float) -> tuple[int | None, resource.struct_rusage | None]:
-    """The exit code of the child, or minus its signal, and what it used; None where it did not end
-    in time."""
+    """The child's exit code, or minus its signal, and its resource usage; None for a child that did
+    not end in time."""
     while time.monotonic() < end:
         done, status, usage = os.wait4(pid, os.WNOHANG)
         if done:

@@ -22,7 +22,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 
 @pytest.fixture
 def room(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its modules find each other beside them."""
+    """Lets the room's modules import each other."""
     for folder in (FOLDER, FOLDER / "files"):
         monkeypatch.syspath_prepend(str(folder))
 

@@ -1,4 +1,4 @@
-"""All adapters of this folder by name."""
+"""This folder's adapters by name."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ BASES = ("FaultyInSpace", "FlatEverything")
 
 
 def of_modules(*modules: ModuleType) -> dict[str, type[Adapter]]:
-    """Those that the modules define."""
+    """The adapters that the modules define."""
     return {
         name: kind
         for module in modules

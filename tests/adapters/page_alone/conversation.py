@@ -16,7 +16,7 @@ class Rejected(Exception):
 
 
 class Adapter:
-    """Answers requests; what a kind of adapter does otherwise it overrides."""
+    """Answers requests; each kind of adapter overrides its differences."""
 
     declares: ClassVar[dict[str, Any]] = {}
 
@@ -73,7 +73,7 @@ class Adapter:
 
 
 def number_of(value: Any) -> Fraction:
-    """A text `n` or `n/d`, or a JSON number: exactly what it is."""
+    """The exact value of a text `n` or `n/d`, or of a JSON number."""
     return Fraction(value)
 
 

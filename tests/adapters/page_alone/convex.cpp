@@ -1,4 +1,4 @@
-// Sums of convex polygons on a grid of integers, exact in words of 128 bits. Written from
+// Sums of convex polygons on an integer grid, exact in 128-bit words. Written from
 // docs/adapter-protocol.md alone; reads the numbers of a line, no JSON.
 #include <algorithm>
 #include <cctype>

@@ -49,7 +49,7 @@ class UpdateIgnoresScale(StaysAtLastSum, Updating):
 
 
 class UpdateKeepsHoles(Updating):
-    """`update` to a smaller scale forgets that holes are born."""
+    """`update` to a smaller scale forgets newly born holes."""
 
     def update(self, request: Request) -> Answer:
         before = self.scale
@@ -97,7 +97,7 @@ class EventsOneMore(Events):
 
 
 class EventsShifted(Events):
-    """The last scale is off by 1e-6."""
+    """Moves the last scale by 1e-6."""
 
     def scales(self, request: Request) -> list[Fraction]:
         found = super().scales(request)
@@ -105,7 +105,7 @@ class EventsShifted(Events):
 
 
 class EventsOfPairs(Events):
-    """Knows scales of pairs of edges only: an event of three edges is left out."""
+    """Knows scales of edge pairs only: omits events of three edges."""
 
     def scales(self, request: Request) -> list[Fraction]:
         found = super().scales(request)

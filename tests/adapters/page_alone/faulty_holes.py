@@ -23,14 +23,14 @@ from plane_sets import (
 
 
 class SmallHolesLost(Faulty):
-    """Holes of an area below 1/4 are lost."""
+    """Loses holes with an area below 1/4."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         return without_holes(found, lambda hole: abs(twice_area(hole)) < Fraction(1, 2))
 
 
 class PinchedHolesLost(Faulty):
-    """Holes that touch another ring of the sum are lost."""
+    """Loses holes that touch another ring of the sum."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         corners = [p for ring in rings_of(found) for p in ring]
@@ -39,7 +39,7 @@ class PinchedHolesLost(Faulty):
 
 
 class PinchedHolesInQ(Faulty):
-    """Of two holes of the sum that touch each other the smaller is filled."""
+    """Fills the smaller one where two holes of the sum touch."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         kept = []
@@ -53,7 +53,7 @@ class PinchedHolesInQ(Faulty):
 
 
 class TouchingHoleForgotten(Faulty):
-    """A hole of Q that touches another ring of Q is filled."""
+    """Fills a hole of Q that touches another ring of Q."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         if not Q.is_region:
@@ -65,7 +65,7 @@ class TouchingHoleForgotten(Faulty):
 
 
 class HoleInvented(Faulty):
-    """A sum of more than twenty vertices gets one more hole, of a ten-thousandth of a piece."""
+    """Adds a hole, a ten-thousandth of a piece, to each sum with more than twenty vertices."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         if len([p for ring in rings_of(found) for p in ring]) <= 20:
@@ -77,7 +77,7 @@ class HoleInvented(Faulty):
 
 
 class LastComponentLost(Faulty):
-    """Of three components or more the last is lost."""
+    """Loses the last of three or more components."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         return found[:-1] if len(found) > 2 else found
@@ -100,7 +100,7 @@ def filled(operand: _core.PolygonSet) -> _core.PolygonSet:
 
 
 class ConvexHoles(Faulty):
-    """A hole of Q with a reflex vertex loses it: the hole is taken as its hull."""
+    """Replaces a hole of Q that has a reflex vertex with its hull."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         rings = [(o, [hull(h)[::-1] for h in holes]) for o, holes in polygons_of(Q)]
@@ -108,7 +108,7 @@ class ConvexHoles(Faulty):
 
 
 class HullOfStars(Faulty):
-    """The hull in place of the sum where P is not convex and Q is."""
+    """Answers the hull instead of the sum if P is not convex and Q is."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         rings = [rings_of(polygons_of(operand)) for operand in (P, Q)]
@@ -128,7 +128,7 @@ class HangsOnManyHoles(Faulty):
 
 
 class ByChance(Faulty):
-    """One of eight answers with a hole has lost it, by chance."""
+    """Loses the holes of one answer in eight, by chance."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         return without_holes(found, lambda hole: random.randrange(8) == 0)

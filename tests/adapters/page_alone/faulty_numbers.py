@@ -23,21 +23,21 @@ from plane_sets import (
 
 
 class BillionthOff(Faulty):
-    """One vertex is off by 1e-9."""
+    """Moves one vertex by 1e-9."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         return first_vertex_moved(found, lambda x: x - Fraction(1, 10**9))
 
 
 class UlpOff(Faulty):
-    """One vertex is a double next to the exact number."""
+    """Writes one vertex as a double next to the exact number."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         return first_vertex_moved(found, lambda x: x - abs(x) / 2**52)
 
 
 class WrongWhereParallel(Faulty):
-    """A corner is cut where an edge of P has the direction of one of Q, twice."""
+    """Cuts a corner if two edge directions of P are also directions of Q."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         ways = [
@@ -74,7 +74,7 @@ class CutTo200Bits(Faulty):
 
 
 class SmallIsZero(Faulty):
-    """Coordinates of the sum below 2^-60 are taken as zero."""
+    """Rounds coordinates of the sum below 2^-60 to zero."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         tiny = Fraction(1, 2**60)
@@ -86,14 +86,14 @@ class SmallIsZero(Faulty):
 
 
 class WrongAbove80(Faulty):
-    """A corner is cut where the operands have more than 80 vertices."""
+    """Cuts a corner if the operands have more than 80 vertices."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         return a_corner_cut(found) if vertices(P, Q) > 80 else found
 
 
 class WrongAbove250(Faulty):
-    """A corner is cut where the operands have more than 250 vertices."""
+    """Cuts a corner if the operands have more than 250 vertices."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         return a_corner_cut(found) if vertices(P, Q) > 250 else found
@@ -107,7 +107,7 @@ class PointForgotten(Faulty):
 
 
 class SegmentAsItsEnds(Faulty):
-    """A segment is taken as its two ends."""
+    """Takes a segment for its two ends."""
 
     def spoilt(self, P: Any, Q: Any, found: list[Polygon]) -> list[Polygon]:
         for one, other in ((P, Q), (Q, P)):
@@ -146,7 +146,7 @@ def straight(ring: Ring) -> Ring:
 
 
 class StaleOperand(Plane):
-    """Where a new Q has as many vertices as the last one, the last one stays."""
+    """Keeps the last Q if a new Q has as many vertices."""
 
     def load(self, request: Request) -> Answer:
         before = getattr(self, "Q", None)
@@ -167,7 +167,7 @@ class TooRough(Doubles):
 
 
 class LongNumbersInWords(Plane):
-    """Numbers of more than twenty digits are written as decimals, rounded."""
+    """Writes numbers of more than twenty digits as rounded decimals."""
 
     def number(self, value: Fraction) -> Any:
         text = str(value)

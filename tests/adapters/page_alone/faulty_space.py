@@ -25,7 +25,7 @@ class FaultyInSpace(Space):
 
 
 class ThirdFactorIgnored(FaultyInSpace):
-    """A scale of three numbers is taken to have the second one twice."""
+    """Takes the second factor twice in a scale of three numbers."""
 
     def shells(self, request: Request) -> list[Shell]:
         _, y, z = (Fraction(s) for s in scaling_of(request))
@@ -37,7 +37,7 @@ class ThirdFactorIgnored(FaultyInSpace):
 
 
 class FaceMissing(FaultyInSpace):
-    """The last face of a sum of more than forty is missing."""
+    """Drops the last face of a sum of more than forty."""
 
     def form(self, shells: list[Shell]) -> Answer:
         found = super().form(shells)
@@ -57,7 +57,7 @@ class NormalsInwards(Space):
 
 
 class OneFaceTurned(Space):
-    """One triangle of a sum of more than thirty runs the wrong way."""
+    """Turns a triangle if the sum has more than thirty."""
 
     def form(self, shells: list[Shell]) -> Answer:
         found = super().form([in_triangles(shell) for shell in shells])
@@ -67,7 +67,7 @@ class OneFaceTurned(Space):
 
 
 class CavitiesFilled(FaultyInSpace):
-    """Cavities of an operand are filled."""
+    """Fills the operands' cavities."""
 
     def spoilt(self, P: Shell, Q: Shell) -> list[Shell]:
         return sum_in_space(outer_shells(P), outer_shells(Q))
@@ -85,7 +85,7 @@ def outer_shells(shell: Shell) -> Shell:
 
 
 class SecondShellLost(FaultyInSpace):
-    """Of an operand of several shells the first alone is taken."""
+    """Takes only the first shell of an operand."""
 
     def spoilt(self, P: Shell, Q: Shell) -> list[Shell]:
         return sum_in_space(first_shell(P), first_shell(Q))
@@ -97,7 +97,7 @@ def first_shell(shell: Shell) -> Shell:
 
 
 class SecondBodyLost(FaultyInSpace):
-    """Of an operand of several bodies, none in another, the last is lost."""
+    """Loses the last body of an operand with several bodies, none inside another."""
 
     def spoilt(self, P: Shell, Q: Shell) -> list[Shell]:
         return sum_in_space(without_last_body(P), without_last_body(Q))
@@ -111,7 +111,7 @@ def without_last_body(shell: Shell) -> Shell:
 
 
 class HullInSpace(FaultyInSpace):
-    """The hull in place of the sum where an operand is not convex."""
+    """Answers the hull instead of the sum if an operand is not convex."""
 
     def spoilt(self, P: Shell, Q: Shell) -> list[Shell]:
         found = sum_in_space(P, Q)
@@ -122,7 +122,7 @@ class HullInSpace(FaultyInSpace):
 
 
 class TunnelsClosed(FaultyInSpace):
-    """A frame is taken as the box around it."""
+    """Takes a frame for the box around it."""
 
     def spoilt(self, P: Shell, Q: Shell) -> list[Shell]:
         return sum_in_space(closed(P), closed(Q))
@@ -143,7 +143,7 @@ def closed(shell: Shell) -> Shell:
 
 
 class VertexOffInSpace(Space):
-    """A vertex of a sum is off by 2^-40."""
+    """Moves a sum's vertex by 2^-40."""
 
     def form(self, shells: list[Shell]) -> Answer:
         shells = [in_triangles(shell) for shell in shells]
@@ -155,7 +155,7 @@ class VertexOffInSpace(Space):
 
 
 class ParallelFacetsLost(FaultyInSpace):
-    """Where facets of convex bodies are parallel, a corner of the sum is cut."""
+    """Cuts a corner of the sum of convex bodies with parallel facets."""
 
     def spoilt(self, P: Shell, Q: Shell) -> list[Shell]:
         found = sum_in_space(P, Q)
@@ -179,7 +179,7 @@ def corner_cut(found: list[Shell]) -> list[Shell]:
 
 
 class WrongAbove60InSpace(FaultyInSpace):
-    """A corner is cut of sums of convex bodies with more than sixty vertices."""
+    """Cuts a corner of convex sums with more than sixty vertices."""
 
     def spoilt(self, P: Shell, Q: Shell) -> list[Shell]:
         found = sum_in_space(P, Q)
@@ -208,7 +208,7 @@ class PointInSpaceForgotten(FaultyInSpace):
 
 
 class SegmentInSpaceAsItsEnd(FaultyInSpace):
-    """A segment is taken as its first end."""
+    """Takes a segment for its first end."""
 
     def spoilt(self, P: Shell, Q: Shell) -> list[Shell]:
         return sum_in_space(*((one[0][:1], []) if not one[1] else one for one in (P, Q)))

@@ -35,7 +35,7 @@ def first_vertex_moved(found: list[Polygon], by: Any) -> list[Polygon]:
 
 
 def a_corner_cut(found: list[Polygon]) -> list[Polygon]:
-    """The first outer ring without one of its convex vertices."""
+    """Removes one convex vertex from the first outer ring."""
     if not found or len(found[0][0]) < 4:
         return found
     return [(found[0][0][1:], found[0][1]), *found[1:]]

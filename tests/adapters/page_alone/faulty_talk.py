@@ -25,7 +25,7 @@ class AcceptsCrossing(Refusing):
 
 
 class RejectsTouching(Refusing):
-    """Rejects valid input in which rings touch."""
+    """Rejects valid input with touching rings."""
 
     def look_at(self, operand: Any) -> None:
         super().look_at(operand)
@@ -35,14 +35,14 @@ class RejectsTouching(Refusing):
 
 
 class WrongSeq(Plane):
-    """Every tenth answer echoes the `seq` of the one before."""
+    """Echoes the previous `seq` in every tenth answer."""
 
     def line(self, seq: Any, answer: Answer) -> str:
         return super().line(seq - 1 if seq % 10 == 0 else seq, answer)
 
 
 class Leaks(Plane):
-    """Keeps 16 MiB of each request."""
+    """Keeps 16 MiB for each request."""
 
     def __init__(self) -> None:
         self.kept: list[bytes] = []
@@ -65,7 +65,7 @@ class SkipsThin(Plane):
 
 
 class HalfALine(Plane):
-    """Ends in the middle of a line where the answer is long."""
+    """Ends in the middle of a long answer's line."""
 
     def line(self, seq: Any, answer: Answer) -> str:
         text = super().line(seq, answer)
@@ -76,7 +76,7 @@ class HalfALine(Plane):
 
 
 class ChattersOnOutput(Plane):
-    """Writes a word of its own on standard output before answers of several polygons."""
+    """Writes a word on standard output before answers with several polygons."""
 
     def line(self, seq: Any, answer: Answer) -> str:
         text = super().line(seq, answer)
@@ -88,7 +88,7 @@ class ChattersOnOutput(Plane):
 
 
 class OverlappingPolygons(Plane):
-    """Lists polygons whose interiors are not disjoint, where the page has `rings` for that."""
+    """Lists polygons whose interiors overlap; the page has `rings` for such answers."""
 
     def form(self, polygons: list[Polygon]) -> Answer:
         return super().form([*polygons, *((ring, []) for ring in trapezoids(rings_of(polygons)))])

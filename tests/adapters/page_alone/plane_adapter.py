@@ -1,4 +1,4 @@
-"""A right adapter in the plane; unusual and faulty ones override a part of it."""
+"""A right adapter in the plane; unusual and faulty adapters override parts."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Plane(Adapter):
 
 
 class Rings(Plane):
-    """Answers by a flat list of rings."""
+    """Answers with a flat list of rings."""
 
     def form(self, polygons: list[Polygon]) -> Answer:
         return {"rings": [self.ring(ring) for ring in self.rings(polygons)]}

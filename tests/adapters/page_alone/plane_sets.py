@@ -1,4 +1,4 @@
-"""Sets in the plane as lists of polygons of exact points, and their sums by the reference."""
+"""Sets in the plane as lists of polygons with exact points, and their sums by the reference."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def plain(ring: Any) -> list[list[str]]:
 
 
 def set_of(value: Any) -> _core.PolygonSet:
-    """The set of a request, of whatever numbers."""
+    """The set of a request, from numbers in any form."""
     polygons = [
         {"outer": plain(one["outer"]), "holes": [plain(hole) for hole in one["holes"]]}
         for one in value["polygons"]
@@ -61,7 +61,8 @@ def cross(a: Point, b: Point, c: Point) -> Fraction:
 
 
 def hull(points: list[Point]) -> Ring:
-    """Counter-clockwise, without collinear vertices; fewer than three points where it is flat."""
+    """The hull, counter-clockwise, without collinear vertices; fewer than three points for flat
+    sets."""
     ordered = sorted(set(points))
     if len(ordered) < 3:
         return ordered
@@ -117,7 +118,7 @@ def height(side: tuple[Point, Point], x: Fraction) -> Fraction:
 
 
 def boundary_sum(first: list[Ring], second: list[Ring]) -> list[Ring]:
-    """The sums of all pairs of sides, as parallelograms that overlap."""
+    """The sums of all pairs of sides, as overlapping parallelograms."""
     return [
         ring
         for a, b in edges_of(first)

@@ -1,4 +1,4 @@
-"""A right adapter in space; unusual and faulty ones override a part of it."""
+"""A right adapter in space; unusual and faulty adapters override parts."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ALL = ["space", *SETS, "rational", "non-uniform"]
 
 
 class Space(Adapter):
-    """Exact sums of all that is declared."""
+    """Exact sums for all declared capabilities."""
 
     declares: ClassVar[dict[str, Any]] = {"capabilities": ALL}
 
@@ -27,7 +27,7 @@ class Space(Adapter):
         return sum_in_space(shell_of(request["sP"]), shell_of(self.Q))
 
     def form(self, shells: list[Shell]) -> Answer:
-        """One list of vertices for all shells."""
+        """Answers with one list of vertices for all shells."""
         vertices: list[Any] = []
         faces: list[Any] = []
         for points, rings in shells:

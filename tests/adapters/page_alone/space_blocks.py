@@ -16,7 +16,7 @@ def axis_of(corners: list[Point]) -> int | None:
 
 
 def cells_of(shell: Shell) -> list[tuple[tuple[Fraction, Fraction], ...]] | None:
-    """Boxes that fill the set; None where a face is askew."""
+    """Boxes that fill the set; None if a face is askew."""
     faces = [corners_of(shell, face) for face in shell[1]]
     if any(axis_of(corners) is None for corners in faces):
         return None
@@ -43,7 +43,7 @@ def odd(at: tuple[Fraction, Fraction], ring: Ring) -> bool:
 
 
 def sum_of_blocks(P: Shell, Q: Shell) -> list[Shell] | None:
-    """The boxes' sums on one grid, as one shell of rectangles."""
+    """The sums of all boxes on a common grid, as a shell of rectangles."""
     pair = cells_of(P), cells_of(Q)
     if pair[0] is None or pair[1] is None:
         return None
@@ -84,7 +84,7 @@ def surface_of_cells(full: set[tuple[int, ...]], steps: list[list[Fraction]]) ->
 
 
 def base_of(shell: Shell, axis: int) -> tuple[list[Ring], Fraction, Fraction] | None:
-    """The rings under a prism, and where it begins and ends."""
+    """The rings under a prism, with the prism's lowest and highest coordinate."""
     low, high = (f(p[axis] for p in shell[0]) for f in (min, max))
     u, v = (axis + 1) % 3, (axis + 2) % 3
     rings = []
@@ -101,7 +101,7 @@ def base_of(shell: Shell, axis: int) -> tuple[list[Ring], Fraction, Fraction] | 
 
 
 def prism(ring: Ring, low: Fraction, high: Fraction, axis: int) -> Shell:
-    """A convex one over a ring that runs counter-clockwise."""
+    """A convex prism over a counter-clockwise ring."""
     n = len(ring)
     points = []
     for level in (low, high):

@@ -59,7 +59,7 @@ def is_convex(shell: Shell) -> bool:
 
 
 def hull(points: Iterable[Point]) -> Shell | None:
-    """Triangles around the convex hull; None where it is flat."""
+    """Triangles around the convex hull; None for a flat set."""
     given = sorted(set(points))
     factor = lcm(*(c.denominator for p in given for c in p))
     whole = [tuple(int(c * factor) for c in p) for p in given]
@@ -91,7 +91,7 @@ def hull(points: Iterable[Point]) -> Shell | None:
 
 
 def independent(points: list[Any]) -> list[int] | None:
-    """Four points that lie in no plane."""
+    """Indices of four points that span space; None if all points share a plane."""
     if len(points) < 4:
         return None
     edge = minus(points[1], points[0])
@@ -110,7 +110,7 @@ def moved(shell: Shell, by: Point) -> Shell:
 
 
 def parts_of(shell: Shell) -> list[list[int]]:
-    """The vertices of each connected piece of the surface."""
+    """The vertices of each connected surface piece."""
     group = list(range(len(shell[0])))
 
     def root(k: int) -> int:
@@ -128,7 +128,7 @@ def parts_of(shell: Shell) -> list[list[int]]:
 
 
 def body_of(shell: Shell) -> _core.ConvexPolyhedron:
-    """For the reference, which refuses vertices of no face."""
+    """The body for the reference, which refuses vertices without a face."""
     used = sorted({k for face in shell[1] for k in face})
     new = {old: k for k, old in enumerate(used)}
     points = [tuple(str(c) for c in shell[0][k]) for k in used]

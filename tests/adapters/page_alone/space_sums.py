@@ -1,4 +1,4 @@
-"""Sums in space, by shells that may lie side by side or overlap."""
+"""Sums in space, as shells that may lie side by side or overlap."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def sums(first: Iterable[Point], second: Iterable[Point]) -> Shell | None:
 
 
 def sum_in_space(P: Shell, Q: Shell) -> list[Shell]:
-    """Shells whose points of positive winding number are P + Q, without parts of no volume."""
+    """Shells whose points of positive winding number are P + Q, without parts of zero volume."""
     if not P[0] or not Q[0]:
         return []
     for one, other in ((P, Q), (Q, P)):

@@ -1,4 +1,4 @@
-"""A fault of updates in the plane and in space."""
+"""A fault of updates, for the plane and for space."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""A few of the adapters written from the page alone: right ones pass, faulty ones are found. All of
-them are asked by the parts `unusual_adapters` and `faulty_adapters` of the evidence."""
+"""A few adapters written from the page alone: right ones pass, faulty ones are found. The parts
+`unusual_adapters` and `faulty_adapters` of the evidence ask all such adapters."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def test_right_in_space(name: str) -> None:
     ("name", "pairs"), [("Everything", "24"), ("OddSpellings", "24"), ("RoundedInSpace", "11")]
 )
 def test_right_in_a_run(verify: Verify, name: str, pairs: str) -> None:
-    """As `test_right_in_the_plane` and `test_right_in_space`, on what a run draws."""
+    """Repeats `test_right_in_the_plane` and `test_right_in_space` on the cases that a run draws."""
     code, value = verify(adapter(name), "--pairs", pairs)
     assert code == 0 and verdicts(value) <= {"pass", "pass-within", "skipped"}
 
@@ -129,7 +129,7 @@ def test_scales_of_events_rounded_by_an_absolute_tolerance() -> None:
 
 
 def test_p_off_the_doubles_is_not_sent_as_doubles() -> None:
-    """P itself is no list of doubles where sP and Q are: it may be all that an adapter looks at."""
+    """P itself is no list of doubles, though sP and Q are, and an adapter may look at P alone."""
     folder = FOLDER.parents[2] / "degeneracies" / "corpus" / "mixed-magnitudes"
     case = f"{folder / 'mixed-magnitudes-c3e4557b57ca.json'}@1/2000000000000000000000000000"
     assert {verdict for verdict, _ in said_of(adapter("ScalesItselfInDoubles"), case)} == {
@@ -169,7 +169,7 @@ def test_a_fault_is_found(name: str, case: str) -> None:
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", ["AcceptsInvalid", "EventsShifted"])
 def test_a_fault_is_found_in_a_run(verify: Verify, name: str) -> None:
-    """As `test_a_fault_is_found`, on what a run draws."""
+    """Repeats `test_a_fault_is_found` on the cases that a run draws."""
     assert verify(adapter(name), "--first", "--pairs", "1200")[0] == 1
 
 

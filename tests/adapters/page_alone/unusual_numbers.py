@@ -14,7 +14,7 @@ HALF = Fraction(1, 2)
 
 
 class OddSpellings(Plane):
-    """Fractions that are not in lowest terms, JSON integers, a negative zero."""
+    """Unreduced fractions, JSON integers, a negative zero."""
 
     def number(self, value: Fraction) -> Any:
         if value == 0:
@@ -25,7 +25,7 @@ class OddSpellings(Plane):
 
 
 class OddDoubles(Doubles):
-    """Doubles as `1.5E+00`, `-0.0`, integers where they are whole."""
+    """Doubles as `1.5E+00`, `-0.0`, and whole ones as integers."""
 
     def number(self, value: Fraction) -> Any:
         near = float(value)

@@ -1,4 +1,4 @@
-"""Right adapters in the plane that cut, order and turn rings in a way of their own."""
+"""Right adapters in the plane with unusual cuts, orders and orientations of rings."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class RingsReversed(Plane):
 
 
 class AnotherFormEachTime(Plane):
-    """The same set by other rings each time it is asked: order, start and cuts by chance."""
+    """The same set by other rings at each request: order, start and cuts by chance."""
 
     def form(self, polygons: list[Polygon]) -> Answer:
         if random.random() < HALF:
@@ -87,7 +87,7 @@ class FlatRings(Rings):
 
 
 class CollinearVertices(Plane):
-    """The middle of each side is a vertex."""
+    """Adds each side's middle as a vertex."""
 
     def ring(self, ring: Ring) -> list[list[Any]]:
         ends = zip(ring, ring[1:] + ring[:1], strict=True)
@@ -106,7 +106,7 @@ class SumOfBoundaries(Rings):
 
 
 class ClosedSets(Plane):
-    """Keeps parts without area: points and segments where the sum is one."""
+    """Keeps sums without area: points and segments."""
 
     declares: ClassVar[dict[str, Any]] = {"sets": "closed", **Plane.declares}
 

@@ -37,7 +37,7 @@ class UnusedVertices(Space):
 
 
 class NoVertexShared(Space):
-    """Each face has vertices of its own."""
+    """Each face has separate vertices."""
 
     def form(self, shells: list[Shell]) -> Answer:
         found = super().form(shells)
@@ -50,7 +50,7 @@ class NoVertexShared(Space):
 
 
 class FacesTurned(Space):
-    """Faces in another order that start elsewhere; vertices in another order too."""
+    """Faces with another order and another start; vertices reordered too."""
 
     def form(self, shells: list[Shell]) -> Answer:
         found = super().form(shells)
@@ -63,7 +63,7 @@ class FacesTurned(Space):
 
 
 class CollinearInSpace(Space):
-    """A vertex in the middle of each edge."""
+    """Adds a vertex in the middle of each edge."""
 
     def form(self, shells: list[Shell]) -> Answer:
         return super().form([with_middles(shell) for shell in shells])
@@ -87,7 +87,7 @@ def with_middles(shell: Shell) -> Shell:
 
 
 class OddSpellingsInSpace(Space):
-    """Fractions that are not in lowest terms, JSON integers, a negative zero."""
+    """Unreduced fractions, JSON integers, a negative zero."""
 
     def number(self, value: Fraction) -> Any:
         if value == 0:
@@ -100,7 +100,7 @@ class OddSpellingsInSpace(Space):
 
 
 class RoundedInSpace(DoublesInSpace):
-    """Triangles in the nearest doubles."""
+    """Triangles with nearest doubles as coordinates."""
 
 
 class UpdatesInSpace(UpdatingInSpace):
@@ -116,7 +116,7 @@ class ConvexByPoints(Space):
 
 
 class UniformOnly(Space):
-    """Without scales of three numbers."""
+    """Declares no scales of three numbers."""
 
     declares: ClassVar[dict[str, Any]] = {
         "capabilities": [one for one in ALL if one != "non-uniform"]
@@ -141,7 +141,7 @@ class RejectsInSpace(Space):
 
 
 class PlaneAndSpace(Space):
-    """Both dimensions in one adapter."""
+    """Both dimensions, by one adapter."""
 
     declares: ClassVar[dict[str, Any]] = {"capabilities": ["plane", *ALL]}
 
@@ -156,7 +156,7 @@ class PlaneAndSpace(Space):
 
 
 class UnusedInside(Space):
-    """A vertex in the midst of the sum that no face names, and one that is there twice."""
+    """Adds a vertex inside the sum that no face names, and repeats another vertex."""
 
     def form(self, shells: list[Shell]) -> Answer:
         found = super().form(shells)

@@ -37,7 +37,7 @@ class AllOutInSpace(Space):
 
 
 class GridInSpace(Space):
-    """Takes 20 bits, rounds to multiples of 2^-30, in triangles."""
+    """Takes 20 bits, and answers triangles rounded to multiples of 2^-30."""
 
     declares: ClassVar[dict[str, Any]] = {
         "arithmetic": "integer-grid",
@@ -68,7 +68,7 @@ class ClosedInSpace(Space):
 
 
 class ExtremeVertices(Space):
-    """Takes the hull of the sums of all vertices itself where the operands are convex."""
+    """Computes the sum of convex operands as the hull of all vertex sums."""
 
     def shells(self, request: Request) -> list[Shell]:
         P, Q = shell_of(request["sP"]), shell_of(self.Q)
@@ -79,11 +79,11 @@ class ExtremeVertices(Space):
 
 
 class FlatEverything(Updating, Events, Refusing):
-    """All verbs in the plane."""
+    """All verbs, for the plane alone."""
 
 
 class Everything(UpdatingInSpace, RejectsInSpace):
-    """All verbs and capabilities, in the plane and in space."""
+    """All verbs and capabilities, for the plane and for space."""
 
     declares: ClassVar[dict[str, Any]] = {
         "capabilities": ["plane", *ALL, "update", "events", "rejects-invalid"]
@@ -121,7 +121,7 @@ def tetrahedra(shell: Shell) -> list[Shell]:
 
 
 class CoveredTwice(Space):
-    """Each convex sum, and once more the half of it beside its first vertex."""
+    """Each convex sum, and once more its half beside the first vertex."""
 
     def shells(self, request: Request) -> list[Shell]:
         found = super().shells(request)

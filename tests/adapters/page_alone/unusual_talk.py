@@ -38,7 +38,7 @@ class FurtherMembers(Plane):
 
 
 class KeysInAnotherOrder(Plane):
-    """Members in reverse order, blank space around each word of JSON."""
+    """Members in reverse order, with blank space around each JSON word."""
 
     def line(self, seq: Any, answer: Answer) -> str:
         members = dict(reversed(list({"seq": seq, **answer}.items())))

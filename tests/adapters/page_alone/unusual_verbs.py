@@ -46,7 +46,7 @@ class EventsDown(EventsNearest):
 
 
 class EventsAbsolute(Events):
-    """Scales rounded to multiples of a thousandth, by an absolute tolerance."""
+    """Rounds scales to multiples of a thousandth, within a declared absolute tolerance."""
 
     declares: ClassVar[dict[str, Any]] = {
         "arithmetic": "fixed-point",
@@ -59,11 +59,11 @@ class EventsAbsolute(Events):
 
 
 class RejectsAtLoad(Refusing):
-    """Invalid operands are rejected by `load`."""
+    """`load` rejects invalid operands."""
 
 
 class RejectsAtSum(Refusing):
-    """Invalid operands are rejected by `at`."""
+    """`at` rejects invalid operands."""
 
     def load(self, request: Request) -> Answer:
         return Plane.load(self, request)

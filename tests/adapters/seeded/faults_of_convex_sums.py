@@ -1,4 +1,4 @@
-"""Faults in the sum of two convex pieces, and in what is made of all of these."""
+"""Faults in the sum of two convex pieces, and in the use of all these sums."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Faults about operands that are a point, a segment or empty."""
+"""Faults about points, segments and empty sets as operands."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Faults about holes: of the operands and of the sum."""
+"""Faults about holes, the operands' and the sum's."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Faults about the scale. They take P, Q, the scale and sP, and show only where the caller gives
-all of these: in the adapter, not as plain functions of sP and Q."""
+"""Faults about the scale. They take P, Q, the scale and sP, and show only if the caller gives all
+four: as adapters, not as plain functions of sP and Q."""
 
 from __future__ import annotations
 

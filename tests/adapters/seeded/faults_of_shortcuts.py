@@ -1,4 +1,4 @@
-"""Faults in what is assumed of the operands: their position, size, number of parts."""
+"""Faults by false assumptions about operands: position, size, number of parts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Faults that show only after other calls in the same process, or not every time."""
+"""Faults that show only after other calls of the same process, or not every time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Faults in the boundary of the union and in its rings."""
+"""Faults in the union's boundary and rings."""
 
 from __future__ import annotations
 

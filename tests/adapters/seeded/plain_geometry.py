@@ -53,7 +53,7 @@ def side(ring: Ring, p: Point) -> int:
 
 
 def without_straight_corners(ring: Ring) -> Ring:
-    """The corners of a ring at which it turns."""
+    """The corners at which a ring turns."""
     n = len(ring)
     if n < 3:
         return ring
@@ -61,7 +61,7 @@ def without_straight_corners(ring: Ring) -> Ring:
 
 
 def walks(rings: list[Ring]) -> list[Ring]:
-    """The same edges in rings of which each corner bounds one wedge of the interior."""
+    """Joins the same edges into rings, so that each corner bounds one wedge of the interior."""
     ahead: dict[Point, list[Point]] = {}
     for ring in rings:
         for a, b in zip(ring, ring[1:] + ring[:1], strict=True):

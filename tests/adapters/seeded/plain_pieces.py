@@ -19,10 +19,10 @@ Corners = tuple[int, ...]  # places in a ring
 
 
 class Pieces:
-    """The stages of the cut; a fault replaces one of them."""
+    """The stages of the cut; each fault replaces a stage."""
 
     def pieces(self, polygon: list[Ring]) -> list[Ring]:
-        """Convex polygons, counter-clockwise, of which the polygon is the union."""
+        """Convex counter-clockwise polygons whose union is the polygon."""
         outer = polygon[0]
         if len(outer) < 3:
             return [outer]
@@ -37,8 +37,8 @@ class Pieces:
         return found
 
     def parts(self, rings: list[Ring]) -> list[list[Ring]]:
-        """The outer ring and the holes of each component of the interior. A ring may pass a point
-        twice; rings of one component have no point in common."""
+        """Outer ring and holes of each component of the interior. A ring may pass a point twice;
+        rings of one component share no point."""
         if len(rings) == 1:
             return [rings]
         found = walks(self.split_where_touched(rings))
@@ -71,7 +71,7 @@ class Pieces:
         return split
 
     def bridged(self, rings: list[Ring]) -> Ring:
-        """One ring: every hole joined to the outer ring by an edge there and back."""
+        """Joins every hole to the outer ring by an edge there and back."""
         ring, *holes = rings
         holes.sort(key=max, reverse=True)
         while holes:
@@ -86,7 +86,7 @@ class Pieces:
         return ring
 
     def bridge(self, ring: Ring, hole: Ring, holes: list[Ring]) -> tuple[int, int] | None:
-        """Places in the ring and in the hole that see each other."""
+        """Places on the ring and on the hole that see each other."""
         edges = [e for r in (ring, *holes) for e in zip(r, r[1:] + r[:1], strict=True)]
         for start in sorted(range(len(hole)), key=lambda k: hole[k], reverse=True):
             m = hole[start]
@@ -118,7 +118,7 @@ class Pieces:
         return ta * tb < 0 and turn(a, b, v) * turn(a, b, m) < 0
 
     def triangles(self, ring: Ring) -> list[Corners]:
-        """Ears, clipped one after the other."""
+        """Clips ears until a triangle is left."""
         left = list(range(len(ring)))
         found: list[Corners] = []
         k = 0
@@ -157,7 +157,7 @@ class Pieces:
         return True
 
     def joined(self, ring: Ring, triangles: list[Corners]) -> list[Corners]:
-        """Pieces across every diagonal that is not needed for convexity made one."""
+        """Joins pieces across every diagonal that convexity does not need."""
         pieces: dict[int, Corners] = dict(enumerate(triangles))
         owner = {(t[k - 1], t[k]): number for number, t in pieces.items() for k in range(len(t))}
         for i, j in [edge for edge in owner if edge[0] < edge[1] and edge[::-1] in owner]:
@@ -173,7 +173,8 @@ class Pieces:
         return list(pieces.values())
 
     def stays_convex(self, ring: Ring, one: Corners, other: Corners) -> bool:
-        """`one` runs from j to i, `other` from i to j."""
+        """Whether the union of two pieces is convex: `one` runs from j to i, `other` from i to
+        j."""
         i, j = ring[other[0]], ring[one[0]]
         return (
             turn(ring[one[-2]], i, ring[other[1]]) >= 0

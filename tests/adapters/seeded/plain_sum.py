@@ -16,8 +16,7 @@ Polygon = list[Ring]  # the outer ring, then holes
 
 
 class PlainSum(Pieces, Union):
-    """Called with sP and Q in the form of the canonical JSON; each stage is a method, which a fault
-    replaces."""
+    """Sums sP and Q, given as canonical JSON; each stage is a method, which a fault replaces."""
 
     def __call__(self, P: Set, Q: Set) -> Set | None:
         return self.total(self.read(P), self.read(Q))
@@ -67,7 +66,7 @@ class PlainSum(Pieces, Union):
         return len(polygon[0]) < 3
 
     def filled(self, operand: list[Polygon], other: list[Polygon]) -> list[Polygon]:
-        """Without the holes in which no polygon of the other operand has room."""
+        """Removes the holes that have no room for any polygon of the other operand."""
         sizes = [self.size(polygon[0]) for polygon in other]
         return [
             [polygon[0], *(hole for hole in polygon[1:] if self.has_room(hole, sizes))]
@@ -88,12 +87,12 @@ class PlainSum(Pieces, Union):
         return self.regions([self.convex_sum(a, b) for a in first for b in second])
 
     def regions(self, sums: list[Ring]) -> list[Ring]:
-        """Each once, without those that have no area, large ones first."""
+        """Each region once, without regions of zero area, large regions first."""
         once = {tuple(ring): None for ring in map(without_straight_corners, sums) if len(ring) > 2}
         return sorted(map(list, once), key=area, reverse=True)
 
     def convex_sum(self, A: Ring, B: Ring) -> Ring:
-        """The edges of both, by direction, from the lowest vertices on."""
+        """Merges the edges of both by direction, starting at the lowest vertices."""
         a, b = self.from_lowest(A), self.from_lowest(B)
         m, n = len(A), len(B)
         if m == 1 or n == 1:
@@ -115,7 +114,7 @@ class PlainSum(Pieces, Union):
         return ring[at:] + ring[:at]
 
     def compare(self, a: Point, b: Point, c: Point, d: Point) -> int:
-        """Positive where the direction a b comes before c d, zero where they are one."""
+        """Positive if direction a b comes before c d, zero if they are equal."""
         return (b[0] - a[0]) * (d[1] - c[1]) - (b[1] - a[1]) * (d[0] - c[0])
 
     def nested(self, cycles: list[Cycle]) -> list[list[Cycle]]:
@@ -129,7 +128,7 @@ class PlainSum(Pieces, Union):
         return polygons
 
     def put_hole(self, polygons: list[list[Cycle]], hole: Cycle) -> None:
-        """Into the first polygon around it, the smallest one."""
+        """Puts a hole into the first polygon around it, the smallest."""
         for polygon in polygons:
             if self.is_around(polygon[0], hole):
                 polygon.append(hole)

@@ -1,5 +1,5 @@
-"""The boundary of a union of convex polygons, and the rings that it consists of. A point of the
-boundary is (x, y, w), whole numbers in lowest terms, and stands for (x / w, y / w)."""
+"""The boundary rings of a union of convex polygons. A boundary point (x, y, w), whole numbers in
+lowest terms, stands for (x / w, y / w)."""
 
 from __future__ import annotations
 
@@ -56,10 +56,10 @@ def box_of(ring: Ring) -> tuple[int, int, int, int]:
 
 
 class Union:
-    """The stages of the union; a fault replaces one of them."""
+    """The stages of the union; each fault replaces a stage."""
 
     def boundary(self, pieces: list[Ring]) -> list[Stretch]:
-        """The edges of all pieces without what others cover."""
+        """The edges of all pieces except covered parts."""
         lines = [lines_of(piece) for piece in pieces]
         boxes = [box_of(piece) for piece in pieces]
         found: list[Stretch] = []
@@ -82,8 +82,8 @@ class Union:
     def cover(
         self, piece: Ring, lines: list[Line], earlier: bool, covered: Covered
     ) -> Covered | None:
-        """Adds what another piece covers of each edge; None where nothing is left of any. Where
-        edges lie on each other and run the same way, the earlier one stays."""
+        """Adds the part of each edge that another piece covers; None if nothing stays uncovered. If
+        edges lie on each other and run the same way, the earlier edge stays."""
         rows: list[tuple[list[int], bool]] = []
         for a, b, c in lines:
             row = [a * x + b * y + c for x, y in piece]
@@ -106,8 +106,9 @@ class Union:
         return covered if any(intervals is not None for intervals in covered) else None
 
     def clipped(self, ends: list[tuple[int, int, bool]], earlier: bool) -> Interval | None:
-        """The part of an edge that the lines leave, from their values at its ends. `opposite` says
-        that the piece lies on the other side of the line, so that edges on it run opposite ways."""
+        """The part of an edge that the lines leave, computed from the lines' values at the edge's
+        ends. `opposite` says that the piece lies on the line's other side, so that edges on the
+        line run opposite ways."""
         (ln, ld), (hn, hd) = (0, 1), (1, 1)
         for f0, f1, opposite in ends:
             if f0 <= 0 and f1 <= 0:
@@ -121,7 +122,7 @@ class Union:
         return ((ln, ld), (hn, hd)) if ln * hd < hn * ld else None
 
     def uncovered(self, intervals: list[Interval]) -> list[Interval]:
-        """The parts of [0, 1] that the intervals leave."""
+        """The uncovered parts of [0, 1]."""
         left: list[Interval] = []
         reached: Ratio = (0, 1)
         for low, high in sorted(intervals, key=BY_BEGINNING):
@@ -141,7 +142,7 @@ class Union:
         return node(a[0] * d + n * (b[0] - a[0]), a[1] * d + n * (b[1] - a[1]), d)
 
     def cycles(self, stretches: list[Stretch]) -> list[Cycle]:
-        """Closed rings in which no point occurs twice."""
+        """Closed rings without repeated points."""
         following: dict[Node, list[Node]] = {}
         for a, b in stretches:
             following.setdefault(a, []).append(b)
@@ -176,7 +177,7 @@ class Union:
         raise ValueError("the boundary has a loose end")
 
     def choice(self, before: Node | None, at: Node, choices: list[Node]) -> Node:
-        """The next one clockwise after the way back, so that two edges bound one wedge."""
+        """The next node clockwise after the way back, so that two edges bound one wedge."""
         if before is None:
             return choices[0]
         best = choices[0]
@@ -186,14 +187,14 @@ class Union:
         return best
 
     def clockwise_first(self, back: Node, at: Node, one: Node, other: Node) -> bool:
-        """Turning clockwise from `back` about `at`, `one` comes before `other`."""
+        """Whether `one` comes before `other`, turning clockwise from `back` about `at`."""
         right_one, right_other = node_turn(at, back, one) < 0, node_turn(at, back, other) < 0
         if right_one != right_other:
             return right_one
         return node_turn(at, one, other) < 0
 
     def straightened(self, cycle: Cycle) -> Cycle:
-        """Without the nodes at which it does not turn."""
+        """Removes the nodes at which a cycle does not turn."""
         n = len(cycle)
         return [
             p for k, p in enumerate(cycle) if node_turn(cycle[k - 1], p, cycle[(k + 1) % n]) != 0

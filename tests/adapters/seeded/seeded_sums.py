@@ -23,7 +23,7 @@ from plain_sum import PlainSum
 
 @dataclass(frozen=True)
 class Fault:
-    """`name` is that of the function, `kind` where the fault lies."""
+    """A seeded fault: `name` is the function's name, `kind` tells where the fault lies."""
 
     name: str
     about: str

@@ -1,5 +1,5 @@
-"""Every seeded fault is one: it differs from the sound sum on a listed case. `shown_by.json` has
-for each a case P, Q (P scaled already), or the calls that lead to the wrong one."""
+"""Every seeded fault differs from the sound sum on a listed case. `shown_by.json` holds for each
+fault a case P, Q (P scaled already), or the calls that lead to a wrong one."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ BY_CHANCE = 64  # calls; each goes wrong with a chance of a quarter or more
 
 
 def answer(function: PlainSum, P: Set, Q: Set) -> tuple[Any, ...]:
-    """The canonical result and what is amiss with its rings; or the name of what was raised."""
+    """The canonical result and faults of its rings; or the name of the exception raised."""
     try:
         with limited(SECONDS):
             result = function(P, Q)

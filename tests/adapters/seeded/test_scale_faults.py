@@ -1,5 +1,4 @@
-"""The faults about the scale, which need P, Q, the scale and sP, and the program that gives them
-these."""
+"""The faults about the scale, which need P, Q, the scale and sP, and their adapter program."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ class OutOfTime(Exception):
 
 @contextmanager
 def limited(seconds: float) -> Iterator[None]:
-    """Raises OutOfTime after so many seconds. In the main thread only."""
+    """Raises OutOfTime after `seconds`, for the main thread only."""
 
     def end(number: int, frame: FrameType | None) -> None:
         raise OutOfTime

@@ -17,7 +17,7 @@ _forked = 0
 
 
 def limit(what: int, most: int) -> None:
-    """Lowers a limit of this process; one that is lower already stays."""
+    """Lowers a limit of this process, and keeps a lower one."""
     hard = resource.getrlimit(what)[1]
     most = most if hard == resource.RLIM_INFINITY else min(most, hard)
     resource.setrlimit(what, (most, most))
@@ -46,7 +46,7 @@ def fork() -> int:
 
 
 def is_ours(pid: int, run: str) -> bool:
-    """Whether a process belongs to this run, by its environment or its command line."""
+    """Whether a process's environment or command line names this run."""
     mark = run.encode()
     for name in ("environ", "cmdline"):
         try:
@@ -58,8 +58,7 @@ def is_ours(pid: int, run: str) -> bool:
 
 
 def of_this_run(run: str) -> list[int]:
-    """All processes in sight that belong to this run, but for this one and the one that keeps it
-    from the outside (`supervisor.py`)."""
+    """All visible processes of this run except this process and the run's `supervisor.py`."""
     found = []
     for name in os.listdir("/proc"):
         if name.isdigit() and int(name) != os.getpid() and is_ours(int(name), run):

@@ -1,4 +1,4 @@
-"""Answers to `hello` that are lies, or no declaration at all. Which one, the adapter is told."""
+"""Answers to `hello` that lie or declare nothing. The option `first` chooses the lie."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ LIES: list[dict[str, Any]] = [
 
 
 class Lies(Adapter):
-    """The lie of the number that it is told."""
+    """Tells the lie whose number the option `first` gives."""
 
     def line(self, request: Request) -> bytes:
         text = super().line(request)
@@ -84,7 +84,7 @@ class PromisesAll(Adapter):
 
 
 class HugeTolerance(Adapter):
-    """Wrong within a tolerance of ten to the thousand, which is its right."""
+    """Gives wrong sums within a declared tolerance of ten to the thousand, as the page allows."""
 
     declares = {  # noqa: RUF012
         "arithmetic": "float64",
@@ -93,7 +93,7 @@ class HugeTolerance(Adapter):
 
 
 class AnotherEachTime(Adapter):
-    """Declares one thing when it starts, and another when it starts again, which it does often."""
+    """Declares another name and version at every start, and forces restarts."""
 
     def hello(self, version: str) -> Answer:
         import time

@@ -11,7 +11,7 @@ from honest import Adapter, Request
 
 
 class Exits(Adapter):
-    """With the exit code that it is told, in place of the answer to `at`."""
+    """Exits with the exit code from its options, and answers no `at`."""
 
     instead = "at"
 
@@ -35,7 +35,7 @@ class ExitsAtOnce(Adapter):
 
 
 class Dies(Adapter):
-    """By the signal that it is told."""
+    """Dies by the signal from its options."""
 
     instead = "at"
 
@@ -47,7 +47,7 @@ class Dies(Adapter):
 
 
 class DumpsItsCore(Adapter):
-    """Dies, and leaves its memory as a file where it was started."""
+    """Dies, and leaves its memory as a file in its working folder."""
 
     instead = "at"
 
@@ -69,7 +69,7 @@ class HangsInHello(Adapter):
 
 
 class RejectsAll(Adapter):
-    """Says of valid input that it is none."""
+    """Rejects valid input."""
 
     reason: ClassVar[str] = "I do not like it"
 

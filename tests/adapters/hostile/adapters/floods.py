@@ -14,7 +14,7 @@ MEGABYTE = b"x" * (1 << 20)
 
 
 class Floods(Adapter):
-    """One line without an end."""
+    """Writes one endless line."""
 
     instead = "at"
 
@@ -24,7 +24,7 @@ class Floods(Adapter):
 
 
 class FloodsInHello(Floods):
-    """The same where it should introduce itself."""
+    """Writes the endless line as its answer to `hello`."""
 
     instead = "hello"
 
@@ -68,7 +68,7 @@ class FloodsTheLogInSilence(Adapter):
 
 
 class Drips(Adapter):
-    """A letter of its answer each tenth of a second."""
+    """Writes its answer slowly, a letter each tenth of a second."""
 
     def line(self, request: Request) -> bytes:
         text = super().line(request)
@@ -122,7 +122,7 @@ class ReadsNothing(Adapter):
 
 
 class HugeAnswer(Adapter):
-    """A right answer with a member of 200 MB beside it."""
+    """A right answer with a further member of 200 MB."""
 
     def line(self, request: Request) -> bytes:
         text = super().line(request)
@@ -146,7 +146,7 @@ class Deep(InTurn):
 
 
 class NoText(InTurn):
-    """NUL, letters that are not UTF-8, surrogates, marks of byte order, and carriage returns."""
+    """NUL, invalid UTF-8, surrogates, byte order marks, and carriage returns."""
 
     def spoilt(self, text: bytes, request: Request) -> bytes:
         seq = str(request["seq"]).encode()
@@ -169,7 +169,7 @@ class NoText(InTurn):
 
 
 class Large(Adapter):
-    """Texts that are made as they are, without lists that would fill the memory of the adapter."""
+    """Writes large texts directly, without lists that would fill the adapter's memory."""
 
     def instead_of_sum(self, request: Request, members: str) -> bytes:
         if request["verb"] != "at":
@@ -194,7 +194,7 @@ class ManyVertices(Large):
 
 
 class LongDenominators(Adapter):
-    """Vertices whose denominators have no factor in common: their common one is very long."""
+    """Vertices with coprime denominators, whose common denominator is very long."""
 
     def at(self, request: Request) -> Answer:
         ring = [[f"1/{10**900 + 2 * k + 1}", f"{k * k}/{7**1000 + k}"] for k in range(3000)]
@@ -202,7 +202,7 @@ class LongDenominators(Adapter):
 
 
 class Empty(Adapter):
-    """Ends its output without a word, and waits for the end of its input."""
+    """Closes its output without a word, and waits for the end of its input."""
 
     instead = "at"
 

@@ -1,5 +1,5 @@
-"""Files where none should be. Each is a marker `minkref-hostile...`, and nothing that is there is
-changed. The version of the adapter tells which files it could write."""
+"""Files in forbidden places. Each is a marker `minkref-hostile...`, and no existing file changes.
+The adapter's version tells which files it could write."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NAME = "minkref-hostile-marker"
 
 
 class WritesEverywhere(Adapter):
-    """A marker in each folder that matters to somebody."""
+    """Writes a marker into each important folder."""
 
     def mischief(self, request: Request) -> str:
         def mark(folder: str) -> bool:
@@ -30,7 +30,7 @@ class WritesEverywhere(Adapter):
 
 
 class FillsTheTemporaryFolder(Adapter):
-    """A gigabyte in the folder for temporary files, half of it in a file that has no name."""
+    """Writes a gigabyte into the temporary folder, half of it to a file without a name."""
 
     def mischief(self, request: Request) -> str:
         block = b"\1" * (1 << 20)
@@ -49,7 +49,7 @@ class FillsTheTemporaryFolder(Adapter):
 
 
 class LeavesFiles(Adapter):
-    """In its folder for temporary files whatever is hard to remove."""
+    """Leaves files and folders, hard to remove, below the temporary folder."""
 
     def mischief(self, request: Request) -> None:
         folder = Path(tempfile.mkdtemp(prefix="minkref-hostile-"))
@@ -72,7 +72,7 @@ class LeavesFiles(Adapter):
 
 
 class LeavesFilesInTheWorkFolder(Adapter):
-    """The same where it was started."""
+    """Leaves files, links and pipes in its working folder."""
 
     def mischief(self, request: Request) -> None:
         try:
@@ -84,8 +84,8 @@ class LeavesFilesInTheWorkFolder(Adapter):
 
 
 class SwapsTheTemporaryFolder(Adapter):
-    """Puts a link to a folder of the user in the place of each temporary folder that it finds, so
-    that who removes what is in it removes what is the user's."""
+    """Replaces each temporary folder that it finds with a link to a folder of the user, so that a
+    clean-up would remove the user's files."""
 
     def mischief(self, request: Request) -> None:
         for folder in {Path(tempfile.gettempdir()), Path(os.environ.get("TMPDIR", "/nowhere"))}:
@@ -98,7 +98,7 @@ class SwapsTheTemporaryFolder(Adapter):
 
 
 class LeavesThroughLinks(Adapter):
-    """Links in the folder of the run under the names of the files that the run will write."""
+    """Puts links in the run's folder, under the names of the run's output files."""
 
     def mischief(self, request: Request) -> None:
         target = Path(self.told["home"], "canary")

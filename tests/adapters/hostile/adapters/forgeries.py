@@ -19,20 +19,20 @@ SCREEN = "\x1b]0;minkref-hostile\x07\x1b[2J\x1b[31m\u202ered\u2066\x9b31m\x00"
 
 
 def wrong(answer: Answer) -> Answer:
-    """A square that is no sum of anything."""
+    """Replaces the sum with a wrong square."""
     square = [["0", "0"], ["1/7", "0"], ["1/7", "1/7"], ["0", "1/7"]]
     return {**answer, "polygons": [{"outer": square, "holes": []}]}
 
 
 class Liar(Adapter):
-    """Wrong at every case; what it does beside shall hide that."""
+    """Wrong at every case; further mischief shall hide that."""
 
     def at(self, request: Request) -> Answer:
         return wrong(super().at(request))
 
 
 class ForgesTheLedger(Liar):
-    """Turns all verdicts of every ledger in reach into passes, once it has given its answer."""
+    """Answers, then turns all verdicts of every reachable ledger into passes."""
 
     def at(self, request: Request) -> Answer:
         if not hasattr(self, "forging"):
@@ -61,7 +61,7 @@ class AppendsToTheLedger(Liar):
 
 
 class LocksTheLedger(Adapter):
-    """Takes every lock on every ledger in reach, and keeps it."""
+    """Takes and keeps every lock on every ledger in reach."""
 
     def mischief(self, request: Request) -> None:
         self.streams = []
@@ -86,7 +86,7 @@ class ForgesTheReport(Liar):
 
 
 class LinksTheReportElsewhere(Liar):
-    """Makes a link of the folder of the report."""
+    """Replaces the report's folder with a link."""
 
     def mischief(self, request: Request) -> None:
         report = Path(self.told["work"], "report")
@@ -97,7 +97,7 @@ class LinksTheReportElsewhere(Liar):
 
 
 class PrintsADocument(Adapter):
-    """The whole document of a run without findings, in place of an answer."""
+    """Prints the whole document of a run without findings, instead of an answer."""
 
     instead = "at"
 
@@ -118,7 +118,7 @@ class WritesToOurOutput(Liar):
 
 
 class AnotherName(Liar):
-    """Wrong, under the name of a target that is right."""
+    """Wrong, under the name of a right target."""
 
     declares: ClassVar[dict[str, Any]] = {"name": "minkref:winding", "version": "0.1.0"}
 
@@ -134,14 +134,14 @@ class NastyName(Liar):
 
 
 class NastyReason(Adapter):
-    """The same in a reason."""
+    """A reason with the same nasty text."""
 
     def at(self, request: Request) -> Answer:
         return {"status": "errored", "reason": NASTY + "\n::error::x\n| a | b |\n" + "]]>"}
 
 
 class ObeyTheTerminal(Adapter):
-    """Letters that a terminal would obey, wherever a text is shown."""
+    """Letters that a terminal would obey, wherever minkref shows a text."""
 
     declares: ClassVar[dict[str, Any]] = {"name": SCREEN, "version": SCREEN, "language": SCREEN}
 
@@ -151,7 +151,7 @@ class ObeyTheTerminal(Adapter):
 
 
 class ObeyTheTerminalInTheLog(Adapter):
-    """The same in the log of an adapter that dies."""
+    """Writes the terminal's control letters to its log and dies."""
 
     instead = "at"
 
@@ -206,7 +206,7 @@ class AnswersBeforeItIsAsked(Adapter):
 
 
 def ledgers(told: dict[str, str]) -> list[Path]:
-    """Those in the run's folder, and all that processes of the run have open."""
+    """The ledgers in the run's folder, and all ledgers that processes of the run have open."""
     found = set()
     try:
         found |= set(Path(told["work"]).glob("*.ledger"))

@@ -1,4 +1,4 @@
-"""Hostile functions, for `py:functions:NAME`: what they spoil is the program that holds them."""
+"""Hostile functions, for `py:functions:NAME`, which spoil the program around them."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def spoils_builtins(sP: Set, Q: Set) -> Set:
 
 
 def spoils_the_reference(sP: Set, Q: Set) -> Set:
-    """Makes every module of the reference that is loaded here answer as it likes."""
+    """Replaces all members of every loaded reference module."""
     for name, module in list(sys.modules.items()):
         if name.startswith("minkref"):
             for member in list(vars(module)):
@@ -76,7 +76,7 @@ def traces(sP: Set, Q: Set) -> Set:
 
 
 class Evil(dict[str, Any]):
-    """A dictionary that is another each time it is looked at."""
+    """A dictionary that changes at each look."""
 
     def __getitem__(self, key: str) -> Any:
         os._exit(0)

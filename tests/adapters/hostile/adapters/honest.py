@@ -1,4 +1,4 @@
-"""The loop of an adapter, right for convex operands in the plane; hostile ones change a step of it.
+"""The loop of an adapter, right for convex operands in the plane; hostile adapters change one step.
 Written from docs/adapter-protocol.md alone."""
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ Point = tuple[Fraction, Fraction]
 
 class Adapter:
     """Takes words NAME=VALUE on its command line: `run`, a mark of the run, and `ports` and folders
-    to try. Its version tells the outcome of a mischief."""
+    to try. Its version tells a mischief's outcome."""
 
     declares: ClassVar[dict[str, Any]] = {}
     instead: ClassVar[str] = ""  # the verb that `mischief` is the answer to; else before `hello`
@@ -80,7 +80,7 @@ class Adapter:
 
 
 class InTurn(Adapter, ABC):
-    """Spoils each sum in the next of its ways."""
+    """Spoils each sum in the next way of a list."""
 
     count = 0
 
@@ -96,7 +96,7 @@ class InTurn(Adapter, ABC):
 
 
 def say(text: bytes) -> None:
-    """Writes all of it, past every buffer."""
+    """Writes the whole text, past every buffer."""
     while text:
         text = text[os.write(1, text) :]
 

@@ -1,4 +1,4 @@
-"""More memory than it may have, in every place where memory can be."""
+"""Adapters that take more memory than allowed, from every kind of memory."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class EatsMemory(Adapter):
 
 
 class EatsMemoryAsATree(Adapter):
-    """Ten children, each of which takes a tenth of that."""
+    """Ten children of 250 megabytes each."""
 
     instead = "at"
 
@@ -47,7 +47,7 @@ class EatsMemoryAsATree(Adapter):
 
 
 class EatsMemoryOfDaemons(EatsMemoryAsATree):
-    """The same, in sessions of their own."""
+    """Ten daemons of 250 megabytes each, in separate sessions."""
 
     def get_away(self) -> None:
         os.setsid()
@@ -68,7 +68,7 @@ class EatsSharedMemory(Adapter):
 
 
 class EatsUnmappedMemory(Adapter):
-    """A file in memory, which is in the map of no process."""
+    """Unmapped files in memory."""
 
     instead = "at"
 

@@ -1,5 +1,5 @@
-"""The hostile adapters as functions: `py:mischief:NAME` does when it is loaded, or called, what the
-adapter of this name does. MINKREF_HOSTILE holds the options of the adapter, as JSON."""
+"""The hostile adapters as functions: `py:mischief:NAME` does the mischief of the adapter NAME when
+it is loaded or called. MINKREF_HOSTILE holds the adapter's options, as JSON."""
 
 from __future__ import annotations
 

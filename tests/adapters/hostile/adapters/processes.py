@@ -31,7 +31,7 @@ def without_pipes() -> None:
 
 
 def daemon() -> bool:
-    """A double fork into a session of its own; true in the grandchild."""
+    """Forks twice into a new session; true in the grandchild."""
     child = fork()
     if child:
         os.waitpid(child, 0)
@@ -54,7 +54,7 @@ class ForksFifty(Adapter):
 
 
 class Daemon(Adapter):
-    """A grandchild in a session of its own."""
+    """A grandchild in a separate session."""
 
     def mischief(self, request: Request) -> None:
         if daemon():
@@ -70,7 +70,7 @@ class DaemonWithoutEnvironment(Adapter):
 
 
 class KillsItsSupervisor(Adapter):
-    """Daemons by the dozen, each of which kills the parent of the adapter."""
+    """A dozen daemons that each kill the adapter's parent."""
 
     def mischief(self, request: Request) -> None:
         supervisor = os.getppid()
@@ -81,7 +81,7 @@ class KillsItsSupervisor(Adapter):
 
 
 class KillsItsGroup(Adapter):
-    """SIGKILL to its own group of processes, where it is this run's alone."""
+    """SIGKILL to its process group, as far as the processes belong to this run."""
 
     instead = "at"
 
@@ -96,7 +96,7 @@ class KillsItsGroup(Adapter):
 
 
 class KillsAllInSight(Adapter):
-    """SIGKILL to all of this run that it can see, from a daemon."""
+    """SIGKILL to all visible processes of this run."""
 
     def mischief(self, request: Request) -> None:
         for pid in of_this_run(self.run):
@@ -104,7 +104,7 @@ class KillsAllInSight(Adapter):
 
 
 class TerminatesAllInSight(Adapter):
-    """SIGTERM to all of this run that it can see."""
+    """SIGTERM to all visible processes of this run."""
 
     def mischief(self, request: Request) -> None:
         for pid in of_this_run(self.run):
@@ -112,7 +112,7 @@ class TerminatesAllInSight(Adapter):
 
 
 class StopsAllInSight(Adapter):
-    """SIGSTOP to all of this run that it can see; after ten seconds they may go on."""
+    """SIGSTOP to all visible processes of this run; a daemon continues them after ten seconds."""
 
     def mischief(self, request: Request) -> None:
         seen = of_this_run(self.run)
@@ -126,7 +126,7 @@ class StopsAllInSight(Adapter):
 
 
 class StopsItself(Adapter):
-    """SIGSTOP to itself in place of an answer. A child ends it after a minute."""
+    """Stops itself by SIGSTOP instead of an answer. A child ends it after a minute."""
 
     instead = "at"
 
@@ -201,7 +201,7 @@ class ForksWhenTerminated(Adapter):
 
 
 class OwnSubreaper(Adapter):
-    """A child takes over all orphans, under another name, in a session of its own."""
+    """A child under another name and in a separate session takes over all orphans."""
 
     def mischief(self, request: Request) -> None:
         if daemon():
@@ -214,7 +214,7 @@ class OwnSubreaper(Adapter):
 
 
 class OwnNamespace(Adapter):
-    """Takes a space of processes of its own, as far as it may, and lingers there."""
+    """Takes a separate process namespace, if the system allows, and lingers there."""
 
     def mischief(self, request: Request) -> str:
         if daemon():

@@ -1,5 +1,5 @@
-"""Things outside of an adapter: environment, network, its parents, the terminal. The version of the
-adapter names the things that it got at, in words that begin with `got`."""
+"""Things outside an adapter: environment, network, parents, the terminal. The adapter's version
+names the things that it reached, in words that begin with `got`."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LOOPBACK = "127.0.0.1"
 
 
 def got(tries: Iterable[tuple[str, Callable[[], object]]]) -> str:
-    """The names of what worked."""
+    """The names of tries that worked."""
     worked = []
     for name, attempt in tries:
         try:
@@ -33,7 +33,7 @@ def got(tries: Iterable[tuple[str, Callable[[], object]]]) -> str:
 
 
 class ReadsTheEnvironment(Adapter):
-    """A secret in its own environment and in that of its parents."""
+    """Looks for a secret in the environments of itself and its parents."""
 
     def mischief(self, request: Request) -> str:
         secret = self.told["secret"][::-1].encode()  # told backwards: not to find itself
@@ -48,7 +48,7 @@ class ReadsTheEnvironment(Adapter):
 
 
 class ReachesTheNetwork(Adapter):
-    """A server on the loopback address, by every way in."""
+    """Reaches a server on the loopback address by every protocol."""
 
     def mischief(self, request: Request) -> str:
         port = int(self.told["port"])
@@ -129,7 +129,7 @@ class TakesItsParentsFiles(Adapter):
 
 
 class Privileges(Adapter):
-    """Privileges of a process beyond those of others."""
+    """Privileges that other processes lack."""
 
     def mischief(self, request: Request) -> str:
         status = Path("/proc/self/status").read_text()
@@ -186,7 +186,7 @@ class ChangesTheTerminal(Adapter):
 
 
 class SharesMemory(Adapter):
-    """Shared memory, semaphores and queues of messages that outlive it."""
+    """Shared memory, semaphores and message queues that outlive the adapter."""
 
     def mischief(self, request: Request) -> str:
         def left(number: int) -> bool:

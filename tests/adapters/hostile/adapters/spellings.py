@@ -1,5 +1,5 @@
-"""Numbers as no grammar has them, one after the other, at every verb, in the plane and in space.
-No number here is one that the page allows (`n`, `n/d`, decimals, in ASCII digits)."""
+"""Malformed numbers, one after another, at every verb, for the plane and for space. The page allows
+only `n`, `n/d` and decimals, with ASCII digits."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ SPELLINGS = [*(json.dumps(text) for text in TEXTS), *JSON]
 
 
 class Spells(Adapter):
-    """One spelling after the other in place of one number, in all answers to one verb."""
+    """Replaces a number with each spelling, in all answers to a verb."""
 
     verb: ClassVar[str] = "at"
     form: ClassVar[str] = '"polygons": [{"outer": [[%s, "0"], ["9", "0"], ["0", "9"]]}]'
@@ -52,24 +52,24 @@ class Spells(Adapter):
 
 
 class SpellsPolygons(Spells):
-    """In a ring of a polygon."""
+    """Spells a coordinate of a polygon's ring."""
 
 
 class SpellsRings(Spells):
-    """In a flat list of rings."""
+    """Spells a coordinate of a flat list of rings."""
 
     form = '"rings": [[["0", "0"], ["9", %s], ["0", "9"]]]'
 
 
 class SpellsInDoubles(Spells):
-    """In place of a double: texts are no doubles, whatever they spell."""
+    """Spells a double: texts are no doubles, whatever they spell."""
 
     declares: ClassVar[dict[str, Any]] = {"numbers": "double", "arithmetic": "float64"}
     form = '"polygons": [{"outer": [[%s, 0], [9, 0], [0, 9]]}]'
 
 
 class SpellsUpdates(Spells):
-    """In the answer to `update`."""
+    """Spells a coordinate of the answer to `update`."""
 
     verb = "update"
     declares: ClassVar[dict[str, Any]] = {"capabilities": ["plane", "rational", "update"]}
@@ -79,7 +79,7 @@ class SpellsUpdates(Spells):
 
 
 class SpellsEvents(Spells):
-    """In the list of the scales of events."""
+    """Spells a scale of the event list."""
 
     verb = "events"
     form = '"scales": [%s]'
@@ -100,11 +100,11 @@ class InSpace(Spells):
 
 
 class SpellsSpace(InSpace):
-    """In a vertex of a body."""
+    """Spells a coordinate of a body's vertex."""
 
 
 class SpellsUpdatesInSpace(InSpace):
-    """In a vertex of the answer to `update`."""
+    """Spells a vertex coordinate of the answer to `update`."""
 
     verb = "update"
     declares: ClassVar[dict[str, Any]] = {
@@ -113,7 +113,7 @@ class SpellsUpdatesInSpace(InSpace):
 
 
 class SpellsIndices(InSpace):
-    """In place of an index of a face: that is no coordinate, and is an integer from 0 on."""
+    """Spells a vertex index of a face: an index is an integer from 0 on, and no coordinate."""
 
     form = '"vertices": [["0", "0", "0"], ["9", "0", "0"], ["0", "9", "0"]], "faces": [[0, 1, %s]]'
     spellings: ClassVar[list[str]] = [
@@ -123,7 +123,7 @@ class SpellsIndices(InSpace):
 
 
 class SpellsTolerance(Adapter):
-    """In its declaration, one spelling a start; which one, it is told."""
+    """Spells its declared tolerance, one spelling at each start; the option `first` chooses it."""
 
     member: ClassVar[str] = '"tolerance": {"relative": %s}'
 
@@ -149,7 +149,7 @@ class SpellsGridBits(SpellsTolerance):
 
 
 class HugeNumbers(Spells):
-    """Numbers that the page allows, as long as they can be: judged, in time, and wrong."""
+    """Allowed numbers of the greatest length: judged, in time, and wrong."""
 
     spellings: ClassVar[list[str]] = [
         *('"1e9999"', '"-1e9999"', '"1e-9999"', '"%s"' % ("7" * 9000), '"1/%s"' % ("7" * 9000)),

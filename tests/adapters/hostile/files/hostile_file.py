@@ -1,4 +1,4 @@
-"""A hostile file: how it is made, which command reads it, and how that may end."""
+"""A hostile file: its making, the command that reads it, and the possible endings."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PLANE = ("sum", FILE, "g3", "-o", "out.json")
 SPACE = ("sum", FILE, "gs3", "-o", "out.json")
 SQUARE = "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))"
 REFUSED = (2,)
-# The state of minkref, its key of ledgers, in which all these commands agree.
+# minkref's state folder with the ledger key, shared by all these commands.
 _STATE = tempfile.TemporaryDirectory(prefix="minkref-evidence-state-")
 STATE = {"XDG_STATE_HOME": _STATE.name}
 JUDGED = (0, 2)  # a reader may take it: what counts is that it ends, in time and in memory
@@ -21,7 +21,7 @@ JUDGED = (0, 2)  # a reader may take it: what counts is that it ends, in time an
 
 @dataclass(frozen=True)
 class Large:
-    """A text that is made when it is needed, and not before."""
+    """A text made only when needed."""
 
     make: Callable[[], bytes | str]
 
@@ -31,7 +31,8 @@ Content = bytes | str | Large | Callable[[Path], None]
 
 @dataclass(frozen=True)
 class Hostile:
-    """`content`: its bytes, or what makes it. `during`: what is done to it while it is read."""
+    """`content`: the file's bytes, or a function that makes the file. `during`: a change to make
+    while a command reads the file."""
 
     title: str
     name: str
@@ -73,7 +74,7 @@ def sparse(size: int, start: bytes = b"") -> Callable[[Path], None]:
 
 
 def case(P: str, Q: str = "", more: str = "") -> str:
-    """The text of a case with these rings as its operands."""
+    """The text of a case with these rings as operands."""
     Q = Q or '[["0","0"],["1","0"],["0","1"]]'
     return (
         '{"schema":"case-v1","id":"hostile","title":"hostile","dimension":2,"scales":["1"],'

@@ -1,5 +1,5 @@
-"""Files of ours that were changed: indices, certificates and ledgers. They are made by the commands
-that write them, once."""
+"""Changed files of minkref: indices, certificates and ledgers. The commands that write them make
+each original once."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def made(name: str) -> dict[str, bytes]:
 
 
 def index(change: Callable[[bytearray], None], *, mended: bool = True) -> Callable[[Path], None]:
-    """The index, changed; with `mended` its checksum is right again, as a forger would have it."""
+    """Writes the index, changed; `mended` corrects its checksum, as a forger would."""
 
     def make(path: Path) -> None:
         data = bytearray(made("index")["it"])
@@ -74,7 +74,7 @@ def header(at: int, form: str, value: int) -> Callable[[bytearray], None]:
 
 
 def elements(column: int, value: int) -> Callable[[bytearray], None]:
-    """All numbers of a column become this one."""
+    """Replaces all numbers of a column with one value."""
 
     def change(data: bytearray) -> None:
         begin, count = struct.unpack_from("<QQ", data, 32 + 24 * column)
@@ -150,7 +150,7 @@ def certificate(
     change: Callable[[Json], object] | None = None,
     text: Callable[[bytes], bytes] = bytes,
 ) -> Callable[[Path], None]:
-    """The certificate with its case beside it; first the value is changed, then the text."""
+    """Writes the certificate beside its case; changes first the value, then the text."""
 
     def make(path: Path) -> None:
         files = made(kind)
@@ -178,7 +178,7 @@ def put(*where: str | int, value: object) -> Callable[[Json], object]:
 
 
 def in_case(text: str) -> Callable[[Path], None]:
-    """A right certificate of a case whose text is another."""
+    """A right certificate whose case has another text."""
 
     def make(path: Path) -> None:
         certificate("plane")(path)
@@ -314,7 +314,7 @@ def ledgers() -> list[Hostile]:
 
 
 def half_a_line(path: Path) -> None:
-    """As a killed run leaves it: that is no damage."""
+    """Cuts the ledger as a killed run leaves it: this is no damage."""
     ledger(list)(path)
     data = path.read_bytes()
     path.write_bytes(data[:-20])

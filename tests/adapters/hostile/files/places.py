@@ -1,4 +1,4 @@
-"""Paths that are no files, and files that change while they are read."""
+"""Paths without files, and files that change during reading."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def of_places() -> list[Hostile]:
 
 
 def codes_of(reader: str, title: str) -> tuple[int, ...]:
-    """A ledger that is empty is one that begins; what is a device is written to."""
+    """An empty ledger starts a new one; devices are written to."""
     if (reader, title) == ("settings", "a device that is empty"):
         return JUDGED
     if reader == "ledger" and title in ("a device that is empty", "a link to nothing"):
@@ -94,7 +94,7 @@ def codes_of(reader: str, title: str) -> tuple[int, ...]:
 
 
 def moments(change: Callable[[Path], None], count: int = 200) -> Callable[[Path], None]:
-    """Does it again and again, while the file is read."""
+    """Repeats a change while a command reads the file."""
 
     def during(path: Path) -> None:
         for _ in range(count):
@@ -130,7 +130,7 @@ LARGE = "POLYGON ((" + ", ".join(f"{k} {k * k}" for k in range(200_000)) + ", 0 
 
 
 def changing() -> list[Hostile]:
-    """Files that change while they are read: either content may be read, but nothing may crash."""
+    """Files that change during reading: a command may read either content, but must not crash."""
     changes = {"truncated": truncated, "overwritten": overwritten, "replaced": replaced}
     whole = index(lambda data: None)
     found = []

@@ -48,7 +48,7 @@ NUMBERS = {
 
 
 def of_numbers() -> list[Hostile]:
-    """Each spelling in each format. In .poly two points are two numbers, with a warning."""
+    """Each spelling in each format. In .poly two points become two numbers, with a warning."""
     found = []
     for title, spelling in NUMBERS.items():
         forms = {
@@ -68,7 +68,7 @@ def nested(open_: str, close: str, inner: str, depth: int = MILLION) -> str:
 
 
 def comb(count: int) -> str:
-    """A ring of so many vertices that crosses itself everywhere."""
+    """A ring of `count` vertices that crosses itself everywhere."""
     points = [f"{k * 7919 % 104729} {k * 104729 % 7919}" for k in range(count)]
     return f"POLYGON (({', '.join([*points, points[0]])}))"
 
