@@ -1,5 +1,5 @@
-"""Work of a second and more where the run is thorough, and of two fifths of the size else, one for
-each function that can be long: what a signal and a limit of memory have to end."""
+"""One work for each function that can take long, for signals and memory limits to end: a second and
+more if the run is thorough, otherwise two fifths of the size."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def star(spikes: int, radius: int = 1_000_000) -> _core.PolygonSet:
 
 @cache
 def points(spikes: int) -> list[tuple[object, object]]:
-    """The corners of a star, in fractions."""
+    """A star's corners, as fractions."""
     return star(spikes, 10**9).rings()[0][0]
 
 
@@ -64,7 +64,7 @@ def drum(sides: int) -> _core.ConvexPolyhedron:
 
 @cache
 def double_cone(corners: int) -> _core.Polyhedron:
-    """Over a star and below it: slivers whose boxes overlap everywhere."""
+    """A cone over a star and another below: slivers whose boxes overlap everywhere."""
     ring = star(corners // 2, 10**9).rings()[0][0]
     points: list[tuple[object, ...]] = [(x, y, 0) for x, y in ring]
     points += [(0, 0, 10**9), (0, 0, -(10**9))]
@@ -121,7 +121,7 @@ def _proof(P: _core.PolygonSet, Q: _core.PolygonSet) -> object:
 
 
 def prepare(name: str) -> None:
-    """Makes the operands, which are no part of the work."""
+    """Makes the operands, which do not belong to the measured work."""
     if name in ("reading", "writing"):
         written()
     elif name.startswith("reading "):

@@ -12,15 +12,15 @@ from typing import Any
 
 
 def heed_signals() -> None:
-    """A background job of a shell, or of nohup, is started deaf to some."""
+    """Restores default signals: background jobs of a shell, or of nohup, start deaf to some."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)
 
 
 @contextmanager
 def started(command: Sequence[str | Path], **options: Any) -> Iterator[subprocess.Popen[Any]]:
-    """A process that heeds signals. It is killed at the end if it still runs, whatever the test has
-    found: Popen alone would wait for it, and so would all other tests."""
+    """A process that heeds signals. A process still running at the end is killed, whatever the test
+    found: Popen alone would wait for it, and all other tests with it."""
     with subprocess.Popen(command, preexec_fn=heed_signals, **options) as process:
         try:
             yield process

@@ -73,7 +73,7 @@ def test_readings_differ_where_edges_are_parallel() -> None:
 def pieces_along(
     start: Place, end: Place, edges: list[ConvolutionEdge]
 ) -> list[tuple[Fraction, ...]]:
-    """Which parts of the segment the edges of its direction cover that lie on it: 0 to 1."""
+    """The parts of the segment, from 0 to 1, that edges along its direction cover."""
     along = (end[0] - start[0], end[1] - start[1])
     square = along[0] ** 2 + along[1] ** 2
 
@@ -113,7 +113,7 @@ def sides(region: PolygonSet) -> list[tuple[Place, Place]]:
 @EACH
 @pytest.mark.parametrize("compatible", ["half-open", "closed"])
 def test_the_boundary_of_the_sum_is_covered(family: str, index: int, compatible: str) -> None:
-    """By the sum from the definition, which knows no convolution."""
+    """The sum comes from the definition, which does not use the convolution."""
     P, Q, scale = drawn(family, index)
     edges = list(convolution(P, Q, scale, compatible=compatible))
     region = _core.minkowski_sum(P, Q, scale, "definition").region

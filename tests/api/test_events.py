@@ -1,4 +1,4 @@
-"""Events as values: those that the command lists, by both routes."""
+"""Events as values: the same events as the command lists, by both routes."""
 
 from __future__ import annotations
 

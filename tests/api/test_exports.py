@@ -1,4 +1,4 @@
-"""Results have classes that can be imported, and refusals are of the documented kind."""
+"""Results have importable classes, and refusals are of the documented kind."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_a_refusal_is_bad_input_with_all_its_attributes() -> None:
 
 @pytest.mark.parametrize("arithmetic", ["rational", "interval", "double", "mpfr:53"])
 def test_tight_passages_of_a_sum_are_found_when_asked_for(arithmetic: str) -> None:
-    """They were None where nobody had asked, which reads as `none`."""
+    """They used to be None for sums without the request, which reads as `none`."""
     hole = minkref.PolygonSet(
         [[(-9, -9), (9, -9), (9, 9), (-9, 9)], [(0, 0), (2, 0), (2, 2), (0, 2)]]
     )

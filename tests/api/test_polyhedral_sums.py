@@ -1,4 +1,4 @@
-"""Sums of polyhedra of any shape as Python has them."""
+"""Sums of general polyhedra through Python."""
 
 from __future__ import annotations
 

@@ -181,7 +181,7 @@ AS_IN_FILES: dict[str, tuple[Any, str]] = {
 
 @pytest.mark.parametrize("kind", AS_IN_FILES)
 def test_values_are_refused_for_what_files_are(kind: str) -> None:
-    """An open line of three points was filled: its area was 8."""
+    """An open line of three points was once filled: its area was 8."""
     shape, text = AS_IN_FILES[kind]
     codes = []
     for given in (shape, text):

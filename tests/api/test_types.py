@@ -1,5 +1,5 @@
-"""Values of a wrong type are refused in plain words, by every public function and method; exact
-numbers of Python are numbers, floats are not."""
+"""Every public function and method refuses values of a wrong type in plain words; Python's exact
+numbers are numbers, floats are not."""
 
 from __future__ import annotations
 

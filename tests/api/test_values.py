@@ -1,5 +1,5 @@
-"""Values are copied and pickled by value; what cannot be says so. Nothing that is handed in ends
-the process."""
+"""Values are copied and pickled by value; other objects refuse copying. No argument ends the
+process."""
 
 from __future__ import annotations
 
@@ -217,7 +217,7 @@ def test_too_many_threads_are_refused(threads: int) -> None:
      ("signal.raise_signal(signal.SIGINT)", -2)],
 )  # fmt: skip
 def test_the_end_of_a_program_says_nothing_of_ours(end: str, code: int) -> None:
-    """Whatever is alive then, as in a thread that runs on."""
+    """Tests objects that are alive at the end, even in a running thread."""
     ran = run(
         f"""
         import minkref, signal, sys, threading, time

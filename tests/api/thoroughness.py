@@ -11,12 +11,12 @@ Value = TypeVar("Value")
 
 
 def draws(few: int, many: int) -> int:
-    """A number of draws. The few find the faults that the test is there for."""
+    """A number of draws. The few find the faults that the test aims at."""
     return many if THOROUGH else few
 
 
 def some(values: Iterable[Value], few: int) -> list[Value]:
-    """All of them where the run is thorough; else so many, spread evenly, with both ends."""
+    """All values if the run is thorough; otherwise `few` values, spread evenly, with both ends."""
     every = list(values)
     if THOROUGH or len(every) <= few:
         return every
