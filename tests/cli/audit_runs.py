@@ -1,4 +1,4 @@
-"""The checks of the audit: each runs once in a run of the tests, in the process that asks first."""
+"""The audit's checks: each runs once per test run, inside the process that asks first."""
 
 from __future__ import annotations
 

@@ -65,7 +65,7 @@ def wkt_square(x: int, y: int, side: int) -> str:
 
 @pytest.fixture
 def squares(tmp_path: Path) -> tuple[Path, Path]:
-    """A square of side 2 and one of side 1."""
+    """Two squares, with sides 2 and 1."""
     first, second = tmp_path / "two.wkt", tmp_path / "one.wkt"
     first.write_text(wkt_square(0, 0, 2), encoding="utf-8")
     second.write_text(wkt_square(0, 0, 1), encoding="utf-8")

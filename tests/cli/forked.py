@@ -20,8 +20,8 @@ from minkref.cli.cli import main
 def forked(
     folder: Path, *words: str | Path, given: bytes = b"", before: Callable[[], Any] = int
 ) -> CompletedProcess[str]:
-    """Its exit code, and what it says. `given`: its standard input. `before` is called in the copy,
-    where the streams are 0, 1 and 2."""
+    """The copy's exit code and output. `given`: its standard input. `before` runs inside the copy,
+    whose streams are 0, 1 and 2."""
     arguments = ["minkref", *map(str, words)]
     with ExitStack() as files:
         streams = [files.enter_context(tempfile.TemporaryFile()) for _ in range(4)]

@@ -46,7 +46,7 @@ def _is_option(word: str) -> bool:
 
 
 def _wrong(arguments: Words, where: str, options: Words) -> int:
-    """The argument that the place speaks of: the value of its option, or the word itself."""
+    """The argument that `where` names: the option's value, or the word itself."""
     if options:
         return arguments.index(options[0]) + 1
     return next((k for k, word in enumerate(arguments) if k and word and word in where), -1)
@@ -65,7 +65,8 @@ def _replaced(arguments: Words, at: int, word: str) -> Words:
 
 
 def _without(arguments: Words, options: Words) -> Words:
-    """A word after an option that is none itself is its value."""
+    """Drops options with their values: a word after an option is its value unless it is an option
+    too."""
     rest: Words = []
     is_value = False
     for word in arguments:

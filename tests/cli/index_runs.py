@@ -1,4 +1,4 @@
-"""Pairs of operands to be indexed; builds, questions and refusals of the command line on them."""
+"""Pairs of operands for indexing; builds, questions and refusals through the command line."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PAIRS = {
     "letters": ("g1", "g2"),
     "right angles": ("g3", "g1"),
     "convex": ("disc1", "g1"),
-    # A hole that dies at 541/186, where no pair event is.
+    # A hole dies at 541/186, without a pair event.
     "dying hole": (
         "POLYGON((-3 -2,4 -1,1 3,-3 -2))",
         "POLYGON((-40 -40,40 -40,40 40,-40 40,-40 -40),(0 20,-19 -9,17 -11,0 20))",
@@ -63,7 +63,7 @@ def window_options(window: Window) -> list[str]:
 
 
 def build(minkref: Minkref, path: Path, P: str, Q: str, *options: str) -> Any:
-    """The document of a build that goes well."""
+    """The document of a successful build."""
     ran = minkref("index", P, Q, "-o", path, "--json", *options)
     assert (ran.code, ran.err) == (0, "")
     jsonschema.validate(ran.json, result_schema("index"))
@@ -71,14 +71,14 @@ def build(minkref: Minkref, path: Path, P: str, Q: str, *options: str) -> Any:
 
 
 def ask(minkref: Minkref, command: str, *arguments: str | Path) -> Any:
-    """The document of a command that goes well."""
+    """The document of a successful command."""
     ran = minkref(command, *arguments, "--json")
     assert (ran.code, ran.err) == (0, ""), ran.err or ran.out
     return ran.json
 
 
 def event_scales(P: str, Q: str, kind: str = "boundary") -> list[str]:
-    """By dynamic update; each once."""
+    """The distinct event scales by dynamic update."""
     dynamic = _core.DynamicSum(read_operand(P).set, read_operand(Q).set)
     rows: list[Any] = list(
         dynamic.boundary_events() if kind == "boundary" else dynamic.topology_events()
@@ -96,8 +96,8 @@ def told(minkref: Minkref, *arguments: str | Path) -> dict[str, Any]:
 
 
 def account(value: Any, names: bool = True) -> Any:
-    """The part of an answer that two routes must share. `names` of features belong to a window:
-    another window has other names, and lives are then told without names."""
+    """The part of an answer that two routes must share. Feature names belong to a window: for
+    another window lives are told without `names`."""
     of_topology = ("feature", "before", "after", "parts") if names else ("feature", "parts")
     fields = ("s", "rank", "kind", "change")
     if value["kind"] == "topology":
@@ -121,7 +121,7 @@ def account(value: Any, names: bool = True) -> Any:
 
 
 def refused(minkref: Minkref, folder: Path, *arguments: str | Path) -> Any:
-    """The text of a refusal that writes nothing, and its document."""
+    """The text and the document of a refusal that writes nothing."""
     before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
     ran = minkref(*arguments)
     assert (ran.code, ran.out) == (2, ""), ran.out

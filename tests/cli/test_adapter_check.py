@@ -100,7 +100,7 @@ NO_DECLARATIONS = (
 def test_a_declaration_that_is_none_is_refused(
     tmp_path: Path, old: str, new: str, said: str
 ) -> None:
-    """By either command, in turn."""
+    """Takes the two commands in turn."""
     name = module(tmp_path, '"holes"')
     text = (tmp_path / "hulls.py").read_text()
     assert old in text
@@ -139,7 +139,7 @@ def test_invalid_input_is_put_to_a_function_that_declares_so_and_a_baseline_know
 
 
 def test_the_name_of_a_program_beside_is_not_looked_for_elsewhere(tmp_path: Path) -> None:
-    """`./true` is not /bin/true."""
+    """`./true` differs from /bin/true."""
     (tmp_path / "true").write_text("#!/bin/sh\nexit 5\n")
     (tmp_path / "true").chmod(0o755)
     code, value = run(tmp_path, "adapter", "check", "./true")

@@ -1,4 +1,4 @@
-"""`minkref events` of the kinds that need more than pairs of edges."""
+"""`minkref events` for kinds that need more than pairs of edges."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ KINDS = ("triple", "arrangement", "boundary", "topology")
 
 @pytest.fixture
 def dying(tmp_path: Path) -> tuple[Path, Path]:
-    """A triangular hole that shrinks to a point at 541/186, where three edges meet in it."""
+    """A triangular hole that shrinks to a point at 541/186, where three edges meet."""
     P, Q = tmp_path / "P.wkt", tmp_path / "Q.wkt"
     P.write_text("POLYGON((-3 -2, 4 -1, 1 3, -3 -2))", encoding="utf-8")
     Q.write_text(
@@ -45,7 +45,7 @@ def test_arrangement_events_are_the_three_kinds_together(minkref: Minkref) -> No
         return sorted(str((e["s"], e["kind"], e["change"], e["parents"], e["at"])) for e in events)
 
     parts = [event for kind in ("pair", "parallel", "triple") for event in listed(kind)]
-    # Ends that pass each other on one line are listed among all arrangement events only.
+    # Only the list of all arrangement events holds ends that pass each other on a line.
     together = [e for e in listed("arrangement") if "'parallel', 'swap'" not in e]
     assert together == sorted(parts)
 
@@ -83,7 +83,7 @@ def test_every_topology_event_is_a_boundary_event(minkref: Minkref) -> None:
 
 
 def test_swapping_the_operands_inverts_the_scales(minkref: Minkref) -> None:
-    # Events of the sum only; the convolution itself differs where edges are parallel.
+    # Compares events of the sum only; the convolution itself differs if edges are parallel.
     one = minkref("events", "g1", "g2", "--kind", "topology", "--json").json["events"]
     other = minkref("events", "g2", "g1", "--kind", "topology", "--json").json["events"]
     inverse = sorted({1 / Fraction(event["s"]) for event in other})

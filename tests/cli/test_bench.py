@@ -1,4 +1,4 @@
-"""`minkref bench`: the document, and the laws of what it times."""
+"""`minkref bench`: the document, and the laws of its measurements."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_table_2_follows_its_schema_and_has_all_pairs_twice(
     run, measured = table2.run, list[table2.Table2]()
 
     def run_once(*words: Any) -> table2.Table2:
-        """The table for people is of the same measurement."""
+        """Gives the table for people the same measurement."""
         if not measured:
             measured.append(run(*words))
         return measured[0]

@@ -100,7 +100,7 @@ def test_a_limit_is_undecided(minkref: Any, operands: Any, tmp_path: Path) -> No
 def test_the_case_is_one_that_other_commands_read(
     minkref: Any, operands: Any, tmp_path: Path
 ) -> None:
-    """And it is not written over another file of its name."""
+    """Nor does it overwrite another file with its name."""
     minkref("certify", *operands, "-o", str(tmp_path / "it.cert.json"))
     case = tmp_path / "it.case.json"
     ran = minkref("sum", f"{case}#P", f"{case}#Q", "--json")
@@ -124,7 +124,7 @@ def test_names_beyond_ascii(minkref: Any, operands: Any, tmp_path: Path) -> None
 def test_what_is_no_proof_is_our_fault_and_is_not_written(
     minkref: Any, operands: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A producer that claims another sum than it has proven."""
+    """Tests a producer that claims a sum different from the proven one."""
     text = Certificate.text
 
     def false_text(certificate: Certificate, *arguments: Any) -> str:

@@ -43,7 +43,7 @@ def test_the_document_has_every_edge_with_its_parents(
 
 
 def test_two_parallel_edges_by_hand(minkref: Minkref) -> None:
-    """The bottom sides: that of Q begins at the start of 2 P, that of 2 P follows it."""
+    """The bottom sides: Q's side begins at the start of 2 P's side, which follows Q's."""
     outer = [["10", "1/3"], ["11", "1/3"], ["10", "2"]]
     Q = json.dumps({"polygons": [{"holes": [], "outer": outer}]})
     edges = minkref("convolution", TRIANGLE, Q, "--scale", "2", "--json").json["edges"]
@@ -131,7 +131,7 @@ def test_an_empty_convolution_is_written_too(minkref: Minkref, tmp_path: Path) -
 
 
 def panes(text: str) -> tuple[list[str], list[list[tuple[str, str]]]]:
-    """The captions, and of each picture the classes and the data of its paths."""
+    """The captions, and the classes and data of each picture's paths."""
     root = ElementTree.fromstring(text)
     captions = [str(node.text) for node in root.findall(f"{SVG}text")]
     pictures = [

@@ -28,7 +28,7 @@ CASES = {
     "self-intersection": cube(0, 4).with_faces_of(cube(2, 4)),
     "overlapping-faces": cube(0, 4).with_faces_of(along_z(cube(0, 4), 4)),
     "shell-nesting": cube(0, 4).with_faces_of(cube(1, 2)),
-    # good polyhedra, that are not convex: a corner of each touches, and a cavity
+    # valid polyhedra that are not convex: two cubes with touching corners, and a cavity
     "not-convex": cube(0, 4).with_faces_of(cube(4, 2)),
     "not-convex ": cube(0, 4).with_faces_of(cube(1, 2).turned_inside_out()),
 }

@@ -56,7 +56,7 @@ def test_corners_that_doubles_lose(
 def test_a_picture_is_the_same_at_every_size(
     minkref: Minkref, tmp_path: Path, power: int, far: int
 ) -> None:
-    """Also where the set is a million times as far from the origin as it is large."""
+    """Also tests a set whose distance from the origin is a million times its size."""
     unit = Fraction(10) ** power
 
     def picture(unit: Fraction, at: Fraction) -> str:

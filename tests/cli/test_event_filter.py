@@ -35,7 +35,7 @@ def listed(minkref: Minkref, kind: str, *options: str, P: str = "g1", Q: str = "
 
 @pytest.fixture
 def stairs(tmp_path: Path) -> tuple[str, str]:
-    """Operands with parallel edges, so that many events fall on one scale and one line."""
+    """Operands with parallel edges, so that many events share a scale and a line."""
     first, second = tmp_path / "stairs.wkt", tmp_path / "frame.wkt"
     first.write_text("POLYGON((0 0,2 0,2 1,1 1,1 2,0 2,0 0))", encoding="utf-8")
     frame = "POLYGON((0 0,9 0,9 9,0 9,0 0),(2 2,2 5,5 5,5 4,4 4,4 2,2 2))"
@@ -48,7 +48,7 @@ def number(event: Event, field: str) -> Fraction:
 
 
 def condition(dice: random.Random, events: list[Event], depth: int) -> tuple[str, Any]:
-    """A random condition as text, and as a function of an event: numbers are those of events, so
+    """A random condition as text, and as a function of events: its numbers come from events, so
     that bounds are hit."""
     event = dice.choice(events)
     choice = dice.randrange(8 if depth else 5)

@@ -16,7 +16,7 @@ from minkref.plane.operand import read_operand
 
 Minkref = Callable[..., Any]
 
-# Coordinates that fit machine words; a unit that does not; coordinates that need rationals.
+# Coordinates that fit machine words; a unit beyond words; coordinates that need rationals.
 PAIRS = {
     "machine words": ("g1", "g2"),
     "steps of one line": ("steps.wkt", "steps.wkt"),

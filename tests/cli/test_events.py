@@ -135,6 +135,6 @@ def test_no_precision_is_enough_where_edges_only_touch(minkref: Minkref) -> None
 
 
 def test_what_a_birth_of_a_pair_event_is_is_said_in_words(minkref: Minkref) -> None:
-    """It is none of a hole, which is what most look for."""
+    """This birth is no birth of a hole, which most people look for."""
     ran = minkref("events", "g1", "g2", "--from", "1/2", "--to", "1")
     assert "two edges of the convolution start" in ran.out and "--kind topology" in ran.out

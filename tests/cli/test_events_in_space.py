@@ -82,7 +82,7 @@ def test_a_table_has_them_row_by_row(
 
 
 def test_parts_of_a_window_follow_each_other(operands: tuple[Path, Path]) -> None:
-    """As few events as may be in memory at once, many of them at the scales where parts meet."""
+    """Limits the events in memory to very few, many of them at scales where parts meet."""
     P, Q = (read_summand(str(path)).surface for path in operands)
 
     def all_of(most: int | None) -> tuple[list[Any], Any, int]:

@@ -99,7 +99,8 @@ def test_what_it_refuses(
 
 
 def test_topology_names_holes_and_components(minkref: Minkref) -> None:
-    """Two chambers of a hole, joined by a door: the narrower one leaves it, and ends first."""
+    """Two chambers of a hole, joined by a door: the narrower chamber leaves the hole and ends
+    first."""
     hole = "2 2, 2 18, 18 18, 18 11, 20 11, 20 16, 30 16, 30 4, 20 4, 20 9, 18 9, 18 2, 2 2"
     chambers = f"POLYGON ((0 0, 40 0, 40 20, 0 20, 0 0), ({hole}))"
     ran = minkref("events", chambers, "disc", "--kind", "topology", "--json")
@@ -167,7 +168,7 @@ def test_of_edges_on_one_line_the_nearest_is_named(minkref: Minkref) -> None:
 
 
 def test_a_straight_vertex_cuts_an_edge_in_two_names(minkref: Minkref) -> None:
-    """A frame with a hole of 4 by 12; its long sides have a vertex in the middle."""
+    """A frame with a 4 by 12 hole, whose long sides have a vertex in the middle."""
     frame = "POLYGON ((0 0, 16 0, 16 8, 0 8, 0 0), (2 2, 2 6, 8 6, 14 6, 14 2, 8 2, 2 2))"
     first, last = minkref("events", frame, "disc", "--json").json["events"]
     assert (first["place"], last["place"]) == ([4, 4], [12, 4])

@@ -1,4 +1,4 @@
-"""Messages are true, and they recommend the thing that was asked for."""
+"""Messages are true, and they recommend the requested thing."""
 
 from __future__ import annotations
 
@@ -91,7 +91,8 @@ def test_what_is_wrong_is_said(
 
 
 def test_too_many_pieces_for_passages_or_a_proof_name_the_limit(tmp_path: Path) -> None:
-    """They said `take the route edges`, which it was, and `scale them`, which changes nothing."""
+    """The messages once said `take the route edges`, the route in use, and `scale them`, which
+    changes nothing."""
     path = tmp_path / "comb.off"
     path.write_text(prism_over_comb(70), encoding="utf-8")
     comb = read_summand(str(path))
@@ -104,7 +105,7 @@ def test_too_many_pieces_for_passages_or_a_proof_name_the_limit(tmp_path: Path) 
 
 
 def prism_over_comb(teeth: int) -> str:
-    """OFF of a comb with so many teeth, one high."""
+    """OFF text of a comb with `teeth` teeth and height 1."""
     outline = [(0, 0), (2 * teeth, 0)]
     for k in range(teeth - 1, -1, -1):
         outline += [(2 * k + 2, 3), (2 * k + 1, 3), (2 * k + 1, 1)] if k else [(2, 3), (0, 3)]

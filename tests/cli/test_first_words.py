@@ -1,4 +1,4 @@
-"""First words of a new user: the version, completion, a word that is nearly right."""
+"""First words of a new user: the version, completion, an almost right word."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ def test_version_is_that_of_the_package(minkref: Minkref) -> None:
     assert (ran.code, ran.out) == (0, f"minkref {package.__version__}\n")
 
 
-# Packages that `pip install minkref` does not bring; NumPy is asked for where arrays are.
+# Packages that `pip install minkref` omits; only arrays need NumPy.
 OPTIONAL = (
     "gmpy2", "hypothesis", "matplotlib", "numpy", "plotly", "pyarrow", "rfc3987_syntax", "sympy",
 )  # fmt: skip

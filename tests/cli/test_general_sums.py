@@ -1,4 +1,4 @@
-"""`minkref sum` of polyhedra of any shape."""
+"""`minkref sum` of general polyhedra."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def test_a_convex_sum_has_one_form_by_all_routes(minkref: Minkref, write: Any) -
     values = [summed(minkref, P, Q, "--scale", "1,2/3,1", "--route", r) for r in CONVEX + GENERAL]
     assert len({value["digest"] for value in values}) == 1
     assert all(value["convex"] and value["result"] == values[0]["result"] for value in values)
-    # what is not convex may have a convex sum: the cavity is filled
+    # A non-convex operand may have a convex sum: the cavity is filled.
     hollow, big = write("hollow.off", hollow_cube()), write("big.off", cube(2))
     filled = summed(minkref, hollow, big)
     assert filled["convex"] and filled["volume"] == "125"

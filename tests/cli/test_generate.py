@@ -1,4 +1,4 @@
-"""`minkref generate`, and its cases in other commands."""
+"""`minkref generate`, and other commands on the generated cases."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_a_case_can_be_verified(minkref: Any) -> None:
 def test_a_bad_case_in_a_corpus_is_refused(
     minkref: Any, tmp_path: Path, text: str, code: str
 ) -> None:
-    """Not passed over in silence."""
+    """Bad files are refused, not silently skipped."""
     path = tmp_path / "bad.json"
     path.write_text(text, encoding="utf-8")
     words = ("verify", "minkref", "--suite", "corpus", "--corpus", str(tmp_path), "--json")
@@ -114,7 +114,7 @@ def test_a_refusal_comes_whole_out_of_another_process() -> None:
 
 
 def test_neither_processes_nor_their_number_change_the_files(minkref: Any, tmp_path: Path) -> None:
-    """Rows come by family in the order of the names, then by number."""
+    """Rows come by family in name order, then by number."""
     rows = []
     for jobs in "12":
         words = ("fits-slot", "invalid-empty-file", "--count", "4", "--jobs", jobs, "--json")
@@ -159,7 +159,7 @@ def test_members_are_not_asked_for_long_before_they_are_taken(jobs: int) -> None
 def test_the_source_of_a_case_is_the_command_that_makes_it(
     minkref: Any, tmp_path: Path, words: tuple[str, ...]
 ) -> None:
-    """And a member alone is that of the run."""
+    """A single member equals the same member of a whole run."""
     assert minkref("generate", *words, "--jobs", "1", "-o", tmp_path / "one").code == 0
     one = files(tmp_path / "one")
     assert len(one) == 2
@@ -246,7 +246,7 @@ def below_a_file(folder: Path) -> Path:
 def test_a_folder_that_cannot_be_made_is_refused(
     minkref: Any, tmp_path: Path, made: Any, jobs: str
 ) -> None:
-    """Before the first family in it is made."""
+    """The refusal comes before any member of the first family."""
     folder = made(tmp_path)
     before = sorted(tmp_path.rglob("*"))
     words = ("fits-hole", "fits-slot", "--count", "1", "--jobs", jobs, "--json")
@@ -260,7 +260,7 @@ def test_a_folder_that_cannot_be_made_is_refused(
 def test_a_full_disk_is_refused_and_leaves_no_half_of_a_member(
     minkref: Any, tmp_path: Path, jobs: str
 ) -> None:
-    """Where there is room for one file of the two, but not for the other."""
+    """The limit leaves room for only the smaller of two files."""
     words = ("generate", "fits-slot", "--count", "3", "--jobs")
     assert minkref(*words, "1", "-o", tmp_path / "whole").code == 0
     limit = min(map(len, files(tmp_path / "whole").values()))
@@ -279,7 +279,7 @@ def test_a_full_disk_is_refused_and_leaves_no_half_of_a_member(
 def test_a_certificate_is_not_written_without_its_case(
     minkref: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str
 ) -> None:
-    """Nothing is, before both texts are there."""
+    """No file is written before both texts exist."""
 
     def broken(_: Degenerate) -> NoReturn:
         raise RuntimeError("a fault of ours")
@@ -292,7 +292,8 @@ def test_a_certificate_is_not_written_without_its_case(
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
 def test_processes_end_with_the_command(tmp_path: Path, number: signal.Signals) -> None:
-    """Its output is closed only when all of them are gone. Files are whole, none is left over."""
+    """Output closes only after all processes have gone. Files are whole, and no temporary file
+    remains."""
     words = ("generate", "fits-slot", "--count", "10000000", "--jobs", "2", "-o", str(tmp_path))
     streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     with started(program(*words), **streams) as running:

@@ -1,4 +1,4 @@
-"""`minkref generate` and `minkref families` of what is degenerate or invalid in space."""
+"""`minkref generate` and `minkref families` for degenerate or invalid solids."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_sizes(minkref: Any, tmp_path: Path) -> None:
 
 
 def test_invalid_meshes_at_once(minkref: Any, tmp_path: Path) -> None:
-    """Each is refused for the reason that is told beside it."""
+    """Each mesh is refused for the reason stated beside it."""
     out = tmp_path / "out"
     ran = minkref("generate", "invalid-mesh", "--count", "2", "-o", out, "--json")
     assert {row["family"] for row in ran.json["cases"]} == set(INVALID_MESH_FAMILIES)

@@ -1,5 +1,5 @@
-"""A hint that is followed leads to no other question: of all commands, in each setting, with every
-option, right and misspelt, what the refusals recommend is tried."""
+"""Following a hint leads to no other question: for all commands, in each setting, with every
+option, right or misspelt, the recommendations of refusals are tried."""
 
 from __future__ import annotations
 
@@ -155,12 +155,12 @@ def test_what_a_hint_recommends_is_accepted(
 
     @cache
     def error_of(*words: str) -> dict[str, str] | None:
-        """None of a line that is taken."""
+        """The refusal of a line; None if the line is accepted."""
         refused = minkref(*words).code == 2 and refusals[-1]["code"] not in OF_THE_NUMBERS
         return refusals[-1] if refused else None
 
     def after(line: Words) -> list[Words]:
-        """The line itself where it is taken, else all that its hint leads to."""
+        """The line itself if it is accepted, otherwise all lines that its hint leads to."""
         nonlocal followed
         error = error_of(*line)
         if error is None:

@@ -1,4 +1,4 @@
-"""A command imports what it uses: what all of them import is paid for by each start."""
+"""A command imports only the modules that it uses: each start pays for shared imports."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def modules(*arguments: str) -> set[str]:
 
 
 def commands(names: set[str]) -> set[str]:
-    """Modules of single commands, in the plane and in space, and their pages."""
+    """Modules and pages of single commands, in the plane and in space."""
     shared = ("minkref.cli", "minkref.verbs.lists", "minkref.schemas")
     return {
         name for name in names if name.startswith("minkref.verbs.") and not name.startswith(shared)

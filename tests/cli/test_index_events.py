@@ -1,4 +1,4 @@
-"""--index and the route index of `events`: the events are those by dynamic update."""
+"""`events` with --index or the route index lists the same events as dynamic update."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from index_runs import (
 from minkref import _core
 from minkref.plane.operand import read_operand
 
-# With holes that are born, die, merge and split.
+# Pairs whose holes are born, die, merge and split.
 EVENTFUL = ("letters", "islands", "several components")
 
 
@@ -78,7 +78,7 @@ def test_a_window_may_be_narrower_than_that_of_the_index(
             narrow = ask(minkref, "events", P, Q, *options, "--index", path)
             moved = ask(minkref, "events", P, Q, *options, "--route", "dynamic")
             assert account(narrow, names=False) == account(moved, names=False)
-            # A feature keeps the name that it has in the window of the index.
+            # A feature keeps its name from the index's window.
             whole = ask(minkref, "events", P, Q, "--kind", kind, "--index", path)
             kept = [
                 {**event, "rank": None}
@@ -119,7 +119,7 @@ def test_events_written_to_a_file_are_those_that_are_printed(
 
 
 def segment(row: Any, P: Any, Q: Any, scale: Fraction) -> Any:
-    """Both ends of an edge of the convolution."""
+    """Both ends of a convolution edge."""
     kind, _, edge_ring, edge, vertex_ring, vertex = row
     own, other = (P, Q) if kind == "S" else (Q, P)
     ring = own[edge_ring]

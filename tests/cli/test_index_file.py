@@ -1,4 +1,4 @@
-"""`minkref index`: its document, its file; builds that do not come to their end."""
+"""`minkref index`: its document, its file, and builds that do not finish."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def test_a_pipe_is_written_to_and_stays_a_pipe(minkref: Minkref, tmp_path: Path)
 
 # Builds that do not come to their end.
 
-# Says so when the build begins; LAST stands for what happens before the file takes its name.
+# Announces the build's beginning; `last` runs before the file takes its name.
 SLOW = """
 import os, signal, sys
 from minkref.output import documents
@@ -151,7 +151,7 @@ sys.exit(run(sys.argv[1:]))
 
 @contextmanager
 def begun(path: Path, P: str, Q: str, last: str = "") -> Iterator[subprocess.Popen[str]]:
-    """A build that has begun."""
+    """A build in progress."""
     command = ["index", P, Q, "-o", str(path), "--threads", "1", "--check", "0"]
     streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     with started(

@@ -42,7 +42,7 @@ def test_a_page_shows_the_same_by_both_routes(
         for field in ("window", "P", "Q", "S", "T", "scales", "about", "kinds", "holes",
                       "components"):  # fmt: skip
             assert data[field] == expected[field], field
-        # Without the places, of which a route may name any.
+        # Compares without places, which each route may choose freely.
         topology = [[row[:-1] for row in page["topology"]] for page in (data, expected)]
         assert topology[0] == topology[1]
         decoders = Decoder(data), Decoder(expected)
@@ -54,7 +54,7 @@ def test_a_page_shows_the_same_by_both_routes(
 
 
 def drawn(page: Decoder, state: int, scale: float) -> Any:
-    """The rings of a state as points, with what they bound, in one order."""
+    """A state's rings as points, with their features, in a fixed order."""
     rings = []
     for is_hole, component, hole, tracks in page.rings(state).values():
         points = [page.point(track, scale) for track in tracks]

@@ -1,4 +1,4 @@
-"""Indices of other operands or scales are refused, and builds that cannot succeed."""
+"""Indices for other operands or scales are refused, and so are builds that cannot succeed."""
 
 from __future__ import annotations
 
@@ -234,7 +234,7 @@ def test_no_route_of_that_name(minkref: Minkref, at: Path) -> None:
 
 
 class Differing:
-    """An index that is wrong at the scales that it is asked about."""
+    """An index that errs at every scale asked for."""
 
     def __init__(self, index: _core.ScaleIndex) -> None:
         self._index = index

@@ -1,4 +1,4 @@
-"""--index and the route index of `sum` and `sweep`: sums of the other routes; all operands."""
+"""`sum` and `sweep` with --index or the route index: the other routes' sums; all operands."""
 
 from __future__ import annotations
 

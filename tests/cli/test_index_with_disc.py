@@ -19,7 +19,7 @@ NOTCH = "POLYGON ((0 0, 4 0, 4 4, 3 4, 2 1, 1 4, 0 4, 0 0))"
 
 
 def test_a_frame(minkref: Minkref, tmp_path: Path) -> None:
-    """Four parts from the corners of the hole to its middle, where it ends."""
+    """Four parts lead from the hole's corners to the middle, where the hole ends."""
     file = tmp_path / "frame.json"
     ran = minkref("index", FRAME, "disc", "-o", str(file), "--json")
     assert ran.code == 0

@@ -1,4 +1,4 @@
-"""Every misuse: exit code 2, what is wrong, where, and how to fix it; nothing written."""
+"""Every misuse: exit code 2, the fault, its place and its remedy; nothing written."""
 
 from __future__ import annotations
 

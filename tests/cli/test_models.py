@@ -1,4 +1,4 @@
-"""Models by name: shipped ones, and those of the folder MINKREF_MODELS."""
+"""Models by name: shipped models, and models from the folder MINKREF_MODELS."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`-o -`, devices and descriptors: one rule for every command that writes one text."""
+"""`-o -`, devices and descriptors: the same rule for every command that writes one text."""
 
 from __future__ import annotations
 

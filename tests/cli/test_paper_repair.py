@@ -1,5 +1,5 @@
 """`minkref sweep --repair literal` in space: the paper's own repair, readings, arithmetics, the
-trace, and what is true beside it."""
+trace, and the truth beside it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The table of docs/paper.md: it is made from the statements, misses none, and each of its commands
+"""The table of docs/paper.md comes from the statements, omits none, and each of its commands
 runs."""
 
 from __future__ import annotations

@@ -75,7 +75,8 @@ def test_events_of_the_program_stand_beside_the_exact_ones(minkref: Minkref) -> 
         off = abs(Fraction(row["scale"]) - Fraction(row["exact"])) / Fraction(row["exact"])
         assert off < Fraction(1, 2**170)
     assert any(row["scale"] != row["exact"] for row in found)
-    # Edges that touch at one scale are missed, conditions without a slope have one by rounding.
+    # Edges that touch at a single scale are missed; conditions without a slope get a slope by
+    # rounding.
     assert 0 < literal["missed"] < 20 < literal["invented"] < 200 < literal["right"]
 
     rational = minkref(*window, "--reading", "interval=printed").json

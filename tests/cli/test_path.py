@@ -30,7 +30,7 @@ def ranges(value: dict[str, Any]) -> list[tuple[str, str | None, bool, bool]]:
 
 @pytest.mark.parametrize("route", ["pieces", "contacts", "index"])
 def test_two_alone_is_valid_between_two_walls(minkref: Minkref, route: str) -> None:
-    """[2 s, 3 s] meets (1, 4) at s in (1/3, 2), and (6, 9) at s in (2, 9/2)."""
+    """[2 s, 3 s] meets (1, 4) for 1/3 < s < 2, and (6, 9) for 2 < s < 9/2."""
     value = minkref("path", PART, WALLS, "POINT (0 0)", "--route", route, "--json").json
     jsonschema.validate(value, schema("path"))
     assert ranges(value) == [

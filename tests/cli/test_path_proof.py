@@ -79,7 +79,7 @@ def test_names_that_are_none(minkref: Any, tmp_path: Path, name: str, why: str) 
 
 
 def test_no_file_is_lost(minkref: Any, tmp_path: Path) -> None:
-    """Keeps the files of an operand, of the other output, and of another case."""
+    """Keeps the files of an operand, of another output, and of another case."""
     part = tmp_path / "part.case.json"
     part.write_text('{"polygons": [{"outer": [[2, 0], [3, 0], [3, 1], [2, 1]]}]}', "utf-8")
     before = part.read_bytes()
@@ -99,7 +99,7 @@ def test_no_file_is_lost(minkref: Any, tmp_path: Path) -> None:
 
 
 def test_what_has_no_certificate_is_refused(minkref: Any, tmp_path: Path) -> None:
-    """A segment may touch along a seam of pieces; where it may not touch there is a proof."""
+    """A segment may touch along a seam of pieces; with contact forbidden a proof exists."""
     file = tmp_path / "it.cert.json"
     way = ("path", "LINESTRING (0 0, 1 0)", WALLS, "LINESTRING (0 2, 9 2)", "--certify", str(file))
     ran = minkref(*way)

@@ -1,5 +1,5 @@
-"""A sum with a disc as a polygon: the file as it is read, in exact numbers, is inside of the true
-sum or around it, and within the tolerance."""
+"""A sum with a disc as a polygon: read back exactly, the file's polygon lies inside the true sum or
+around it, and within the tolerance."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def squared_distance(p: Point, edges: list[Segment]) -> Fraction:
 
 
 def is_within(p: Point, edges: list[Segment]) -> bool:
-    """Inside of the edges, by crossings to the right."""
+    """Whether the edges enclose a point, by crossings to its right."""
     odd = False
     for (ax, ay), (bx, by) in edges:
         if (ay > p[1]) != (by > p[1]):
@@ -84,7 +84,7 @@ def look_at(
 
 
 def in_double(text: str) -> str:
-    """As a reader that rounds coordinates sees it."""
+    """The text as seen by a reader that rounds coordinates."""
     return re.sub(r"-?[0-9.]+", lambda found: str(Fraction(float(found[0]))), text)
 
 

@@ -37,14 +37,14 @@ INVALID = cache(pages._invalid)
 
 @pytest.fixture(autouse=True)
 def invalid_input_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Makes invalid input once: some of it is large, and each front page shows it."""
+    """Makes invalid input once: some files are large, and each front page shows them."""
     monkeypatch.setattr(pages, "_invalid", INVALID)
 
 
 def test_a_page_for_each_family(
     minkref: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Takes some cases of each family; `found` has a drawing of each of its cases."""
+    """Takes some cases of each family; `found` has a drawing for every case."""
     most, drawn = draws(1, COUNT_WITH_DISC + COUNT_OF_PATHS), draws(1, 2)
     counts: Counter[Path] = Counter()
     cases = []
@@ -82,9 +82,9 @@ def test_a_page_for_each_family(
 def test_what_meets_is_drawn_where_the_bodies_are_degenerate_only(
     minkref: Any, tmp_path: Path
 ) -> None:
-    """Facets of the sum that are the sum of two facets, or of a facet and an edge, are marked: some
-    at a scaling at which they are parallel, and none of that kind just beside it. Flags, and a row
-    for each case, are on the page."""
+    """Marks facets of the sum that come from two facets, or from a facet and an edge: some at the
+    scaling that makes them parallel, and none of this kind just beside. The page shows flags, and a
+    row for each case."""
     names = ("facet-along-edge-at-a-scaling", "needle-and-plate")
     for name in names:
         shutil.copytree(lint.CORPUS / name, tmp_path / "cases" / name)
@@ -118,7 +118,7 @@ Value = dict[str, Any]
 def corpus_of(
     folder: Path, change: Callable[[Value], str | None], family: str = "fits-slot"
 ) -> Path:
-    """A corpus of two cases: one of the corpus, and it changed. Returns the file of the latter."""
+    """A corpus with two cases: an original and its changed copy. Returns the copy's file."""
     whole = lint.case_paths(lint.CORPUS / family)[0].read_text(encoding="utf-8")
     value = json.loads(whole)
     text = change(value)
@@ -164,7 +164,7 @@ def told(name: str, member: Any) -> Callable[[Value], None]:
 def test_a_case_of_which_no_page_can_be_made_is_refused(
     minkref: Any, tmp_path: Path, change: Callable[[Value], str | None], code: str
 ) -> None:
-    """By the name of its file; and no page is written."""
+    """The refusal names the file, and no page is written."""
     refused(minkref, tmp_path, corpus_of(tmp_path, change), code)
 
 
@@ -206,7 +206,7 @@ def test_a_case_in_space_of_which_no_page_can_be_made_is_refused(
 
 
 def test_a_folder_may_hold_cases_in_the_plane_and_in_space(minkref: Any, tmp_path: Path) -> None:
-    """Each has its row in a table of its kind, and what a page can do without may be left out."""
+    """Each case has a row in its kind's table, and optional parts may be missing."""
     corpus_of(tmp_path, put("scales", [[1, 1, 1], ["1/2", 1, 1], ["3/2", 1, 1]]), "with-itself")
     plane = lint.case_paths(lint.CORPUS / "fits-slot")[0]
     (tmp_path / "cases" / "mine" / "c.json").write_bytes(plane.read_bytes())
@@ -246,7 +246,7 @@ def a_folder_for_a_page(folder: Path) -> str:
     "made", [a_file, a_folder_for_a_page, lambda folder: a_file(folder) + "/x", lambda _: "/proc/x"]
 )
 def test_pages_that_cannot_be_written_are_refused(minkref: Any, tmp_path: Path, made: Any) -> None:
-    """Before the first of them is."""
+    """The refusal precedes the first page."""
     name = made(tmp_path)
     corpus_of(tmp_path, lambda value: None)
     ran = minkref("report", "degeneracies", "--corpus", tmp_path / "cases", "-o", name, "--json")
@@ -258,7 +258,7 @@ def test_pages_that_cannot_be_written_are_refused(minkref: Any, tmp_path: Path, 
 def test_an_empty_name_is_not_the_folder_where_you_are(
     minkref: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, option: str
 ) -> None:
-    """It is a variable of a shell that is not set."""
+    """An empty option comes from an unset shell variable."""
     corpus_of(tmp_path, lambda value: None)
     monkeypatch.chdir(tmp_path / "cases")
     ran = minkref("report", "degeneracies", option, "")

@@ -1,4 +1,4 @@
-"""Answers of `minkref sum` about meshes in space that have to be rounded."""
+"""Answers of `minkref sum` about meshes in space that need rounding."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ TETRAHEDRON = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
 
 
 def written(minkref: Minkref, folder: Path, P: str, Q: str, *words: str, to: str = "off") -> Any:
-    """The document; the file is `sum.TO` in the folder."""
+    """Writes `sum.TO` into the folder and returns the document."""
     (folder / "p.off").write_text(P)
     (folder / "q.off").write_text(Q)
     output = folder / f"sum.{to}"
@@ -31,7 +31,7 @@ def written(minkref: Minkref, folder: Path, P: str, Q: str, *words: str, to: str
 
 
 def as_doubles(path: Path) -> tuple[list[list[float]], list[list[int]]]:
-    """An OFF file as a program reads it that knows nothing of exact numbers."""
+    """An OFF file as read by a program without exact numbers."""
     _, counts, *rows = path.read_text().splitlines()
     vertices, faces = map(int, counts.split()[:2])
     points = [[float(number) for number in row.split()] for row in rows[:vertices]]
@@ -39,7 +39,7 @@ def as_doubles(path: Path) -> tuple[list[list[float]], list[list[int]]]:
 
 
 def test_the_report_is_of_the_doubles_in_the_file(minkref: Minkref, tmp_path: Path) -> None:
-    """By the file alone and the exact mesh beside it: how far vertices moved, and what is bent."""
+    """Compares the file with the exact mesh: how far vertices moved, and which faces are bent."""
     for P, Q in ((cube(), cube()), (prism(L), cube()), (frame(), prism(L, "1/7"))):
         exact = written(minkref, tmp_path, P, Q, "--scale", "1/3,2/7,1/11", to="json")
         assert (exact["output_exact"], exact["rounding"]) == (True, None)
@@ -72,7 +72,7 @@ def test_what_is_exact_has_no_report(minkref: Minkref, tmp_path: Path) -> None:
 
 
 def test_slanted_polygons_bend(minkref: Minkref, tmp_path: Path) -> None:
-    """A slab between two slanted squares: each of its faces as Fraction has it, by the file."""
+    """A slab between two slanted squares: each face read from the file as Fractions."""
     ring = [(x, y, Fraction(x, 3) + Fraction(y, 7)) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
     above = [(x, y, z + 1) for x, y, z in ring]
     walls = [[k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k] for k in range(4)]
@@ -89,7 +89,7 @@ def test_slanted_polygons_bend(minkref: Minkref, tmp_path: Path) -> None:
             + u[2] * (v[0] * w[1] - v[1] * w[0])
         )
     assert told["rounding"]["bent_faces"] == bent > 0
-    # Bent faces are no faces of a polyhedron; cut into triangles they are.
+    # Bent faces are no faces of a polyhedron, but their triangles are.
     assert told["rounding"]["fault"] is None
     with pytest.raises(BadInput) as refused:
         _core.Polyhedron(points, faces).validate()
@@ -142,7 +142,7 @@ def test_a_sum_that_touches_itself_is_told_apart(minkref: Minkref, tmp_path: Pat
 
 
 def test_beyond_doubles_a_warning_is_said(minkref: Minkref, tmp_path: Path) -> None:
-    """A length of ten to the 400 is written exactly, a third beside it is not."""
+    """A length of ten to the 400 is written exactly, but a third is not."""
     bar = prism([(0, 0), (10**400, 0), (10**400, "1/3"), (0, "1/3")])
     told = written(minkref, tmp_path, bar, off([(0, 0, 0)], []))
     assert (told["output_exact"], told["rounding"]) == (False, None)

@@ -1,4 +1,4 @@
-"""Files that belong together: all of them are written, or none; and the same ones by each run."""
+"""Files that belong together: a run writes all or none, and every run writes the same."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ for name, words in json.loads(sys.argv[1]).items():
 
 @pytest.fixture(scope="module")
 def twice(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """Folders with what all commands have written in two runs, whose sets are in other orders."""
+    """Folders with all commands' output from two runs, whose sets are ordered differently."""
     folders = [tmp_path_factory.mktemp("run") for _ in range(2)]
     for seed, folder in enumerate(folders, start=1):
         words = [sys.executable, "-c", ALL_OF_THEM, json.dumps({**SEVERAL, **ONE}), str(folder)]
@@ -82,7 +82,7 @@ def test_two_runs_write_the_same_bytes(name: str, twice: list[Path]) -> None:
 
 @pytest.mark.parametrize("name", SEVERAL)
 def test_a_full_disk_leaves_none_of_them(name: str, tmp_path: Path) -> None:
-    """Where there is room for the smallest file, but not for the largest."""
+    """The limit leaves room for the smallest file, but not for the largest."""
     assert run(SEVERAL[name], tmp_path / "whole").returncode == 0
     sizes = sorted(map(len, files(tmp_path / "whole").values()))
     assert len(sizes) > 1
@@ -91,7 +91,7 @@ def test_a_full_disk_leaves_none_of_them(name: str, tmp_path: Path) -> None:
     def full() -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
 
-    # Without --no-check there is no room for the temporary files of the checker either.
+    # Without --no-check the checker's temporary files have no room either.
     for more in [(), ("--no-check",)] if name.startswith("certify") else [()]:
         ran = run((*SEVERAL[name], *more), tmp_path / "full", full)
         assert ran.returncode == 2, ran.stderr

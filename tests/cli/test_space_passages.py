@@ -1,4 +1,4 @@
-"""`minkref sum --passages` of polyhedra."""
+"""`minkref sum --passages` with polyhedra."""
 
 from __future__ import annotations
 

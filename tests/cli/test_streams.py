@@ -1,4 +1,4 @@
-"""Standard streams that are closed, full, or of another encoding; signals."""
+"""Standard streams that are closed, full, or differently encoded; signals."""
 
 from __future__ import annotations
 
@@ -71,7 +71,8 @@ def test_names_that_the_stream_cannot_say_are_escaped(encoding: str) -> None:
 
 
 def seconds_of(process: subprocess.Popen[bytes]) -> float:
-    """Processor seconds of a process. The start takes less than one, the rest is computation."""
+    """A process's processor seconds. The start takes less than one second, the rest is
+    computation."""
     words = Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
     return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
 

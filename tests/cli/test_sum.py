@@ -69,7 +69,7 @@ def test_peg_that_fits_a_hole_exactly_is_a_tight_passage_with_what_it_touches(
     frame.write_text(FRAME, encoding="utf-8")
     value = minkref("sum", frame, squares[1], "--route", route, "--json").json
     jsonschema.validate(value, schema("sum"))
-    # Each side of the hole at the vertex of the peg that comes first along it.
+    # Each side of the hole at the peg's first vertex along that side.
     sides = [((1, 0), (0, 2)), ((1, 1), (0, 1)), ((1, 2), (0, 0)), ((1, 3), (0, 3))]
     contacts = [{"kind": "S", "edge": list(edge), "vertex": list(vertex)} for edge, vertex in sides]
     assert value["tight_passages"] == [{"points": [["2", "2"]], "contacts": [contacts]}]

@@ -30,7 +30,7 @@ def off(polyhedron: Polyhedron) -> str:
 
 
 def canonical(polyhedron: Polyhedron) -> str:
-    """Text of a hull whose vertices ascend and whose rings start at their least vertex."""
+    """A hull's text with ascending vertices and rings that start at their least vertex."""
     vertices = [[str(c) for c in vertex] for vertex in polyhedron.vertices]
     faces = sorted(polyhedron.faces)
     return json.dumps({"faces": faces, "vertices": vertices}, separators=(",", ":"))

@@ -1,4 +1,4 @@
-"""Pictures of a sum: in the terminal, and as SVG with its operands beside it."""
+"""Pictures of a sum: in the terminal, and as SVG beside its operands."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ def test_an_encoding_without_braille_is_refused() -> None:
 
 
 def panes(path: Path) -> tuple[list[str], list[tuple[float, float]]]:
-    """The captions, and width and height of what is drawn below each."""
+    """The captions, and each drawing's width and height."""
     root = ElementTree.parse(path).getroot()
     captions = [str(text.text) for text in root.findall(f"{SVG}text")]
     sizes = []
@@ -149,7 +149,7 @@ def panes(path: Path) -> tuple[list[str], list[tuple[float, float]]]:
 def test_operands_are_drawn_to_the_scale_of_the_sum(
     minkref: Minkref, tmp_path: Path, unit: str
 ) -> None:
-    """The box of a sum is as wide as those of its operands together."""
+    """The sum's box is as wide as both operands' boxes together."""
     e = unit.removeprefix("1")
     P = f"POLYGON ((0 0, 2{e} 0, 2{e} 1{e}, 0 0))"
     Q = f"POLYGON ((0 0, 1{e} 0, 1{e} 3{e}, 0 0))"

@@ -117,7 +117,7 @@ def test_tight_passages(minkref: Minkref) -> None:
 
 
 def test_the_tight_point_of_a_triangle(minkref: Minkref) -> None:
-    """The centre of the circle in a triangle with the sides 3, 4 and 5: lines of three fields."""
+    """The incircle's centre of a triangle with sides 3, 4 and 5: lines from three fields."""
     triangle = "POLYGON ((-9 -9, 9 -9, 9 9, -9 9, -9 -9), (0 0, 0 3, 4 0, 0 0))"
     ran = minkref("sum", triangle, "disc:1", "--json")
     assert [row["points"] for row in ran.json["tight_passages"]] == [[["1", "1"]]]
@@ -183,7 +183,7 @@ def test_measures_of_a_square(minkref: Minkref) -> None:
 def test_a_drawing_has_arcs_as_bulges(
     minkref: Minkref, tmp_path: Path, shape: str, radius: str, route: str
 ) -> None:
-    """Read again by ezdxf: as many rings, whose area and length are those of the sum."""
+    """ezdxf reads the file again: the ring count, area and length equal the sum's."""
     file = tmp_path / "sum.dxf"
     ran = minkref("sum", shape, f"disc:{radius}", "--route", route, "-o", file, "--json")
     assert (ran.code, ran.json["output_exact"]) == (0, False)

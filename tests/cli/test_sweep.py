@@ -1,4 +1,4 @@
-"""`minkref sweep`: each sum is that of `minkref sum`; scales, files and folders."""
+"""`minkref sweep`: each sum equals `minkref sum`'s; scales, files and folders."""
 
 from __future__ import annotations
 
@@ -203,7 +203,7 @@ def test_interrupted_sweep_leaves_whole_files_and_no_index(
     for count, path in enumerate(files, start=1):
         assert path.name == f"sum-{count:04}.json"
         assert _core.read_file(str(path)).vertices > 0
-    # The next sweep knows the folder by the mark, and replaces what is there.
+    # The next sweep recognises the folder by the mark, and replaces its contents.
     once = ("sweep", "g1", "g2", "--from", "1", "--steps", "1", "-o", folder)
     assert minkref(*once).code == 0
     assert sorted(path.name for path in folder.iterdir()) == ["index.json", "sum-0001.json"]

@@ -1,4 +1,4 @@
-"""Meshes of triangles: what any reader takes, by the numbers in the file alone."""
+"""Triangle meshes: every reader accepts them, judged by the file's numbers alone."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_each_edge_has_two_triangles(minkref: Minkref, tmp_path: Path, name: str
 
 
 def test_the_edge_of_the_towers_is_cut() -> None:
-    """Neither way to pair its faces tells its ends apart: each pair has a middle of its own."""
+    """Neither pairing of its faces separates its ends: each pair has a different midpoint."""
     bodies = [_core.read_mesh_text(text.encode(), "off")[0] for text in (spaced(TOWERS), cube())]
     found = _core.edge_sum_in_space(*bodies, ("1", "1", "1"))
     mesh = found.mesh("triangles")
@@ -116,7 +116,7 @@ def test_polyhedra_of_python_are_cut() -> None:
     assert box.cut_into_triangles().faces == 12
     text = minkref.write_mesh(box, "off", triangles=True)
     assert faults_of(read_as_written(text, "off")) == []
-    # The bottom is a square whose corners 0 and 2 also end an edge of a thin wedge on it.
+    # The bottom is a square whose corners 0 and 2 also end an edge of a thin wedge.
     points = [(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0), (2, 2, 9), (1, 3, 1), (3, 1, 1)]
     faces = [[3, 2, 1, 0], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [0, 2, 5], [2, 0, 6],
              [0, 5, 6], [2, 6, 5]]  # fmt: skip

@@ -57,7 +57,7 @@ def polygon(ring: Sequence[Point], z: Any = 0) -> str:
 
 
 def together(*texts: str) -> str:
-    """The bodies of several files in one."""
+    """Joins the bodies from several files."""
     points: list[list[str]] = []
     faces: list[list[int]] = []
     for text in texts:
