@@ -1,5 +1,5 @@
-"""The stand-alone programs, run with the libraries that are there: 0 where the library is right
-about the point, 1 where it is not (here: where the truth is turned around)."""
+"""The stand-alone programs, run with installed libraries: exit code 0 if the library is right about
+the point, 1 if not (here: if the truth is reversed)."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def built_and_run(made: Program, target: str, folder: Path) -> tuple[int, str]:
 
 
 def compiled(text: str, words: list[str], end: list[str], folder: Path) -> Path:
-    """The binary; that of the same text, compiler and CGAL is kept."""
+    """The binary; kept for the same text, compiler and CGAL."""
     said = subprocess.run([words[0], "--version"], capture_output=True, text=True, check=True)
     key = [text, *words, said.stdout, CGAL.read_text() if CGAL.is_file() else ""]
     kept = KEPT / hashlib.sha256(json.dumps(key).encode()).hexdigest()
@@ -84,7 +84,7 @@ def skip_without(target: str) -> None:
 
 
 def turned(finding: Finding) -> Finding:
-    """The same with the witness on the other side: a library that is right has a fault there."""
+    """The finding with its witness on the other side: a right library then has a fault."""
     witness = finding.outcome.witness
     assert witness is not None
     outcome = replace(finding.outcome, witness=replace(witness, in_truth=not witness.in_truth))

@@ -1,4 +1,4 @@
-"""Sums in space on the front page: by three, held against each other, and drawn."""
+"""Sums in space on the front page: by three routes, compared with each other, and drawn."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def block(*corners: tuple[int, int, int]) -> list[PlaneFaces]:
 
 
 def areas(svg: str) -> dict[str, int]:
-    """Points of the grid by shade."""
+    """Counts of grid points by shade."""
     found = {}
     for shade, runs in re.findall(r'class="sum (lit\d)" d="([^"]*)"', svg):
         found[shade] = sum(int(wide) for wide in re.findall(r"h(\d+)v", runs))

@@ -1,5 +1,5 @@
-"""Texts of others, as names, versions, messages and logs of targets, names of cases and titles of
-case files, stay text in every report: no markup, no link, nothing that a terminal obeys."""
+"""Foreign texts, such as names, versions, messages and logs of targets, case names and case file
+titles, stay text in every report: no markup, no link, nothing that a terminal obeys."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ READ = {"text", "softbreak", "code_inline"}
 
 
 def markup(text: str) -> set[str]:
-    """The kinds of inline marks in a text."""
+    """The kinds of inline marks used by a text."""
     parser = MarkdownIt("commonmark").enable(["table", "strikethrough"])
     found = {token.type for token in parser.parse(text) if token.type.startswith("html")}
     for token in parser.parse(text):

@@ -1,4 +1,4 @@
-"""A declared tolerance of any size is told, and no fault of ours."""
+"""Reports state a declared tolerance of any size, without failing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Other versions of a library among the targets are asked about each finding."""
+"""Other library versions among the targets are asked about each finding."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from minkref.reports.conformance import versions
 
 
 class Asked:
-    """In the place of a worker: 6.0.1 is right, 5.6 is wrong, 5.4 dies."""
+    """Replaces a worker: 6.0.1 is right, 5.6 is wrong, 5.4 dies."""
 
     def __init__(self, target: str, limits: Limits) -> None:
         self.target = target
