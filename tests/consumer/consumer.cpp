@@ -1,5 +1,5 @@
-// The sum of two unit squares at scale 3 is a square of side 4, by every route of the installed
-// library; and a unit square on its way through a gap of width 2 may be twice as large.
+// The sum of two unit squares at scale 3 is a 4 by 4 square, for every route of the installed
+// library; and a unit square may double on its way through a gap, 2 wide.
 #include <iostream>
 
 #include "reference/motion/path_diagram.hpp"
