@@ -38,7 +38,7 @@ TEST(ArcConvolution, OfNothingIsEmpty) {
   EXPECT_EQ(by(OffsetRoute::paper, {}, Rational(1)), R"({"components":[],"squared_radius":"1"})");
 }
 
-/// Without slits the number in the middle would be that of a ring: 0.
+/// Without slits, the middle would have a ring's number: 0.
 TEST(ArcConvolution, HoldsADiscThatHoldsAHole) {
   const PolygonSet frame{{{box(-9, -9, 9, 9), {clockwise(box(-1, -1, 1, 1))}}}};
   const ArcConvolution found = arc_convolution(frame, Rational(16));
@@ -47,7 +47,7 @@ TEST(ArcConvolution, HoldsADiscThatHoldsAHole) {
   EXPECT_EQ(found.offset.rings.size(), 1U);
 }
 
-/// Facing edges at the distance 2 ρ: the lines between cancel, and nothing is left of them.
+/// Facing edges 2 ρ apart: the lines between them cancel completely.
 TEST(ArcConvolution, JoinsAcrossARidge) {
   const PolygonSet P{{{box(0, 0, 1, 3), {}}, {box(3, 1, 4, 9), {}}}};
   EXPECT_EQ(arc_convolution(P, Rational(99, 100)).components, 2U);
@@ -85,7 +85,7 @@ TEST(ArcConvolution, GivesTheFormOfTheDefinitionForGridsAtCriticalRadii) {
   }
 }
 
-/// Off the axes, and with lengths that are no rational numbers.
+/// Turned off the axes, with irrational lengths.
 TEST(ArcConvolution, GivesTheFormOfTheDefinitionForTurnedGrids) {
   for (unsigned seed = 0; seed < testing::repetitions(30U); ++seed) {
     SCOPED_TRACE(seed);
@@ -123,8 +123,8 @@ TEST(ArcConvolution, GivesTheFormOfTheDefinitionForSegments) {
   }
 }
 
-/// The hole of a frame that two points pinch, with arms of 3, 4 and 5: discs touch off the axes, in
-/// a point that no other curve passes.
+/// Two points pinch the hole of a frame, with arms of 3, 4 and 5: discs touch off the axes, at a
+/// point on no other curve.
 TEST(ArcConvolution, SplitsAHoleWhereArcsTouch) {
   PolygonSet P{{{box(0, 0, 20, 12),
                  {{{1, 1},
@@ -190,14 +190,14 @@ TEST(ArcConvolution, TellsTwoCrossingsApart) {
   }
 }
 
-/// A line that ends on another one, where the radius is the height between.
+/// A line ends on another line, because the radius equals the height between them.
 TEST(ArcConvolution, MeetsACurveWhereAnotherEnds) {
   const PolygonSet P{{{box(-5, -2, 5, 0), {}}, {box(-2, 1, 0, 2), {}}}};
   expect_one_form(P, Rational(1));
   expect_one_form(far_away(P), Rational(5));
 }
 
-/// Roots decide.
+/// Roots decide where doubles cannot.
 TEST(ArcConvolution, DoesNotDependOnWhatDoublesTell) {
   std::uint64_t exact = 0;
   for (unsigned seed = 0; seed < testing::repetitions(12U); ++seed) {

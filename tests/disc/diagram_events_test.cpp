@@ -1,4 +1,4 @@
-// The radii at which the boundary of a sum with a disc changes: between them it does not.
+// The radii at which the boundary of a sum with a disc changes, and no change between them.
 #include "reference/disc/diagram/diagram_events.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using Kind = DiagramEvent::Kind;
 
-/// Rings of curves, and how many holes there are.
+/// The rings of curves and the hole count, as text.
 std::string structure(const PolygonSet& P, const Rational& squared_radius) {
   const OffsetRegion region = offset_region(P, squared_radius);
   const std::string text = canonical_json(region);
@@ -35,8 +35,8 @@ std::vector<Radius> distinct_radii(const DiagramEvents& found) {
   return radii;
 }
 
-/// Two radii in each gap between events, and one below and above: the curves are the same in a gap
-/// and other ones beyond an event.
+/// Two radii in each gap between events, and one below and above: the curves stay equal within a
+/// gap and differ beyond an event.
 void check(const PolygonSet& P) {
   const DiagramEvents found = diagram_events(P);
   const std::vector<Radius> radii = distinct_radii(found);
@@ -73,7 +73,7 @@ Rational power(unsigned exponent) {
   return Rational(boost::multiprecision::pow(Integer(10), exponent));
 }
 
-/// The same events of a set of any size, anywhere.
+/// A moved and scaled set has the same events.
 TEST(DiagramEvents, MoveAndGrowWithTheSet) {
   std::size_t events = 0;
   for (unsigned seed = 0; seed < testing::repetitions(40U); ++seed) {
@@ -105,7 +105,7 @@ TEST(DiagramEvents, MoveAndGrowWithTheSet) {
   EXPECT_GT(events, 50U);
 }
 
-/// A notch as small as it likes, in a square: all that it has is there.
+/// A notch in a square, at any size, has all its events.
 TEST(DiagramEvents, OfASmallNotch) {
   for (const unsigned exponent : {0U, 3U, 9U, 15U, 30U, 100U}) {
     SCOPED_TRACE(exponent);
@@ -127,8 +127,8 @@ TEST(DiagramEvents, OfASmallNotch) {
   }
 }
 
-/// Vertices that are almost as far from one point: a corner for each of them, however near they are
-/// to each other; and one of all where nothing is moved.
+/// Vertices almost equally far from a point: a corner for each vertex, however close the vertices;
+/// a single corner for all if nothing is moved.
 TEST(DiagramEvents, OfCornersThatAlmostCoincide) {
   const std::vector<Point> circle{{5, 0},  {4, 3},   {3, 4},  {0, 5}, {-3, 4},
                                   {-5, 0}, {-4, -3}, {0, -5}, {3, -4}};
@@ -155,7 +155,7 @@ TEST(DiagramEvents, OfCornersThatAlmostCoincide) {
   }
 }
 
-/// Places that were found before are proven, not trusted.
+/// Places found before are proven again, not trusted.
 TEST(DiagramEvents, AreProvenAgainFromTheirPlaces) {
   for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
@@ -196,7 +196,7 @@ TEST(DiagramEvents, OfAConvexSetAreNone) {
   EXPECT_TRUE(diagram_events({}).events.empty());
 }
 
-/// A notch between two corners: its bottom is reached, and it closes.
+/// A triangular hole closes at its centre.
 TEST(DiagramEvents, OfATriangularHole) {
   const PolygonSet P{{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{2, 2}, {2, 6}, {5, 2}}}}}};
   const DiagramEvents found = diagram_events(P);

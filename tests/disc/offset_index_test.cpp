@@ -1,5 +1,5 @@
-// The region read off the index is the static sum, at any radius; the counts of the history are
-// those of the static sum too.
+// At any radius, the region read off the index is the static sum, and the history's counts are the
+// static sum's counts.
 #include "reference/disc/index/offset_index.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ struct Built {
 
 std::size_t components(const OffsetRegion& region) { return region.components.size(); }
 
-/// Each vertex is the start of a piece, as far as both are known.
+/// Each vertex starts a piece, within the known bounds.
 void expect_vertices(const Built& built, std::uint32_t gap, double radius,
                      const OffsetRegion& expected) {
   IndexBoundary boundary;
@@ -90,7 +90,7 @@ void check_gaps(const Built& built, testing::Source& random, int most) {
   }
 }
 
-/// At radii of events whose squares are rational.
+/// Compares at event radii whose squares are rational.
 std::size_t check_events(const Built& built) {
   std::size_t looked_at = 0;
   const DiagramEvents& diagram = built.index.diagram();
@@ -119,7 +119,7 @@ TEST(OffsetIndex, IsTheStaticSumInGaps) {
   }
 }
 
-/// Diamonds that touch the sides of a frame from either side: less than half a turn is free there.
+/// Diamonds touch a frame's sides from either side: less than half a turn stays free there.
 TEST(OffsetIndex, WhereVerticesTouchEdges) {
   std::size_t looked_at = 0;
   for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
@@ -194,7 +194,7 @@ TEST(OffsetIndex, OfAPointASegmentAndNothing) {
   }
 }
 
-/// A square frame: its hole ends where the middle is reached.
+/// A square frame: its hole ends at the radius that reaches the middle.
 TEST(OffsetIndex, FollowsAHole) {
   const Ring outer{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, hole{{2, 2}, {2, 6}, {6, 6}, {6, 2}};
   const Built built(PolygonSet{{{outer, {hole}}}});
@@ -206,8 +206,8 @@ TEST(OffsetIndex, FollowsAHole) {
             RootNumber(4));
 }
 
-/// Two chambers of a hole, of different width: the narrower one leaves it, and ends first. Its
-/// largest disc leans on the corners of the door.
+/// A hole with two chambers of different width: the narrower chamber leaves the hole and ends
+/// first. Its largest disc leans on the door's corners.
 TEST(OffsetIndex, NamesTheHoleThatEndsLast) {
   const Ring outer{{0, 0}, {40, 0}, {40, 20}, {0, 20}};
   const Ring hole{{2, 2},   {2, 18}, {18, 18}, {18, 11}, {20, 11}, {20, 16},
@@ -225,8 +225,8 @@ TEST(OffsetIndex, NamesTheHoleThatEndsLast) {
   EXPECT_EQ(diagram.exact(diagram.events[first.ends_at]).squared_radius, RootNumber(64));
 }
 
-/// Two holes are born at one radius, at which a corner of the outside is as far from the boxes:
-/// each at the door that cuts it off.
+/// Two holes are born at the same radius, at which an outside corner is equally far from the boxes:
+/// each is born at the door that cuts it off.
 TEST(OffsetIndex, PutsEachBirthAtItsOwnDoor) {
   const auto box = [](int x, int y, int high) {
     return Polygon{{{x, y}, {x + 1, y}, {x + 1, y + high}, {x, y + high}}, {}};
@@ -250,8 +250,8 @@ TEST(OffsetIndex, PutsEachBirthAtItsOwnDoor) {
   EXPECT_TRUE(is_born_at(14, 12));
 }
 
-/// Three parts about one door are cut off there; a row of them, each at its own door; one that two
-/// doors cut off, at the first of both; what leads to one part only cuts nothing off.
+/// One door separates the three parts about it; each part of a row is cut off at a separate door; a
+/// part between two doors at the first; a way to a single part cuts nothing off.
 TEST(RadiusLevel, CutsOffPartsDoorByDoor) {
   using Ways = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   constexpr std::uint32_t outside = 7;
@@ -277,7 +277,7 @@ TEST(RadiusLevel, CutsOffPartsDoorByDoor) {
   EXPECT_TRUE(greatest.groups()[0].parts.empty());
 }
 
-/// Squares side by side become one component where they face each other, at that radius already.
+/// Squares side by side join when their discs reach the middle, at that very radius.
 TEST(OffsetIndex, JoinsFacingSquares) {
   const Ring a{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, b{{4, 0}, {6, 0}, {6, 2}, {4, 2}};
   const Built built(PolygonSet{{{a, {}}, {b, {}}}});

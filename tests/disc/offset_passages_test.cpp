@@ -60,12 +60,12 @@ TEST(OffsetPassages, OfATriangularHoleIsTheCentreOfItsCircle) {
   const PolygonSet P{{{square_ring(-1, -1, 9, 9), {{{0, 0}, {0, 3}, {4, 0}}}}}};
   EXPECT_EQ(as_texts(passages_of_set(P, 1)), Texts{"(1, 1)"});
   const PolygonSet Q{{{square_ring(-1, -1, 9, 9), {{{0, 0}, {0, 1}, {1, 0}}}}}};
-  // (2 - √2) / 2 is the radius, whose square is no rational number.
+  // The radius (2 - √2) / 2 has an irrational square.
   EXPECT_EQ(passages_of_set(Q, Rational(171572875, 2000000000)).size(), 0U);
 }
 
-/// Edges that face each other leave a gap whose ends are open, and corners of a boundary are not
-/// tight however many curves pass.
+/// Facing edges leave a gap with open ends, and a boundary's corners are not tight, however many
+/// curves pass there.
 TEST(OffsetPassages, AreNotWhereTheBoundaryOnlyTouchesItself) {
   EXPECT_EQ(as_texts(passages_of_set(
                 {{{square_ring(0, 0, 1, 3), {}}, {square_ring(3, 1, 4, 9), {}}}}, 1)),
@@ -107,8 +107,8 @@ TEST(OffsetPassages, SegmentsThatGoOnAreOne) {
   EXPECT_EQ(as_texts(passages_of_set(P, 1)), Texts{"(0, 2)-(8, 2)"});
 }
 
-// The definition: a point at the distance ρ from P is tight iff it is a limit of such points around
-// which none is farther.
+// The definition: a point at distance ρ from P is tight iff it is a limit of points, also at
+// distance ρ, without a farther point nearby.
 
 Rational squared_distance(const OffsetCurves& curves, const Point& x) {
   Rational least = -1;
@@ -123,8 +123,8 @@ Rational squared_distance(const OffsetCurves& curves, const Point& x) {
   return least;
 }
 
-/// Whether no point is farther, of some about it: straight ahead in many directions, and a little
-/// to both sides, by parts of the square of the way, as arcs bend. `axis`: of unit length, along
+/// Whether no sample point about x is farther: samples lie straight ahead in many directions, and a
+/// little to both sides, by parts of the squared step, as arcs bend. `axis` has unit length, along
 /// the grid.
 bool is_locally_farthest(const OffsetCurves& curves, const Point& x, const Direction& axis,
                          const Rational& square) {
@@ -143,7 +143,7 @@ bool is_locally_farthest(const OffsetCurves& curves, const Point& x, const Direc
   return true;
 }
 
-/// Cells of a grid, whole ones and some halves and quarters of them.
+/// Cells of a grid, some whole, some cut into halves and quarters.
 PolygonSet random_cells(testing::Source& random) {
   const int nx = random.between(3, 6), ny = random.between(3, 6);
   const testing::Mesh mesh = testing::random_mesh(random, nx, ny, testing::Grid::lattice);
@@ -173,7 +173,7 @@ bool is_on(const Point& x, const OffsetPassage& passage) {
   return compare(a.x * b.y, a.y * b.x) == 0 && sign(a.x * b.x + a.y * b.y) < 0;
 }
 
-/// Sets of cells with numbers of quarters, turned by a rational rotation or not.
+/// Sets of cells at radii in quarters, with or without a rational rotation.
 TEST(OffsetPassages, AreTheDefinitionOnALattice) {
   std::size_t tight = 0, segments = 0, asked = 0;
   for (unsigned seed = 0; seed < testing::repetitions(20U); ++seed) {
@@ -212,7 +212,7 @@ TEST(OffsetPassages, AreTheDefinitionOnALattice) {
           return {value(a.x) + part * (value(b.x) - value(a.x)),
                   value(a.y) + part * (value(b.y) - value(a.y))};
         };
-        // The ends of a segment are limits.
+        // A segment's ends are limits.
         for (const Rational& part : {Rational(1, 2), Rational(1, 7), Rational(9, 10)}) {
           EXPECT_EQ(squared_distance(curves, at(part)), square);
           EXPECT_TRUE(is_locally_farthest(curves, at(part), axis, square));
@@ -248,8 +248,8 @@ TEST(OffsetPassages, AreTheDefinitionOnALattice) {
   EXPECT_GT(asked, 1000U);
 }
 
-/// Points alone are maxima of the diagram, or where a ridge ends both ways; between events there is
-/// nothing tight.
+/// Single tight points are maxima of the diagram, or places where a ridge ends both ways; between
+/// events nothing is tight.
 TEST(OffsetPassages, AreAtEventsOfTheDiagram) {
   std::size_t maxima = 0;
   for (unsigned seed = 100; seed < 100 + testing::repetitions(20U); ++seed) {

@@ -41,7 +41,7 @@ TEST(OffsetRegion, RefusesARadiusThatIsNone) {
   EXPECT_THROW(offset_region({{{box(0, 0, 1, 1), {}}}}, Rational(0)), BadInput);
 }
 
-/// Corners at the distance 5: discs that touch do not join what they are about.
+/// Corners 5 apart: touching discs do not join the components around them.
 TEST(OffsetRegion, JoinsWhatOverlapsAndNotWhatTouches) {
   const PolygonSet P{{{box(0, 0, 1, 1), {}}, {box(4, 5, 5, 6), {}}}};
   EXPECT_EQ(counts(P, Rational(24, 4)), Counts(2, 0));
@@ -49,19 +49,18 @@ TEST(OffsetRegion, JoinsWhatOverlapsAndNotWhatTouches) {
   EXPECT_EQ(counts(P, Rational(26, 4)), Counts(1, 0));
 }
 
-/// Facing edges at the distance 2: all points between are inside once the discs reach the middle.
+/// Facing edges 2 apart: all points between them are inside once the discs reach the middle.
 TEST(OffsetRegion, JoinsAcrossARidge) {
   const PolygonSet P{{{box(0, 0, 1, 3), {}}, {box(3, 1, 4, 9), {}}}};
   EXPECT_EQ(counts(P, Rational(99, 100)), Counts(2, 0));
   EXPECT_EQ(counts(P, Rational(1)), Counts(1, 0));
   EXPECT_EQ(counts(P, Rational(101, 100)), Counts(1, 0));
-  // Edges that face each other in one point only do not.
+  // Edges that face each other at a single point do not join.
   const PolygonSet Q{{{box(0, 0, 1, 3), {}}, {box(3, 3, 4, 9), {}}}};
   EXPECT_EQ(counts(Q, Rational(1)), Counts(2, 0));
 }
 
-/// The first polygon has no part in the hole that the others leave, and is joined to them all the
-/// same.
+/// The first polygon joins the others, although it has no part in their hole.
 TEST(OffsetRegion, JoinsAcrossARidgeAlsoWithoutACommonRing) {
   const Ring open{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {6, 6}, {6, 8}, {0, 8}};
   const PolygonSet P{{{box(-4, 3, -2, 5), {}}, {open, {}}, {box(8, 0, 10, 8), {}}}};
@@ -70,8 +69,8 @@ TEST(OffsetRegion, JoinsAcrossARidgeAlsoWithoutACommonRing) {
   EXPECT_EQ(counts(P, Rational(101, 100)), Counts(1, 1));
 }
 
-/// A bump on a long plate: the edge of the plate is nearer to both ends of the arc about its tip,
-/// and farther from its middle.
+/// A bump on a long plate: the plate's edge is nearer to both ends of the arc about the bump's tip,
+/// and farther from the arc's middle.
 TEST(OffsetRegion, AnEdgeBlocksBothEndsOfAnArc) {
   const PolygonSet P{{{{{-6, -5}, {6, -5}, {0, 0}}, {}}, {box(-300, -20, 300, -6), {}}}};
   const OffsetRegion found = offset_region(P, Rational(10000));
@@ -81,7 +80,7 @@ TEST(OffsetRegion, AnEdgeBlocksBothEndsOfAnArc) {
   EXPECT_EQ(found.components[0].outer.curves.size(), 10U);
 }
 
-/// A frame with a slit between two points: the ring touches itself there, and is split.
+/// A frame with a slit between two points: the ring touches itself at the slit, and is split.
 TEST(OffsetRegion, HasAHoleWhereItsBoundaryTouchesItself) {
   const PolygonSet P{{{{{0, 0},
                         {12, 0},
@@ -98,7 +97,7 @@ TEST(OffsetRegion, HasAHoleWhereItsBoundaryTouchesItself) {
                        {}}}};
   EXPECT_EQ(counts(P, Rational(99, 100)), Counts(1, 0));
   EXPECT_EQ(counts(P, Rational(1)), Counts(1, 1));
-  // Points that face each other.
+  // The same with facing points.
   const PolygonSet Q{{{{{0, 0},
                         {12, 0},
                         {12, 4},
@@ -119,7 +118,7 @@ TEST(OffsetRegion, HasAHoleWhereItsBoundaryTouchesItself) {
   EXPECT_EQ(counts(Q, Rational(101, 100)), Counts(1, 1));
 }
 
-/// The hole of a frame is pinched by two points: it falls into two.
+/// Two points pinch the hole of a frame into two holes.
 TEST(OffsetRegion, CountsAPinchedHoleTwice) {
   const PolygonSet P{{{box(0, 0, 20, 12),
                        {{{1, 1},

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int all_of_a_segment = FeatureEvent::segment;
 
-/// Whether a point of its line or circle, given from its first point of P, is on a feature.
+/// Whether a feature holds a point of its line or circle, given relative to the feature's first
+/// point of P.
 bool is_on(const OffsetFeature& f, const RootPoint& from_first) {
   if (f.is_arc) {
     return sign(cross(numbers<RootNumber>(f.way[0]), from_first)) >= 0 &&
@@ -48,7 +49,8 @@ int shared_by_parallel(const OffsetFeature& a, const OffsetFeature& b, const Rat
   return low == high ? 1 : all_of_a_segment;
 }
 
-/// Points that two features share at a radius, whose square is given: curves that stand still.
+/// The points shared by two features at a radius, with that radius squared given: the curves stand
+/// still.
 int shared(const OffsetFeature& a, const OffsetFeature& b, const Rational& square) {
   if (b.is_arc && !a.is_arc) return shared(b, a, square);
   const Direction w = from_to(a.at[0], b.at[0]);
@@ -91,7 +93,7 @@ struct Numbers {
   std::map<std::string, std::size_t> changes;
 };
 
-/// All that the list says of one pair, against the count.
+/// Compares the whole event list of one pair with the count.
 void check_pair(const OffsetFeature& a, const OffsetFeature& b, Numbers& numbers) {
   const FeatureNumbers<Interval> near_a(a), near_b(b);
   FeaturePair pair(a, b, near_a, near_b);
@@ -190,12 +192,12 @@ TEST(DiscPairEvents, OfParallelEdgesByHand) {
 TEST(DiscPairEvents, OfArcsByHand) {
   EXPECT_EQ(told(arc({0, 0}, {3, -4}, {4, 3}), arc({6, 0}, {-3, 4}, {0, -1})),
             "9 0 1 2 birth; 225/16 2 2 1 death; 25 1 1 0 death");
-  // Both end in the middle, from one side, and from both.
+  // Both arcs end halfway, on the same side, then on opposite sides.
   EXPECT_EQ(told(arc({0, 0}, {0, -1}, {1, 0}), arc({6, 0}, {-1, 0}, {0, -1})), "9 0 1 1 birth");
   EXPECT_EQ(told(arc({0, 0}, {0, -1}, {1, 0}), arc({6, 0}, {0, 1}, {-1, 0})), "9 0 1 0 touch");
 }
 
-/// Below the floor, whose P is below it: the arc looks down at what grows towards it.
+/// P lies below the floor: the arc looks down at the floor growing towards it.
 TEST(DiscPairEvents, OfAnArcAndAnEdgeByHand) {
   const OffsetFeature floor = OffsetFeature::edge({9, 0}, {-9, 0});
   // They touch half way. To the right the arc ends when its end is as high as the line.
@@ -204,14 +206,14 @@ TEST(DiscPairEvents, OfAnArcAndAnEdgeByHand) {
             "4 1 1 0 death");
   EXPECT_EQ(told(arc({0, 0}, {-1, 0}, {3, -4}), floor), "");   // on the line
   EXPECT_EQ(told(arc({0, -2}, {-1, 0}, {3, -4}), floor), "");  // behind it
-  // An arc that looks away is met by both sides later; the edge ends.
+  // Both sides of an arc that looks away meet the line later; the edge ends.
   EXPECT_EQ(told(arc({0, 2}, {1, 0}, {-1, 0}), floor), "4 0 2 2 birth; 7225/16 2 2 0 death");
-  // One goes beyond the edge as the other comes to the arc.
+  // One point leaves the edge while the other reaches the arc.
   EXPECT_EQ(told(arc({0, 2}, {4, 3}, {-3, 4}), OffsetFeature::edge({6, 0}, {-9, 0})),
             "25 0 1 1 birth; 100 1 2 1 swap; 7225/16 1 1 0 death");
 }
 
-/// Squared radii with one sentence of the Appendix as printed, and whether the features meet there.
+/// Squared radii by one printed sentence of the Appendix, and whether the features meet there.
 std::string printed(const OffsetFeature& a, const OffsetFeature& b, Form DiscReadings::* sentence,
                     bool has_unit_radius = true) {
   const FeatureNumbers<Interval> near_a(a), near_b(b);
@@ -245,7 +247,7 @@ TEST(DiscPairEvents, AsTheAppendixPrintsThem) {
   const OffsetFeature a = arc({0, 0}, {3, -4}, {4, 3}), b = arc({6, 0}, {-3, 4}, {0, -1});
   EXPECT_EQ(printed(a, b, &DiscReadings::radical), "9 birth; 225/16 death; 25 death");
   EXPECT_EQ(printed(a, b, &DiscReadings::radical, false), "9 birth");
-  // The line that the circle touched at 1 stays: 5/4 is not 10/9, and the ends of it are not met.
+  // The line that the circle touched at 1 stays: 5/4 is not 10/9, and the line's ends are not met.
   EXPECT_EQ(printed(arc({0, 2}, {-1, 0}, {3, -4}), edge({1, 0}, {-9, 0}), &DiscReadings::line),
             "1 birth; 25/16 none, apart");
 }
@@ -255,7 +257,8 @@ bool are_same(const DiscPairEvent& x, const DiscPairEvent& y) {
          x.at == y.at && x.after == y.after && x.change == y.change;
 }
 
-/// A window keeps what is in it, and a limit the first; both by the order of the whole list.
+/// A window keeps its events, and a limit keeps the first events; both in the order of the whole
+/// list.
 TEST(DiscPairEvents, OfAWindowAndALimit) {
   std::size_t kept = 0;
   testing::Source random(3);
@@ -292,7 +295,8 @@ TEST(DiscPairEvents, OfAWindowAndALimit) {
   EXPECT_GT(kept, 5U);
 }
 
-/// On a small grid, so that ends meet ends, and edges are parallel; some in general position.
+/// A feature on a small grid, so that ends meet ends and edges are parallel; some are in general
+/// position.
 OffsetFeature random_feature(testing::Source& random) {
   for (;;) {
     const auto number = [&] { return Rational(random.between(-3, 3)); };

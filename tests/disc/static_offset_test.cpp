@@ -1,5 +1,5 @@
-// Offsets from the definition: distances of their pieces, and the area between those of sums with
-// polygons inside and outside of the disc.
+// Offsets by definition: distances of their pieces, and their area between the areas of sums with
+// polygons inside and outside the disc.
 #include "reference/disc/distance/static_offset.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ struct Spot {
 
 Spot spot(const Point& p) { return {to_double(p.x), to_double(p.y)}; }
 
-/// A piece in doubles: its ends, and of an arc the angles.
+/// A piece in doubles: its ends, and an arc's angles.
 struct Drawn {
   Spot from, to, middle;
   bool is_arc;
@@ -102,7 +102,7 @@ double area(const StaticOffset& offset) {
   return doubled / 2;
 }
 
-/// On the circle, by tangents of half angles.
+/// A polygon on the circle, from rational tangents of half angles.
 PolygonSet polygon_in_disc(const Rational& radius, int corners) {
   Ring ring;
   for (int k = 0; k < corners; ++k) {
@@ -147,8 +147,8 @@ TEST(StaticOffset, OfRandomRegions) {
   }
 }
 
-/// Half the distances between points of a grid: walls whose offsets fall on each other, arcs that
-/// touch, several curves through one point.
+/// Radii are half the distances between grid points: wall offsets coincide, arcs touch, several
+/// curves pass through a point.
 TEST(StaticOffset, OfGridsAtCriticalRadii) {
   for (unsigned seed = 0; seed < testing::repetitions(40U); ++seed) {
     SCOPED_TRACE(seed);
@@ -174,7 +174,7 @@ TEST(StaticOffset, OfASegmentIsAStadium) {
   EXPECT_NEAR(area(offset), 4 * std::numbers::pi + 20, 1e-12);
 }
 
-/// The hole of a frame of width 4 is a square until the radius is 2.
+/// The hole of a frame, 4 wide, is a square until the radius reaches 2.
 TEST(StaticOffset, FillsAHole) {
   const PolygonSet frame{
       {{{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, {{{-2, -2}, {-2, 2}, {2, 2}, {2, -2}}}}}};

@@ -1,5 +1,5 @@
-"""Each double that stands for an exact number of a sum with a disc is the nearest one, or between
-bounds that are as near as docs/disc.md says. Judged by numbers of 1,500 bits."""
+"""Each double written for an exact number of a sum with a disc is the nearest double, or lies
+within bounds as close as docs/disc.md says. Numbers with 1,500 bits judge."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ def look_at_sum(P: _core.PolygonSet, square: Fraction, where: str) -> TrueBounda
 
 
 def look_at_piece(piece: Any, truth: TrueBoundary, where: str) -> None:
-    """An arc's ends are on its circle, and its bulge is that of the angle: both as far as the
-    roundings of the ends allow."""
+    """Checks that an arc's ends lie on the circle and that its bulge fits the angle, both within
+    the ends' rounding."""
     kind, x0, y0, x1, y1, cx, cy, bulge = piece
     if kind == "line":
         assert bulge == 0
@@ -86,8 +86,8 @@ def look_at_index(index: _core.DiscIndex, radius: float, truth: TrueBoundary, wh
 
 
 def look_at_events(rows: Any, where: str) -> None:
-    """The bounds of a radius are next to each other with a root of its polynomial between; and its
-    place is as near to its vertices."""
+    """Checks that adjacent doubles bound a radius around a root of its polynomial, and that the
+    event's place is equally close to its vertices."""
     for _, square, polynomial, (low, high), (x, y), features in rows:
         assert high in (low, math.nextafter(low, math.inf)), where
         coefficients = [Rational(str(c)) for c in reversed(polynomial)]
@@ -127,7 +127,7 @@ def sum_of(shape: str, square: Fraction) -> tuple[_core.Offset, TrueBoundary]:
 
 
 def test_the_corner_of_a_slot_that_a_disc_just_fills() -> None:
-    """Walls that are parallel but for 10^-18: the apex of the hole is at (3/2, 5/2)."""
+    """Walls parallel except for 10^-18: the hole's apex is at (3/2, 5/2)."""
     slot = "POLYGON ((0 0, 3 0, 3 4, 2 4, 2.000000000000000001 1, 1 1, 1 4, 0 4, 0 0))"
     found, _ = sum_of(slot, Fraction("0.50000000000000000025") ** 2)
     starts = {(piece[1], piece[2]) for ring in drawn_rings(found) for piece in ring}
@@ -150,7 +150,7 @@ def test_vertices_beyond_doubles_are_refused() -> None:
 
 
 def test_numbers_that_are_doubles_are_these() -> None:
-    """A radius that is a double has both bounds there, and zero is 0."""
+    """Both bounds equal a radius that is a double, and zero is written 0."""
     frame = "POLYGON ((-4 -4, 4 -4, 4 4, -4 4, -4 -4), (-2 -2, -2 2, 2 2, 2 -2, -2 -2))"
     P = _core.read_text(frame, "wkt", "example")
     (row,) = [row for row in _core.diagram_events(P).rows(0, 99) if row[0] == "maximum"]

@@ -1,5 +1,5 @@
-"""The boundary of a sum with a disc in numbers of many bits, told by its canonical form alone: a
-judge of what is written. Shared with the library is what docs/disc.md says of the form."""
+"""The boundary of a sum with a disc in long binary numbers, from its canonical form alone: a judge
+of written numbers. It shares with the library only docs/disc.md's description of the form."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Point = tuple[Any, Any]
 
 @dataclass
 class TrueRing:
-    """Corners, each where the curve of its number starts, and the curves."""
+    """The corners, each at the start of the curve with its number, and the curves."""
 
     corners: list[Point]
     curves: list[list[str]]
@@ -48,7 +48,8 @@ class TrueBoundary:
         return dy / length, -dx / length, c / length + self.radius
 
     def _corner(self, first: list[str], second: list[str]) -> Point:
-        """Where the first curve, run with the sum on its left, enters what is near the second."""
+        """The point where the first curve, run with the sum on its left, enters the offset of the
+        second curve's feature."""
         if first[0] == second[0] == "line":
             (nx, ny, h), (mx, my, k) = self._line(first), self._line(second)
             turn = nx * my - ny * mx
@@ -101,7 +102,7 @@ class TrueBoundary:
 
 
 def _or_zero(value: Any) -> Any:
-    """No coordinate of the examples is as near to 0 as half of the bits tell, unless it is 0."""
+    """Rounds to zero: no example has a nonzero coordinate this close to 0."""
     return mpf(0) if abs(value) < mpf(2) ** (-BITS // 3) else value
 
 

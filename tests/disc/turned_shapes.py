@@ -1,5 +1,5 @@
-"""Sets on which doubles lose the corners of a sum with a disc: rectilinear ones, turned in
-doubles, and others."""
+"""Sets on which doubles lose the corners of a sum with a disc: rectilinear sets turned in doubles,
+and others."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ KINDS = ("slot", "walls", "flat", "street", "far", "board", "comb")
 
 
 def turned_shape(kind: str, dice: random.Random) -> tuple[Shape, Fraction]:
-    """The rings of a polygon set, outer ones, and the square of a radius at which it is hard."""
+    """A polygon set's outer rings, and a difficult squared radius."""
     if kind == "walls":
         return _walls(dice)
     angle = dice.uniform(0, 2 * math.pi)
@@ -43,7 +43,7 @@ def turned_shape(kind: str, dice: random.Random) -> tuple[Shape, Fraction]:
 
 
 def _walls(dice: random.Random) -> tuple[Shape, Fraction]:
-    """A slot that is wider at its bottom by very little, and a radius between both halves."""
+    """A slot with a slightly wider bottom, and a radius between both half widths."""
     more = Fraction(1, 10 ** dice.choice((8, 16, 18, 30)))
     shape = [[(0, 0), (3, 0), (3, 4), (2, 4), (2 + more, 1), (1, 1), (1, 4), (0, 4)]]
     half = Fraction(1, 2) + more * dice.choice((Fraction(1, 4), Fraction(1, 8), Fraction(7, 16)))
