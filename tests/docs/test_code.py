@@ -1,7 +1,7 @@
-"""Code in the pages does what they say.
+"""Code on the pages does what the pages say.
 
-Long code is run where the run is thorough: some of each kind stays, and test_links.py looks
-at the options of all commands. `minkref` is run in copies of this process."""
+Long code runs only if the run is thorough: some code of each kind stays, and test_links.py looks at
+the options of all commands. `minkref` runs inside copies of this process."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def shorter(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def taken(all_of_them: list[Block]) -> Iterator[Block]:
-    """Blocks that do not take long, each with the block that shows its output."""
+    """Quick blocks, each with the block that shows its output."""
     left_out = language = False
     for block in all_of_them:
         if "adapter new" in block.text:
@@ -78,7 +78,7 @@ def taken(all_of_them: list[Block]) -> Iterator[Block]:
 
 
 def in_a_copy(output: Callable[..., str]) -> Callable[..., str]:
-    """`output`, but for commands of minkref that need no shell."""
+    """Replaces `output` for commands of minkref that need no shell."""
 
     def wrapped(words: list[str], folder: Path, name: str, codes: tuple[int, ...] = (0,)) -> str:
         command = words[-1].split(" #")[0]

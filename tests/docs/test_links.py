@@ -1,4 +1,4 @@
-"""The pages lead nowhere that does not exist, and name no command or option that there is not."""
+"""The pages link to existing places, and name existing commands and options."""
 
 from __future__ import annotations
 

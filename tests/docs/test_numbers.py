@@ -1,4 +1,4 @@
-"""Numbers that the pages give of the project are those of the project."""
+"""Numbers on the pages agree with the project."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def test_families_of_the_strategies() -> None:
 
 def test_lines_of_a_program_that_is_an_adapter() -> None:
     templates = (ROOT / "fuzz/adapters/templates").glob("template.*")
-    # The template in C is a function in a library, no program.
+    # The C template is a library function, no program.
     lines = [len(t.read_text().splitlines()) for t in templates if t.suffix != ".c"]
     assert f"a program of {min(lines)} to {max(lines)} lines" in text("README.md")
 

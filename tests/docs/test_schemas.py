@@ -1,4 +1,4 @@
-"""The published schemas stand alone: what they refer to is one of their own definitions."""
+"""The published schemas stand alone: they refer only to their own definitions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The search of the site: what explains comes before what lists."""
+"""The site's search: explanations come before lists."""
 
 from __future__ import annotations
 
