@@ -1,4 +1,4 @@
-"""The evidence framework: what is kept, what runs again, what a summary says."""
+"""The evidence framework: kept results, repeated steps, and the summary's words."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ONE = Step("part/subject", Minutes(0.1, 0.5, 1.0))
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Results and code in a folder of the test's own."""
+    """Results and code, kept inside the test's own folder."""
     monkeypatch.setattr(places, "FOLDER", tmp_path / "build" / "evidence")
     monkeypatch.setattr(places, "ROOT", tmp_path)
     write(tmp_path, "code.cpp", "1")
@@ -130,8 +130,8 @@ def test_script_that_crashes_or_hangs_is_recorded_as_failed(
 def test_a_step_does_not_rest_on_what_keeps_and_tells_its_result(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A step that reads the summary, as one that builds the site, would be stale for ever, and a
-    word in the summary would make all of them stale."""
+    """Otherwise a step that reads the summary, like the site's builder, would be stale for ever,
+    and a word in the summary would make all steps stale."""
     monkeypatch.setattr(places, "FOLDER", tmp_path)
     names = ["docs/disc.md", *store.bookkeeping()]
     code = "".join(f"open({str(places.ROOT / name)!r}).close()\n" for name in names)
@@ -197,14 +197,14 @@ def test_a_step_is_a_module_that_runs(name: str) -> None:
 
 @pytest.mark.parametrize(("size", "most"), [(Size.QUICK, 5 * 2), (Size.WHOLE, 150)])
 def test_all_of_a_size_fits_into_its_time(size: Size, most: float) -> None:
-    """The quick one is minutes of both cores."""
+    """The quick size takes minutes on two cores."""
     declared = [step.minutes[size] or 0 for step in steps()]
     assert sum(declared) <= most
 
 
 def test_recount_of_the_convolution_on_two_triangles_by_hand() -> None:
-    """Two triangles that share the direction of one edge: each edge meets one vertex. A triangle
-    and itself: each edge is at the beginning of one turn and at the end of another."""
+    """Two triangles that share one edge direction: each edge meets one vertex. A triangle and
+    itself: each edge begins one turn and ends another."""
     P, Q = [[(0, 0), (4, 0), (0, 4)]], [[(0, 0), (0, -4), (4, 1)]]
     assert turns_of(P, Q) == (Turns(inside=2, begin=1, end=1), Turns(), 0)
     assert turns_of(Q, P) == (Turns(inside=2, begin=1, end=1), Turns(), 0)
@@ -212,8 +212,8 @@ def test_recount_of_the_convolution_on_two_triangles_by_hand() -> None:
 
 
 def test_recount_at_reflex_and_straight_vertices_by_hand() -> None:
-    """A dart with one reflex vertex, whose turn holds the direction of one edge; a vertex in the
-    middle of an edge is straight."""
+    """A dart with one reflex vertex, whose turn contains an edge direction; a vertex amid an edge
+    is straight."""
     triangle = [[(0, 0), (4, 0), (0, 4)]]
     dart = [[(0, 0), (9, -4), (4, 0), (9, 4)]]
     _, reflex, straight = turns_of([[(0, 0), (0, 5), (-5, 0)]], dart)

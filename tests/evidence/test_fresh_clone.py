@@ -1,4 +1,4 @@
-"""The step `fresh_clone`, on a small repository whose goals tell what they were given."""
+"""The step `fresh_clone`, on a small repository whose goals tell their arguments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The shipped models: generated anew they have the same bytes, and the sizes that they state."""
+"""The shipped models: generated again they have the same bytes, and their stated sizes."""
 
 from __future__ import annotations
 
@@ -61,8 +61,8 @@ def test_model_has_the_stated_vertices_and_holes(entry: dict) -> None:
 
 @pytest.mark.parametrize(("name", "radius"), [("disc1", "0.3669092445"), ("disc5", "1.834546223")])
 def test_disc_vertices_are_the_rounded_points_of_the_circle(name: str, radius: str) -> None:
-    """Each vertex is within half a unit of 10^-7 of a point at a 32nd of the turn: by the
-    double-angle formula exactly enclosed square roots give cos and sin of pi / 16."""
+    """Each vertex is within half a unit of 10^-7 from a point at a 32nd of the turn: the
+    double-angle formula with exactly enclosed square roots gives cos and sin of pi / 16."""
     (ring,) = read_rings(MODELS / f"{name}.poly")
     assert ring[0] == (Fraction(round(Fraction(radius) * 10**7), 10**7), 0)
 

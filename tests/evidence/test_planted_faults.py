@@ -1,4 +1,5 @@
-"""The faults that a test build can put into the reference: all are there, and only there."""
+"""The faults that a test build can put into the reference: the reference has all listed faults, and
+no user's build has any."""
 
 from __future__ import annotations
 

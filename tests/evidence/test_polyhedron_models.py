@@ -1,6 +1,6 @@
-"""The polyhedra that ship: exactly convex, of the sizes that they state, on the surfaces and with
-the symmetries that minkref/models/README.md claims. All by plain integers, from the bytes of the
-files."""
+"""The shipped polyhedra: exactly convex, with their stated sizes, on the surfaces and with the
+symmetries that minkref/models/README.md claims. Checked with plain integers, from the files'
+bytes."""
 
 from __future__ import annotations
 

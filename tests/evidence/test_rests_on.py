@@ -1,4 +1,5 @@
-"""Files that a result rests on: read by its processes, or C++ under it; and rows that are stale."""
+"""Files that a result rests on: files read by its processes, or C++ code beneath; and stale
+rows."""
 
 from __future__ import annotations
 
@@ -115,8 +116,8 @@ if __name__ == "__main__":
 
 
 def test_all_processes_record_what_they_read_and_start(tmp_path: Path) -> None:
-    """Pools of both kinds, commands, and what is given to programs; not what an empty environment
-    keeps from being heard."""
+    """Records pools of both kinds, commands, and programs' input, except where an empty environment
+    prevents it."""
     script = tmp_path / "reads.py"
     docs = [places.ROOT / "docs" / name for name in ("formats.md", "verify.md")]
     text = READS.replace("forked.md", docs[0].name).replace("spawned.md", docs[1].name)
@@ -144,7 +145,7 @@ def test_a_process_that_cannot_record_goes_on(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def rests_on(tmp_path_factory: pytest.TempPathFactory) -> dict[str, set[str]]:
-    """Files of two steps that were run, one in the plane and one with a disc."""
+    """Files used by two finished steps, one for the plane and one for a disc."""
     if absence():
         pytest.skip("CGAL's exact offset is not built")
     folder = tmp_path_factory.mktemp("results")

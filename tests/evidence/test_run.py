@@ -1,4 +1,4 @@
-"""`make evidence` itself: exit codes, what is run, and which summary is written."""
+"""`make evidence` itself: exit codes, the steps that run, and the summary that is written."""
 
 from __future__ import annotations
 
@@ -235,7 +235,8 @@ def test_a_row_is_of_the_last_commit_at_which_its_files_were_as_in_the_run(
 def test_a_step_that_runs_in_full_only_has_a_row_of_its_own(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Its old result would else make that of its part one of several commits, and stale."""
+    """Otherwise the step's old result would make its part's result one of several commits, and
+    stale."""
     monkeypatch.setattr(store, "changed_since", lambda commit: [])
     stage.steps.append(Step("second/hours", Minutes(None, None, 60.0)))
     stage.change("second/hours", "1")
@@ -277,7 +278,7 @@ def test_unknown_names_and_two_sizes_are_wrong_usage(
 def test_steps_that_run_alone_have_nothing_beside_them(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Two others are under way at once: each waits for the other."""
+    """Two other steps are under way together: each waits for the other."""
     meeting = threading.Barrier(2, timeout=60)
     under_way: set[str] = set()
     beside: dict[str, set[str]] = {}
@@ -302,7 +303,7 @@ def test_steps_that_run_alone_have_nothing_beside_them(
 def test_of_steps_at_once_the_longest_begin_first(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Else a core waits at the end for one that began last; one at a time they go by name."""
+    """Otherwise a core waits at the end for a late step; one job at a time takes steps by name."""
     stage.steps = [
         Step(f"first/{name}", Minutes(quick, 2.0 - quick, 3.0))
         for name, quick in (("longest", 1.5), ("middle", 0.7), ("zero", 0.1))

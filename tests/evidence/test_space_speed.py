@@ -1,4 +1,4 @@
-"""The steps about the speed of sums in space, and about larger pairs, on small ones."""
+"""The steps about the speed of sums in space, and about larger pairs, on small pairs."""
 
 from __future__ import annotations
 

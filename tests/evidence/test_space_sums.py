@@ -1,4 +1,4 @@
-"""The step about sums of polyhedra of any shape, on some of its pairs."""
+"""The step about sums of general polyhedra, on some of its pairs."""
 
 from __future__ import annotations
 

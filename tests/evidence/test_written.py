@@ -1,4 +1,4 @@
-"""The judge of written numbers: its readers, its own corners, and what it must not let pass."""
+"""The judge of written numbers: its readers, computed corners, and errors to find."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ def test_own_corners_area_and_length_of_a_square_and_a_disc() -> None:
 
 
 def test_own_corner_in_front_of_a_vertex_that_is_nearly_straight() -> None:
-    """A line enters what is near another one that is steeper by 1e-30."""
+    """A line enters the offset of a line steeper by 1e-30."""
     tiny = "1/1000000000000000000000000000000"
     rows = [["line", "1", "0", "0"], ["line", "1000000000000000000000000000000", "1", "0"]]
     form = {"components": [{"outer": rows, "holes": []}], "squared_radius": "1"}
