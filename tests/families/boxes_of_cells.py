@@ -1,4 +1,4 @@
-"""Sums of polycubes as unions of boxes, on a grid of the coordinates that occur: at any scale."""
+"""Sums of polycubes as unions of boxes, on a grid of all box coordinates, at any scale."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MOST_PAIRS, MOST_CELLS = 3000, 30_000
 
 
 def sum_by_boxes(P: Polyhedron, Q: Polyhedron, s: Fraction) -> str | None:
-    """The canonical text; None where one of the two is no polycube, or the grid is too large."""
+    """The canonical text; None if an operand is no polycube, or the grid is too large."""
     try:
         first, second = cells_of(P), cells_of(Q)
     except ValueError:
@@ -70,13 +70,14 @@ def _place(stops: list[list[Fraction]], corner: Cell) -> Place:
 
 
 def euler_by_points(P: Polyhedron, Q: Polyhedron, s: Fraction, x: Place) -> int:
-    """The Euler characteristic of what sP and x - Q, which are polycubes, have in common: a point
-    of each open cell, square, edge and vertex of a grid is asked whether it is in both."""
+    """The Euler characteristic of the intersection of sP and x - Q, both polycubes: tests whether a
+    point of each open cell, square, edge and vertex of a grid lies in both."""
     first = [tuple((s * c, s * c + s) for c in cell) for cell in cells_of(P)]
     second = [tuple((x[k] - c - 1, x[k] - c) for k, c in enumerate(cell)) for cell in cells_of(Q)]
     stops = [sorted({end for box in (*first, *second) for end in box[k]}) for k in range(3)]
     total = 0
-    # A point on a stop is a part of dimension 0 along the axis, one between two of dimension 1.
+    # A point on a stop is a part of dimension 0 along the axis, a point between stops of dimension
+    # 1.
     places = [
         [(stop, 1) for stop in stops[k]]
         + [((a + b) / 2, -1) for a, b in zip(stops[k], stops[k][1:], strict=False)]

@@ -1,5 +1,5 @@
-"""Helpers for tests of families: members that are made in other processes or again, faults
-of spoilt files, and vectors of their own."""
+"""Helpers for tests of families: members made again or by other processes, faults of spoilt files,
+and separate vector functions."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ LARGE = {"invalid-too-many-vertices", "invalid-too-many-digits"}  # some seconds
 
 
 def turn(values: Iterable[Value], place: int, laws: int) -> list[Value]:
-    """Those for one of several laws, which take turns; all where the run is thorough."""
+    """The values for one of several laws, which take turns; all values for a thorough run."""
     return list(values) if THOROUGH else list(values)[place::laws]
 
 
@@ -70,7 +70,7 @@ TELL = "import members; members.tell()"
 
 
 def digest_of(group: str, name: str, seed: int = SEED) -> str:
-    """Digest of the first members of a family, the last of them made first."""
+    """Digest of the first members of a family, made in reverse order."""
     families, _, count, make = GROUPS[group]
     made = [str(make(families[name], seed, k)) for k in reversed(range(count))]
     return sha256("".join(reversed(made)).encode()).hexdigest()[:16]
@@ -86,7 +86,7 @@ def tell() -> None:
 
 @cache
 def digests() -> dict[str, dict[str, str]]:
-    """By group and family, as two processes tell them, which hash otherwise and agree."""
+    """Digests by group and family, from two processes with different hash seeds that must agree."""
     running = [
         subprocess.Popen(
             [sys.executable, "-c", TELL],
@@ -105,8 +105,8 @@ def digests() -> dict[str, dict[str, str]]:
 
 
 def assert_made_again(folder: Path, count: int, make: Callable[[int], Made]) -> None:
-    """Asserts that the members in a folder of the corpus, and no more, are made again with the same
-    bytes; tries one member where the run is not thorough."""
+    """Asserts that the members made again have exactly the files of a corpus folder, byte for byte;
+    tries one member if the run is not thorough."""
     numbers = range(count) if THOROUGH else [len(folder.name) % count]
     made = [make(k) for k in numbers]
     files = [file for one in made for file in (one.case, one.beside) if file is not None]
@@ -126,7 +126,7 @@ def faults_of_spoilt(
     make: Callable[[Any, int, int], Made] = made_member,
     faults: Callable[[Path], Iterable[str]] | None = None,
 ) -> list[str]:
-    """Faults that lint finds where the case file of the first member is spoilt."""
+    """Faults that lint finds after the first member's case file is spoilt."""
     from minkref.degeneracies import lint  # slow to import, and not needed to make members
 
     if (family.name, seed) not in _MADE:

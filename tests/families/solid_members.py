@@ -1,4 +1,4 @@
-"""The members of the families of polyhedra of any shape that tests look at."""
+"""The members that tests look at, from the families of general polyhedra."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ COUNT = 2
 
 @cache
 def documents(name: str) -> list[Any]:
-    """As they are read from their files: one of the corpus, where few are drawn."""
+    """Case documents read from files: one of the corpus if few are drawn."""
     if not THOROUGH:
         return [json.loads(case_paths(CORPUS / name)[0].read_text(encoding="utf-8"))]
     print(f"{name} --seed {SEED}")

@@ -1,4 +1,4 @@
-"""The ties of a case of polyhedra of any shape, computed again from the case file alone."""
+"""The ties of a case of general polyhedra, computed again from the case file alone."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Read:
         return minus(b, a)  # type: ignore[arg-type]
 
     def normal(self, name: str, face: list[int]) -> Vector:
-        """Outwards: the sum of all its turns, as it runs."""
+        """The outward normal of a face: the sum of all turns along the face."""
         assert face in self.faces[name], "this is no face"
         return self.vector_area(name, face)
 
@@ -52,7 +52,7 @@ class Read:
         return found[True], found[False]
 
     def plane(self, feature: list[list[int]]) -> Plane:
-        """The plane of a facet of the convolution, with its outward normal."""
+        """The plane of a convolution facet, with outward normal."""
         p, q = feature
         if len(p) > 2:
             n = self.normal("P", p)
@@ -67,7 +67,7 @@ class Read:
         return x, y, z
 
     def _of_edges(self, p: list[int], q: list[int]) -> Vector:
-        """Both edges are convex: the normal is between those of the faces beside each."""
+        """The normal of two convex edges, which lies between the normals of each edge's faces."""
         n = cross(self.way("P", p), self.way("Q", q))
         left, right = self.sides_of_edge("P", p)
         return n if dot(left, self.way("Q", q)) - dot(right, self.way("Q", q)) >= 0 else (
@@ -106,7 +106,7 @@ def sign(value: Fraction) -> int:
 
 
 def value_of(row: Any, read: Read) -> int:
-    """Value of the predicate that a row names."""
+    """Value of the predicate named by a row."""
     what, features = row["what"], row["features"]
     p, q = features[0]
     if what in ("parallel-facets", "opposite-facets"):

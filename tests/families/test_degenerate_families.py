@@ -1,5 +1,5 @@
-"""Degenerate families: each member has what its family promises, a certificate that both checkers
-follow, and the same bytes every time. The corpus is in form, and is what would be made again."""
+"""Degenerate families: each member keeps its family's promise, has a certificate that both checkers
+follow, and has the same bytes every time. The corpus is well-formed and would be made again."""
 
 from __future__ import annotations
 
@@ -205,7 +205,7 @@ def test_lint_wants_the_canonical_form_and_no_case_twice(tmp_path: Path) -> None
 
 
 def test_the_example_reads_the_corpus_without_us(tmp_path: Path) -> None:
-    """A part of the corpus, where few are drawn."""
+    """Takes a part of the corpus if few are drawn."""
     few = ("hole-to-segment", "euler-zero", "with-itself", "solids-one-line")
     names = [path.name for path in lint.CORPUS.iterdir()] if THOROUGH else few
     for name in names:

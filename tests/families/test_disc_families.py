@@ -1,5 +1,5 @@
-"""Degenerate sums with a disc: each member has what its family promises, by distances that are
-computed here from the case file alone; both routes give what is expected."""
+"""Degenerate sums with a disc: each member keeps its family's promise, by distances computed here
+from the case file alone; both routes give the expected answer."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _MADE: dict[str, list[dict[str, Any]]] = {}
 
 
 def documents(name: str) -> list[dict[str, Any]]:
-    """Some of a family, as their files have them: the first of the corpus, where few are drawn."""
+    """Some case documents of a family: the corpus's first if few are drawn."""
     if name not in _MADE:
         texts = [min((case_faults.CORPUS / name).iterdir()).read_text(encoding="utf-8")]
         if THOROUGH:
@@ -58,8 +58,8 @@ def edges(value: dict[str, Any]) -> list[tuple[Spot, Spot]]:
 
 
 def nearest(value: dict[str, Any], x: Spot) -> tuple[Fraction, set[Spot]]:
-    """The squared distance of P, and the points of it that are as near: of each edge one of its
-    ends, or the point that a right angle leads to."""
+    """The squared distance from P, and P's nearest points: each edge offers its ends and the foot
+    of the perpendicular."""
     found: dict[Spot, Fraction] = {}
     for a, b in edges(value):
         dx, dy = b[0] - a[0], b[1] - a[1]
@@ -149,7 +149,7 @@ def test_families_show_what_their_titles_say() -> None:
 
 @pytest.mark.parametrize("name", ["disc-doors", "disc-edges-on-one-line"])
 def test_events_are_where_and_what_a_judge_finds(name: str) -> None:
-    """Births at one radius at their own doors; edges on one line by their own names."""
+    """Births at one radius have separate doors; edges on one line have separate names."""
     for value in documents(name):
         text = json.dumps(value["P"])
         assert faults_of(read_shape(text), rows_of(_core.PolygonSet.from_json(text))) == []

@@ -1,5 +1,5 @@
-"""Degenerate families of polyhedra of any shape as files: the same bytes every time, and what lint
-finds in spoilt ones."""
+"""Degenerate families of general polyhedra as files: the same bytes every time, and lint's faults
+for spoilt files."""
 
 from __future__ import annotations
 

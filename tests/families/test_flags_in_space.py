@@ -1,5 +1,5 @@
-"""Flags of cases in space, decided here again from the case file alone: each holds where it is
-given, and only there."""
+"""Flags of cases in space, decided again from the case file alone: each given flag holds, and no
+other flag does."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MILLION = 10**6
 
 
 class Solid:
-    """The hull of points, by normals and edges."""
+    """The hull of points, with normals and edges."""
 
     def __init__(self, points: list[Vector]) -> None:
         self.hull = convex_hull(points)
@@ -130,7 +130,8 @@ def flags_of(value: Any) -> set[str]:
 
 
 def unit_sum(n: Vector) -> Vector:
-    """Along n, of any length: the sum of two such is inside the arc between them."""
+    """Divides n by the sum of its absolute coordinates: two such vectors sum to a vector inside the
+    arc between them."""
     size = sum(map(abs, n))
     return n[0] / size, n[1] / size, n[2] / size
 
@@ -150,8 +151,9 @@ def test_flags_in_space_hold_where_they_are_given_and_only_there(name: str) -> N
 
 
 def test_close_scales_by_the_siblings() -> None:
-    """The nearest sibling is beside the scaling by 2^-61 or less of one factor, as no larger step
-    is apart from other critical factors; a smaller one is for a factor that is small itself."""
+    """The flag `close-scales` holds exactly if the nearest sibling is less than 2^-60 below the
+    scaling: 2^-61 of a factor or less, because larger steps would reach other critical factors.
+    Small factors have smaller steps anyway."""
     for name in SPACE_FAMILIES:
         for path in lint.case_paths(lint.CORPUS / name):
             value = json.loads(path.read_text(encoding="utf-8"))
@@ -161,7 +163,7 @@ def test_close_scales_by_the_siblings() -> None:
 
 
 def test_limits_of_integers_in_space() -> None:
-    """No member of the corpus has such a coordinate."""
+    """No member of the corpus has coordinates at a limit."""
 
     def flags(largest: int) -> list[str]:
         corners = [(Fraction(x), Fraction(y), Fraction(z)) for x in (0, largest)

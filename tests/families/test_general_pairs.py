@@ -1,4 +1,4 @@
-"""Pairs of polyhedra of any shape: valid, seeded, and of the promised sizes."""
+"""Pairs of general polyhedra: valid, seeded, with the promised sizes."""
 
 from __future__ import annotations
 
@@ -109,8 +109,8 @@ def test_two_cubes_that_touch_or_cross(shift: Point, crosses: bool) -> None:
 
 
 def test_a_face_folded_onto_its_neighbour() -> None:
-    """A pyramid whose tip has sunk into its base: faces overlap there. One whose tip has passed the
-    base crosses nothing."""
+    """A pyramid whose tip has sunk into its base has overlapping faces; a tip below the base makes
+    no crossing."""
     base = [at(0, 0, 0), at(6, 0, 0), at(6, 6, 0), at(0, 6, 0)]
     faces = ((0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4), (3, 2, 1, 0))
     for height, crosses in ((4, False), (0, True), (-4, False)):

@@ -76,7 +76,8 @@ def test_lines_of_whole_numbers_cross_in_fractions() -> None:
 
 
 def test_segments_meet_on_a_lattice_where_the_boundaries_say_so() -> None:
-    """All pairs of segments and points on four by four; the other way: where the lines cross."""
+    """Compares all pairs of segments and points on a four by four lattice with the crossing of
+    lines."""
     nodes = [(x, y) for x in range(4) for y in range(4)]
     segments = [(a, b) for a in nodes for b in nodes if a <= b]
     for a, b in segments[::3]:

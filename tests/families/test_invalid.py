@@ -1,4 +1,4 @@
-"""Invalid pairs: one operand is refused, and for the reason named."""
+"""Invalid pairs: one operand is refused for the named reason."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""Families of invalid input: each member is refused, by every command, for the reason named.
+"""Families of invalid input: every command refuses each member, for the named reason.
 
-Laws: a refusal has exit code 2, the code of the family, and all that a good message names; nothing
-is written; what is damaged is all that is wrong, so the operand was valid before; the slow engine,
-which shares no reader, refuses the same files.
+Laws: a refusal has exit code 2, the family's code, and all details of a good message; commands
+write nothing; the damage is the only fault, so the operand was valid before; the slow engine, which
+shares no reader, refuses the same files.
 """
 
 from __future__ import annotations

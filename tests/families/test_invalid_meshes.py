@@ -1,9 +1,8 @@
-"""Families of invalid meshes: each member is refused for the reason named, and what is damaged is
-all that is wrong with it.
+"""Families of invalid meshes: each member is refused for the named reason, and the damage is its
+only fault.
 
-Laws: the code is that of the family, and a good message holds the place; a command exits with 2 and
-writes nothing; a member depends on seed and number alone; what is drawn before the damage is a
-convex body.
+Laws: the code is the family's, and a good message holds the place; a command exits with 2 and
+writes nothing; a member depends on seed and number alone; the body before the damage is convex.
 """
 
 from __future__ import annotations
@@ -58,7 +57,7 @@ def written(member: Invalid, folder: Path) -> Path:
 
 
 def test_there_is_a_family_for_each_documented_refusal() -> None:
-    """Checks the table of polyhedra, limits of a million faces aside, and four codes outside it."""
+    """Checks the table of polyhedra, except limits of a million faces, and four further codes."""
     text = DOCUMENTED.read_text(encoding="utf-8")
     rows = text[text.index("first byte. Its code is one of those below, or:") :]
     table = [row for row in rows[: rows.index("## Refusals")].splitlines() if row.startswith("| `")]

@@ -1,6 +1,6 @@
-"""Each generator draws each of its kinds, and each together with each other choice. Where two
-choices are residues of one number some pairs of them never come: a kind that is never drawn tests
-nothing, and looks like one that passes."""
+"""Each generator draws each kind, and combines each kind with each other choice. If two choices are
+residues of one number, some pairs never come: a kind never drawn tests nothing, and looks like a
+kind that passes."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ Kind = tuple[object, ...]
 
 
 def of_invalid(index: int) -> Kind:
-    """Its kind, and whether the first operand is the valid one."""
+    """The kind of invalid pair, and whether the first operand is the valid one."""
     kind, P, _ = invalid_pair(SEED, index)
     return kind, is_valid(P)
 
@@ -99,7 +99,7 @@ def test_each_position_comes_with_both_rules_of_contact() -> None:
 
 
 def test_scales_that_are_valid_alone_are_asked_about() -> None:
-    """One of thirty cases has one, at the least."""
+    """Scales that are valid alone occur at least once per thirty cases."""
     alone = sum(
         any(one.low == one.high for one in case.valid("pieces").ranges)
         for case in asked(ASKED[0], 120)
@@ -108,7 +108,7 @@ def test_scales_that_are_valid_alone_are_asked_about() -> None:
 
 
 def test_families_of_solids_have_paths_of_each_kind() -> None:
-    """Families come in turn, kinds of paths do not."""
+    """Families come in turn, but kinds of paths do not."""
     families = [*SOLIDS, *OF_PARTS]
     degenerate: Counter[tuple[str, bool]] = Counter()
     for index in range(24 * len(families)):

@@ -1,4 +1,4 @@
-"""Round solids, parts of a workshop, and the pairs made of them: valid, of the promised sizes."""
+"""Round solids, workshop parts, and pairs made from them: valid, with the promised sizes."""
 
 from __future__ import annotations
 

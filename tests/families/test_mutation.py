@@ -1,4 +1,4 @@
-"""Mutants are valid pairs, close to their parents; probes lie where they say."""
+"""Mutants are valid pairs close to their parents; probes lie at their stated scales."""
 
 from __future__ import annotations
 

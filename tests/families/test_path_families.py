@@ -1,5 +1,5 @@
-"""Degenerate paths and traps: each member has what its family promises, decided here from the case
-file alone by pairs of triangles; certificates prove what is expected."""
+"""Degenerate paths and traps: each member keeps its family's promise, decided from the case file
+alone by pairs of triangles; certificates prove the expected answers."""
 
 from __future__ import annotations
 
@@ -39,13 +39,13 @@ def made(name: str) -> list[DegeneratePath]:
 
 
 def values(name: str) -> list[dict[str, Any]]:
-    """As their files have them: the first of the corpus, where few are drawn."""
+    """Case documents of a family: the corpus's first if few are drawn."""
     texts = [one.case_text for one in made(name)] if THOROUGH else [cases(name)[0].read_text()]
     return list(map(json.loads, texts))
 
 
 def cases(name: str) -> list[Path]:
-    """The files of the corpus."""
+    """The family's case files of the corpus."""
     files = (case_faults.CORPUS / name).iterdir()
     return sorted(file for file in files if not file.name.endswith(".cert.json"))
 
@@ -93,8 +93,8 @@ def test_valid_scales_are_what_is_expected(name: str) -> None:
 
 @pytest.mark.parametrize("name", TRAPS)
 def test_traps_are_what_is_expected(name: str) -> None:
-    """A ring around the place just on the one side of the scale, a way out on the other. (At the
-    scale itself, where there is no clearance, the certificates prove both.)"""
+    """Checks a ring around the place just on one side of the scale, and a way out on the other. (At
+    the scale itself, which has no clearance, the certificates prove both.)"""
     for value in values(name):
         asked, s = Asked(value), Fraction(value["degeneracy"]["at"])
         expected = value["expected"]["trapped"]
@@ -129,7 +129,7 @@ def test_families_show_what_their_titles_say() -> None:
 
 
 def test_certificates_prove_what_is_expected(tmp_path: Path) -> None:
-    """Takes the last case of each family in the corpus; made members too in a thorough run."""
+    """Takes the last case of each family from the corpus; a thorough run adds made members."""
     asked = {}
     for name, family in PATH_FAMILIES.items():
         files = cases(name)[-1:]

@@ -102,7 +102,7 @@ def has_slanted_edges(operand: _core.PolygonSet) -> bool:
 
 
 def kind_of_double(facts: Facts) -> str:
-    """All coordinates are doubles; which limit they are at, and what of the sum."""
+    """Asserts that all coordinates are doubles; names their limit."""
     values = coordinates(facts)
     assert all(Fraction(float(c)) == c for c in values)
     sizes = {abs(c) for c in values}
@@ -168,7 +168,7 @@ def test_event_scales_accumulate(
 
 
 def test_what_only_nearly_belongs_does_not() -> None:
-    """One hole fewer; all moved by one, or by half of the least double."""
+    """Drops a hole; moves an operand pair by one, or by half the least double."""
     family = FAMILIES["scales-near-zero"]
     facts = member(family, SEED, 0)
     assert facts.Q.ring_count == 4 and family.belongs(facts)

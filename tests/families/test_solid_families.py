@@ -1,5 +1,5 @@
-"""Degenerate families of polyhedra of any shape: each member has what its family promises, by
-predicates that are computed here from the case file alone. Their sums: test_sums_of_solids.py."""
+"""Degenerate families of general polyhedra: each member keeps its family's promise, by predicates
+computed here from the case file alone. Their sums: test_sums_of_solids.py."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ AT_ONE_SCALE = {
 
 @pytest.mark.parametrize("name", SOLID_FAMILIES)
 def test_what_is_shown_holds(name: str) -> None:
-    """Each predicate of a case file has the signs that it says, and is zero at the first scale; at
-    others too, or at none of them."""
+    """Each predicate has the signs that the case file states, and is zero at the first scale; at
+    the other scales zero always or never, as the family demands."""
     for value in documents(name):
         rows = value["degeneracy"]["ties"]
         assert 0 < len(rows) <= SHOWN
@@ -64,7 +64,8 @@ def test_scales_are_on_both_sides_and_near(name: str) -> None:
 
 @pytest.mark.parametrize("name", SOLID_FAMILIES)
 def test_points_are_where_they_are_said_to_be(name: str) -> None:
-    """By the slow engine: in the closed sum or not, in the sum of the interiors or not."""
+    """Asks the slow engine whether points lie in the closed sum, and in the sum of the
+    interiors."""
     for value in documents(name):
         P, Q = operands(value)
         for k, s in some(enumerate(scales(value)), 2):
@@ -79,8 +80,8 @@ def test_points_are_where_they_are_said_to_be(name: str) -> None:
 
 @pytest.mark.parametrize("name", PLANES)
 def test_what_fits_at_one_scale(name: str) -> None:
-    """Facets face each other in as many planes as they should, which have no line in common, or a
-    line, or a point; on one side of the scale there is a gap."""
+    """Facets face each other in the expected number of planes, which share nothing, a line or a
+    point; a gap opens on one side of the scale."""
     for value in documents(name):
         told = value["degeneracy"]
         assert told["points"][0]["contact"] in FILLS

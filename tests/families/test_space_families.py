@@ -1,6 +1,6 @@
-"""Degenerate families in space: each member has what its family promises, by predicates that are
-computed here from the case file alone; a certificate that both checkers follow; the sum that an
-independent hull finds; and the same bytes every time."""
+"""Degenerate families in space: each member keeps its family's promise, by predicates computed here
+from the case file alone; has a certificate that both checkers follow and the sum that an
+independent hull finds; and has the same bytes every time."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ SIBLINGS = 5  # the scaling, and two on each side
 
 @cache
 def documents(name: str) -> list[Any]:
-    """As they are read from their files: those of the corpus, where few are drawn."""
+    """Case documents read from files: the corpus's if few are drawn."""
     if not THOROUGH and name not in VARIED:
         paths = lint.case_paths(lint.CORPUS / name)
         return [json.loads(path.read_text(encoding="utf-8")) for path in paths]
@@ -64,7 +64,7 @@ def scaled(vertices: list[Vector], s: Point) -> list[Vector]:
 
 
 def normal(vertices: list[Vector], face: list[int]) -> Vector:
-    """Outwards, of a plane through three of the corners that has all vertices on one side."""
+    """The outward normal of a plane through three corners with all vertices on one side."""
     a, *others = (vertices[k] for k in face)
     n = next(n for b in others for c in others if any(n := cross(minus(b, a), minus(c, a))))
     heights = {(h > 0) - (h < 0) for v in vertices for h in [dot(n, minus(v, a))]}
@@ -163,7 +163,7 @@ def test_the_sum_is_that_of_the_independent_hull(name: str) -> None:
 
 @pytest.mark.parametrize("name", SPACE_FAMILIES)
 def test_what_is_shown_holds(name: str) -> None:
-    """Each predicate of a case file has the signs that it says, and is zero where it should be."""
+    """Each predicate has the signs that the case file states."""
     for value in documents(name):
         P, Q = points(value, "P"), points(value, "Q")
         rows = value["degeneracy"]["coincidences"]
@@ -187,7 +187,7 @@ AT_A_SCALING = {
 
 @pytest.mark.parametrize("name", ALWAYS)
 def test_what_is_parallel_at_every_scaling(name: str) -> None:
-    """At scalings that have nothing to do with each other, and at more of them."""
+    """Edges and facets stay parallel at unrelated scalings, and at many more."""
     for value in documents(name):
         assert len(value["scales"]) > SIBLINGS
         assert all(row[ALWAYS[name]] > 0 for row in value["degeneracy"]["facets"])
@@ -200,7 +200,7 @@ def test_what_is_parallel_at_every_scaling(name: str) -> None:
 
 @pytest.mark.parametrize("name", AT_A_SCALING)
 def test_what_is_parallel_at_one_scaling_only(name: str) -> None:
-    """Beside it nothing of the kind is, however near: within 2^-60 of the factor."""
+    """Nothing is parallel beside the scaling, not even within 2^-60 of the factor."""
     for value in documents(name):
         counts = [row[AT_A_SCALING[name]] for row in value["degeneracy"]["facets"]]
         assert counts[0] > 0 and set(counts[1:]) == {0}
@@ -225,7 +225,7 @@ def test_siblings_are_on_both_sides_and_near(name: str) -> None:
 
 
 def test_an_arc_elsewhere_changes_nothing() -> None:
-    """Just below, at, and just above the scaling there are as many facets of each kind."""
+    """Just below, at, and just above the scaling, each kind has equally many facets."""
     for value in documents("great-circle-through-normal"):
         rows = [dict(facets(value, k), scale=0) for k in range(SIBLINGS)]
         assert all(row == rows[0] for row in rows)
@@ -372,8 +372,8 @@ def test_flat_vertices_change_nothing() -> None:
 
 
 def generic(value: Any, at: Point) -> Any:
-    """By supports: the vertex of Q of each facet of P, that of P of each facet of Q, and the pairs
-    of edges, which make parallelograms of the sum."""
+    """By supports: Q's vertex for each facet of P, P's vertex for each facet of Q, and the edge
+    pairs that make parallelograms of the sum."""
     P, Q = scaled(points(value, "P"), at), points(value, "Q")
     total = sum_of_convex(convex_hull(P), convex_hull(Q), Fraction(1))
     fv, vf, ee = {}, {}, set()

@@ -56,7 +56,7 @@ def vertices(*operands: SetData) -> int:
 
 
 def check(data: SetData) -> None:
-    """Valid, in lowest terms, its rings turned as their role demands."""
+    """Asserts a valid set in lowest terms, with rings turned as their role demands."""
     to_set(data).validate("drawn")
     assert to_data(to_fractions(data)) == data == json.loads(json.dumps(data))
     for polygon in to_fractions(data)["polygons"]:
@@ -286,7 +286,7 @@ def true_sum(P: SetData, Q: SetData, scale: str = "1") -> minkref.Sum:
 
 
 def is_convex(P: SetData, Q: SetData) -> bool:
-    """Whether the sum is the hull of its vertices: no reflex vertex, no hole, one component."""
+    """Whether the sum equals its hull: no reflex vertex, no hole, a single component."""
     region = to_fractions(json.loads(true_sum(P, Q).region.to_json()))["polygons"]
     if len(region) > 1 or region[0]["holes"]:
         return False
@@ -308,7 +308,7 @@ def test_a_hull_shrinks_to_a_triangle_and_a_reflex_vertex() -> None:
 
 @pytest.mark.thorough
 def test_lost_holes_shrink_to_nine_vertices() -> None:
-    """As those of a point do: test_lost_holes_shrink_to_a_point_where_one_is_allowed."""
+    """Larger sibling of test_lost_holes_shrink_to_a_point_where_one_is_allowed."""
     for bounds in ({}, LARGE):
         P, Q = find(pairs(**bounds), lambda pair: loses_holes(*pair), settings=MANY)
         assert vertices(P, Q) == 9
@@ -324,7 +324,7 @@ def test_lost_holes_shrink_to_a_point_where_one_is_allowed() -> None:
 
 @pytest.mark.thorough
 def test_lost_holes_of_operands_without_holes() -> None:
-    """As those of a point do: test_lost_holes_shrink_to_a_point_where_one_is_allowed."""
+    """Larger sibling of test_lost_holes_shrink_to_a_point_where_one_is_allowed."""
     strategy = pairs(holes=0, max_vertices=12)
     P, Q = find(strategy, lambda p: loses_holes(*p), settings=settings(MANY, max_examples=5000))
     assert vertices(P, Q) <= 10
@@ -415,7 +415,7 @@ def test_minkref_needs_no_hypothesis() -> None:
 
 @pytest.fixture(scope="module")
 def documented() -> tuple[str, str]:
-    """The example, and what it prints."""
+    """The page's example and its printed output."""
     text = DOCS.read_text(encoding="utf-8")
     assert f"with Hypothesis {hypothesis.__version__}," in text
     assert all(name in text for name in ("DEGENERATE_FAMILIES", "to_fractions", "to_data"))

@@ -1,5 +1,5 @@
-"""Degenerate families of polyhedra of any shape: the sums of their members are those of both routes
-and of a judge that shares nothing with them."""
+"""Degenerate families of general polyhedra: both routes and an independent judge find the same
+sums."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ MOST_PAIRS = 4  # of convex pieces, for it to do so
 
 @pytest.mark.parametrize("name", SOLID_FAMILIES)
 def test_both_routes_and_a_judge_find_the_sum(name: str) -> None:
-    """Polycubes as boxes, few pairs of pieces whole, others by points of faces and of space. At the
-    scale of the case; beside it too for some families, where few are drawn."""
+    """Judges polycubes as boxes, few pairs of pieces whole, other sums at points on faces and in
+    space. Tests the case's scale; for some families neighbouring scales too, if few are drawn."""
     for number, value in enumerate(documents(name)):
         P, Q = operands(value)
         assert set(routes()) == {"edges", "definition"}
@@ -61,7 +61,7 @@ def test_both_routes_and_a_judge_find_the_sum(name: str) -> None:
 
 
 def test_volumes_are_cubics_of_the_scale_beside_the_event() -> None:
-    """A hollow box and a box: the cavity is there on one side only."""
+    """A hollow box plus a box: the cavity exists on one side only."""
     for value in documents("solids-cavity-to-point"):
         volumes = [Fraction(expected["volume"]) for expected in value["expected"]]
         P, Q = (solid.scaled(Fraction(1)) for solid in operands(value))

@@ -1,4 +1,4 @@
-"""Every family shows what its title says."""
+"""Every family shows the feature in its title."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def pairs(name: str) -> Iterator[Pair]:
 
 
 def share(name: str, shows: Any) -> float:
-    """The share of the pairs that show something."""
+    """The share of pairs with a feature."""
     return sum(bool(shows(pair)) for pair in pairs(name)) / COUNT
 
 
@@ -74,7 +74,7 @@ def has_touching_rings(pair: Pair) -> bool:
 
 
 def touch(one: list[Point], other: list[Point]) -> bool:
-    """A vertex of one ring lies on the other ring."""
+    """Whether a ring's vertex lies on the other ring."""
     return any(
         (b[0] - a[0]) * (p[1] - a[1]) == (b[1] - a[1]) * (p[0] - a[0])
         and min(a, b) <= p <= max(a, b)
@@ -102,7 +102,7 @@ def test_some_small_holes_survive_and_most_do_not() -> None:
 
 
 def test_fits_are_exact_or_off_by_little() -> None:
-    """The sum changes its form when the scale changes by one part in 2^19."""
+    """The sum changes its form if the scale changes by one part in 2^19."""
 
     def changes(pair: Pair) -> bool:
         scale = Fraction(pair.scale)

@@ -1,5 +1,5 @@
-"""Families of scales at which the boundary is another, and the same figure below and above: each
-knows its own published case and takes no other."""
+"""Families whose boundary changes at a scale, with the same figure below and above: each recognises
+its published case and takes no other."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_a_member_belongs_to_one_of_the_families(family: str) -> None:
 
 
 def test_numbers_below_and_above_tell_nothing() -> None:
-    """Compares numbers of holes, components and, but for one family, vertices."""
+    """Compares the counts of holes, components and, except for one family, vertices."""
     for family in TOUCHES:
         facts = member(family, SEED, 1)
         below, _, above = facts.counts
