@@ -19,7 +19,7 @@ namespace {
 
 using Flat = std::vector<std::array<int, 2>>;
 
-/// Into a slanted plane, so that no axis is special.
+/// Lifts a ring into a slanted plane, so that no axis is special.
 std::vector<SpacePoint> lifted(const Flat& ring) {
   std::vector<SpacePoint> points;
   for (const auto& [x, y] : ring) points.push_back({Rational(x, 3), y, Rational(2 * x - 3 * y, 7)});
@@ -32,7 +32,7 @@ Face all_of(const Flat& ring) {
   return face;
 }
 
-/// Triangles of positive area on the side of the face, which add up to it.
+/// Expects triangles of positive area on the face's side, which add up to the face.
 void expect_cut(const Flat& ring) {
   const Face face = all_of(ring);
   const auto triangles = triangles_of(face, lifted(ring));
@@ -69,7 +69,7 @@ TEST(CutFace, StraightAnglesGiveNoFlatTriangle) {
 TEST(CutFace, FacesThatAreNotConvexAreCut) {
   expect_cut({{0, 0}, {9, 0}, {9, 9}, {5, 1}, {0, 9}});
   expect_cut({{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}});
-  // A spiral, and a comb whose teeth end on one line.
+  // A spiral, and a comb whose teeth end on a common line.
   expect_cut({{0, 0},
               {10, 0},
               {10, 10},
@@ -97,7 +97,7 @@ TEST(CutFace, RandomSimpleFacesAreCut) {
     for (int k = 0; k < size; ++k) {
       ring.push_back({static_cast<int>(random() % 9), static_cast<int>(random() % 9)});
     }
-    // Half of them about their middle, which makes simple ones likely.
+    // Sorts half of the rings by angle, which makes simple rings likely.
     if (round % 2 == 0) {
       std::sort(ring.begin(), ring.end(), [](const auto& a, const auto& b) {
         return std::atan2(a[1] - 4.3, a[0] - 4.1) < std::atan2(b[1] - 4.3, b[0] - 4.1);

@@ -97,7 +97,7 @@ TEST(Hostile, TheLimitOnDepthIsExact) {
   EXPECT_EQ(code_of("[[[]]]", Format::json, limits), "wrong-type");
 }
 
-/// A text in which `number` is a coordinate, as text and not as a JSON string.
+/// A text with `number` as a coordinate, as text and not as a JSON string.
 std::string with_number(Format format, const std::string& number) {
   if (format == Format::wkt) return "POLYGON ((0 0, " + number + " 0, 4 4, 0 0))";
   if (format == Format::poly) return "1\n3 out\n0 0\n" + number + " 0\n1 1\n";
@@ -119,7 +119,7 @@ TEST(Hostile, ANumberOfAMillionDigitsIsRefused) {
 
 TEST(Hostile, AnExponentOfABillionIsRefused) {
   for (const Format format : read_formats) {
-    // In a case such a number must be a string.
+    // A case needs such a number as a string.
     const std::string number = format == Format::case_json ? "\"1e1000000000\"" : "1e1000000000";
     EXPECT_EQ(code_of(with_number(format, number), format), "exponent-too-large") << name(format);
     const std::string small = format == Format::case_json ? "\"1e-1000000000\"" : "1e-1000000000";
@@ -176,7 +176,7 @@ TEST(Hostile, JsonValuesHaveALimit) {
 }
 
 TEST(Hostile, ManyRingsWithoutNestingStayWithinTheLimitOfSteps) {
-  // Rings about one centre: each hole is in all outer rings about it.
+  // Concentric rings: each hole lies in all outer rings around it.
   std::string text = "400\n";
   for (int i = 1; i <= 400; ++i) {
     const std::string r = std::to_string(10 * i);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t seed = 20;
 
-/// A number of at most so many bits, of any length.
+/// A number of random length, at most `bits` bits.
 Int128 drawn(std::mt19937_64& random, int bits) {
   const auto length = static_cast<int>(random() % static_cast<std::uint64_t>(bits + 1));
   if (length == 0) return 0;
@@ -44,7 +44,7 @@ TEST(MachineFraction, PositionIsThatOfGmp) {
       return random() % 2 == 0 ? value : -value;
     };
     const MachineFraction scale = reduced(drawn(random, 125) + 1, drawn(random, 125) + 1);
-    // Multiples of parts of the scale's denominator, so that there is something to cancel.
+    // Multiplies by parts of the scale's denominator, so that something cancels.
     const auto part = static_cast<std::int64_t>(scale.denominator % (Int128{1} << 20)) + 1;
     const std::int64_t p = turn % 3 == 0 ? word(40) * part : word(61);
     const std::int64_t q = turn % 5 == 0 ? word(40) * part : word(61);

@@ -1,4 +1,4 @@
-// Polyhedra for tests, and what a test asks of a refusal of one.
+// Polyhedra for tests, and checks of mesh refusals.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ inline SpacePoint space_point(const char* x, const char* y, const char* z) {
   return {parse_rational(x), parse_rational(y), parse_rational(z)};
 }
 
-/// The corners of the unit cube: bit k of the index is coordinate k.
+/// The unit cube's corners: bit k of the index is coordinate k.
 inline Polyhedron cube() {
   Polyhedron result;
   for (int i = 0; i < 8; ++i) result.vertices.push_back({i & 1, i >> 1 & 1, i >> 2 & 1});
@@ -30,7 +30,7 @@ inline Polyhedron cube() {
   return result;
 }
 
-/// Vertices in the order in which its faces use them first.
+/// A tetrahedron whose faces first use vertices in ascending order.
 inline Polyhedron tetrahedron(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c,
                               const SpacePoint& d) {
   return {{a, b, c, d}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
@@ -57,7 +57,7 @@ inline std::string mesh_code(std::string_view text, MeshFormat format,
   return refusal_of_mesh(text, format, limits).code();
 }
 
-/// Each of the faces is refused with its code, its number and its line; `refusal` puts it into a
+/// Expects each face to be refused with its code, number and line; `refusal` puts a face into a
 /// text.
 template <class RefusalOf>
 void expect_faulty_faces(RefusalOf&& refusal, std::size_t number, std::size_t line,

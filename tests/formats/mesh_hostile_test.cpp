@@ -177,7 +177,7 @@ TEST(MeshHostile, VerticesFacesAndTheirCornersHaveLimits) {
 TEST(MeshHostile, TextBehindTheEndIsRefused) {
   for (const Sample& sample : samples()) {
     const std::string code = mesh_code(sample.text + "\nx", sample.format);
-    // OBJ has no end; a length that does not fit is that of no binary STL.
+    // OBJ has no end; a length that does not fit belongs to no binary STL.
     EXPECT_EQ(code, sample.format == MeshFormat::obj ? "unknown-word" : "trailing-text")
         << sample.title;
   }

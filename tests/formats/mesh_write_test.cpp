@@ -1,4 +1,4 @@
-// A polyhedron that is written and read again is the same polyhedron.
+// Writing and reading a polyhedron gives the same polyhedron.
 #include <random>
 
 #include "tests/formats/mesh.hpp"

@@ -1,4 +1,4 @@
-// Coordinates are the exact numbers of the text, in every format.
+// Coordinates equal the text's exact numbers, for every format.
 #include "tests/formats/refusal.hpp"
 
 namespace minkref::of_numbers_from_text {

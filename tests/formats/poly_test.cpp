@@ -19,7 +19,7 @@ TEST(Poly, IndicesAreTheOrderInWhichTheRingRuns) {
   const std::string square = "4 out\n0 0\n9 9\n9 0\n0 9\n", hole = "3 in\n1 1\n2 1\n1 2\n";
   const PolygonSet expected = poly("2\n4 out\n0 0\n9 0\n9 9\n0 9\n3 in\n1 1\n1 2\n2 1\n").set;
   EXPECT_EQ(poly("2\n" + square + "1 3 2 4\n" + hole + "1 3 2\n").set, expected);
-  // Broken over lines, as long rings of published files are.
+  // Broken over lines, like long rings in published files.
   EXPECT_EQ(poly("2\n" + square + "1 3\n2 4\n" + hole + "1 3 2\n").set, expected);
   EXPECT_EQ(code("1\n" + square), "self-intersection");
 }
@@ -69,7 +69,7 @@ TEST(Poly, ATokenWithThreeDecimalPointsIsRefused) {
 }
 
 TEST(Poly, HolesGoToTheSmallestOuterRingThatContainsThem) {
-  // A square with a hole, in it an island with a hole of its own; holes first, out of order.
+  // A square with a hole, inside it an island with a separate hole; holes come first, out of order.
   const PolygonSet set =
       poly(
           "4\n3 in\n41 41\n41 45\n45 41\n4 in\n10 10\n10 90\n90 90\n90 10\n"

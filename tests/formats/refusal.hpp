@@ -1,4 +1,4 @@
-// Checks that a test makes of a refusal.
+// Checks for refusals.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,13 +13,13 @@
 
 namespace minkref {
 
-/// The refusal that `act` throws; a test failure where it throws none or something else.
+/// The refusal that `act` throws; a test failure if it throws nothing or something else.
 template <class Act>
 BadInput refusal_of(Act act) {
   try {
     act();
   } catch (const BadInput& e) {
-    // Every refusal says what is wrong and how to fix it, shortly.
+    // Every refusal shortly names the fault and the remedy.
     EXPECT_FALSE(e.problem().empty());
     EXPECT_FALSE(e.mend().empty());
     EXPECT_LT(std::string_view(e.what()).size(), 1000U);
@@ -43,7 +43,7 @@ inline std::string code_of(std::string_view text, Format format, const ReadLimit
   return refusal_of_text(text, format, limits).code();
 }
 
-/// Each of the texts is refused with this code, which `code_of` gives.
+/// Expects every text to be refused with this code, which `code_of` gives.
 template <class CodeOf>
 void expect_code(CodeOf&& code_of, std::string_view code,
                  std::initializer_list<std::string> texts) {

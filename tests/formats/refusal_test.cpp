@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
               "MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((2 2, 4 2, 4 4, 2 4, 2 2)))"}));
 
 TEST(Refusal, VerticesAreThoseOfTheFileThoughTheRingWasTurned) {
-  // Clockwise in the file: turned, then validated. The doubled vertex is at 2 and 3 in the file.
+  // The file's ring is clockwise: turned, then validated. The file repeats a vertex at 2 and 3.
   const BadInput refused =
       refusal_of_text("POLYGON ((0 0,\n0 4,\n4 4,\n4 4,\n4 0,\n0 0))", Format::wkt);
   EXPECT_EQ(refused.code(), "zero-length-edge");

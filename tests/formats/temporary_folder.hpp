@@ -1,4 +1,4 @@
-// A folder of one test, removed at its end.
+// A test's folder, removed when the test ends.
 #pragma once
 
 #include <gtest/gtest.h>

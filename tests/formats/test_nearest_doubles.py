@@ -1,6 +1,5 @@
-"""A double that stands for an exact number is the nearest one, and a number of a table shows digits
-that are certain: of sets in the plane, whatever their size, by readers that share nothing with
-ours."""
+"""A double written for an exact number is the nearest one, and a table shows certain digits only:
+for sets in the plane, at any size, according to independent readers."""
 
 from __future__ import annotations
 
@@ -48,7 +47,7 @@ def has_decimals(value: Fraction) -> bool:
 
 
 def read(text: str, form: str) -> list[Fraction]:
-    """All coordinates in the order of the text."""
+    """All coordinates, in text order."""
     if form == "json":
         (polygon,) = json.loads(text)["polygons"]
         return [Fraction(x) for point in polygon["outer"] for x in point]

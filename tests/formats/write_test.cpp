@@ -1,4 +1,4 @@
-// A set that is written and read again is the same set.
+// Writing and reading a set gives the same set.
 #include "formats/write.hpp"
 
 #include <random>
