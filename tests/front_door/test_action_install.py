@@ -1,4 +1,4 @@
-"""The first step of the action installs a wheel that is attested, otherwise the sources."""
+"""The action's first step installs an attested wheel, otherwise the sources."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMIT = "0123456789abcdef0123456789abcdef01234567"
-# Stand-ins that note how they were called. `gh` has a release where RELEASE is set, and attests it
-# where ATTESTED is.
+# Stand-ins that record their calls. `gh` has a release if RELEASE is set, and attests the release
+# if ATTESTED is set.
 RECORD = '#!/bin/bash\necho "${0##*/} $*" >>"$CALLS"\n'
 GH = """
 case "$1 $2" in

@@ -1,4 +1,4 @@
-"""The step of the GitHub Action, run as it is written, without GitHub."""
+"""The GitHub Action's step, run as written, without GitHub."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def test_baseline_makes_new_faults_alone_fail(tmp_path: Path) -> None:
 
 
 def test_step_reads_all_lines_of_targets_and_of_arguments(tmp_path: Path) -> None:
-    """As a workflow writes them below each other, with ends of lines of all kinds."""
+    """Passes several lines with mixed line ends, as workflows write them."""
     targets = "\n\npy:faulty_sums:right\r\nminkref:paper \n\t*\r\n"
     arguments = "\r\n--pairs\n2 --no-models \n\t--family random\n\n"
     (tmp_path / "a file").touch()

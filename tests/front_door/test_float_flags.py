@@ -1,5 +1,6 @@
-"""Flags that change what doubles are: public headers refuse them at compile time where the compiler
-names them. (The evidence `filter_signs` tries those that it does not name, and runs the rest.)"""
+"""Flags that change double arithmetic: public headers refuse them at compile time if the compiler
+names them. (The evidence `filter_signs` tries the flags that compilers do not name, and runs the
+rest.)"""
 
 from __future__ import annotations
 
@@ -36,6 +37,6 @@ def test_flags_that_leave_doubles_alone_are_taken(flags: tuple[str, ...]) -> Non
 
 
 def test_each_header_that_counts_on_doubles_says_so() -> None:
-    """Directly, or by that of rational numbers, which includes it."""
+    """The header includes the check directly, or through the header for rational numbers."""
     assert f'#include "{HEADER}"' in (ROOT / "reference/number/error_free.hpp").read_text()
     assert "float_self_test.hpp" in (ROOT / "reference/number/rational.hpp").read_text()

@@ -1,4 +1,4 @@
-"""The supply chain: nothing of a package index is installed without the digest of its file."""
+"""The supply chain: nothing from a package index is installed without its file's digest."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_locks_hold_what_is_asked_for() -> None:
 
 
 def test_set_up_installs_no_package_without_a_digest(tmp_path: Path) -> None:
-    """A checkout of the scripts alone, whose requirements name a package that is at hand."""
+    """Checks out the scripts alone, with requirements that name a package within reach."""
     shutil.copytree(ROOT / "tools" / "scripts", tmp_path / "tools" / "scripts")
     with zipfile.ZipFile(tmp_path / "sought-1-py3-none-any.whl", "w") as wheel:
         information = "sought-1.dist-info"

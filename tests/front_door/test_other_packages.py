@@ -25,7 +25,7 @@ def project(folder: Path) -> dict[str, Any]:
 
 
 VERSION = project(ROOT)["project"]["version"]
-# Options of CMakeLists.txt that are on where it is the top: a package does without them.
+# Options of CMakeLists.txt that only a top-level project turns on: packages do without them.
 OPTIONS = set(
     re.findall(
         r"^option\(MINKREF_(\w+) .* \$\{PROJECT_IS_TOP_LEVEL\}\)$",
@@ -108,7 +108,7 @@ def sources_of_cgal(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_programs_of_cgal_bring_the_licences_of_all_that_is_in_them(
     sources_of_cgal: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Also in a wheel that is made of the source distribution alone."""
+    """Also tries a wheel built from the source distribution alone."""
     monkeypatch.syspath_prepend(str(PACKAGING))
     stated = importlib.import_module("licence").IN_WHEELS["minkref_cgal"].split(" AND ")
     for file in sources_of_cgal.rglob("*.?pp"):

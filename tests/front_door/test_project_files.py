@@ -1,4 +1,4 @@
-"""Files that other tools read: each is what its tool expects, and all agree about the version."""
+"""Files for other tools: each satisfies its tool, and all agree about the version."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def test_paths_and_commands_that_contributors_are_told_exist() -> None:
 
 
 def test_the_map_of_the_house_names_what_is_there() -> None:
-    """Its folders and files exist, and each line that decides stands where the map says."""
+    """Folders and files of the map exist, and each deciding function stands in its stated file."""
     page = text("docs/architecture.md")
     rooms = (
         "bindings|certify|degeneracies|formats|fuzz|minkref|oracle|reference|reports|tests|tools"

@@ -30,8 +30,8 @@ def tracked() -> Iterator[str]:
 
 
 def too_wide(text: str) -> Iterator[int]:
-    """Numbers of the lines of prose that are wider. Code, tables, pictures and single long words
-    (addresses) are left alone."""
+    """Numbers of prose lines above the width, without code, tables, pictures and single long words
+    (addresses)."""
     fenced = False
     for number, line in enumerate(text.splitlines(), 1):
         if re.match(r"\s*(?:```|~~~)", line):

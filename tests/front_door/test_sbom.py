@@ -1,4 +1,4 @@
-"""The bill of materials: valid, and complete by what is installed, compiled in and linked."""
+"""The bill of materials: valid, with everything installed, compiled in or linked."""
 
 from __future__ import annotations
 

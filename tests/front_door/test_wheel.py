@@ -1,4 +1,4 @@
-"""The wheel, as people get it: every command of it works where nothing else is installed."""
+"""The wheel, as people get it: every command works on an otherwise empty machine."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ def made(out: Path, *options: str) -> Path:
 
 
 def spoken(texts: Iterable[bytes]) -> set[str]:
-    """The licences that files name at their head; those of the project's own files need not."""
+    """The licences that files name at their head; the project's own files need none."""
     found = (re.match(rb"\W+SPDX-License-Identifier: (\S+)", text) for text in texts)
     return {one[1].decode() for one in found if one}
 
 
 def test_the_installed_tree_is_the_package_and_works_alone(tmp_path: Path) -> None:
-    """The component of which a wheel is made, without compiling: the wheels themselves are tried
-    in a thorough run."""
+    """Tests the installed component that makes a wheel, without compiling; a thorough run tries the
+    wheels themselves."""
     command = ["cmake", "--install", ROOT / "build" / "release", "--component", "python"]
     subprocess.run([*command, "--prefix", tmp_path], check=True, capture_output=True)
     (package,) = (path.parent for path in tmp_path.rglob("minkref/api.py"))
@@ -93,7 +93,7 @@ def test_the_licence_of_the_wheel_is_that_of_all_that_is_inside(wheel: Path) -> 
 
 
 def test_every_command_is_tried_on_a_bare_machine(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also where there is no bubblewrap, and so no bare machine."""
+    """Runs even without bubblewrap, which a bare machine needs."""
     monkeypatch.syspath_prepend(str(PACKAGING))
     steps = importlib.import_module("bare_commands").STEPS
     assert {step.words[0] for step in steps} >= set(COMMANDS)
@@ -119,7 +119,7 @@ def test_source_distribution_holds_what_is_tracked_but_for_the_workplace(tmp_pat
     assert {"reference/plane/sum.cpp", "tools/packaging/wheel.py", "tests/CMakeLists.txt"} <= held
     first = {name.split("/")[0] for name in held}
     assert not first & {"build", "dist", ".venv", ".ci", ".github", ".devcontainer"}
-    # Nothing under the GPL, whose expression is another one; CMake does without it.
+    # Nothing under the GPL, which has a different expression; CMake does without GPL code.
     assert "License-Expression: Apache-2.0\n" in (sources / "PKG-INFO").read_text(encoding="utf-8")
     assert spoken((sources / name).read_bytes() for name in held) <= {"Apache-2.0"}
     assert not any("oracle/cgal/" in name or "minkref-cgal/" in name for name in held)

@@ -1,5 +1,5 @@
-"""Workflows on GitHub: actions by commit, least permissions, a limit of time for each job, and
-commands that can be called by hand."""
+"""Workflows on GitHub: actions by commit, least permissions, a time limit for each job, and
+commands that people can call."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def steps(workflow: dict[Any, Any]) -> list[dict[str, Any]]:
 
 
 def lines(workflow: dict[Any, Any]) -> list[str]:
-    """The commands that are run, line by line."""
+    """The commands of all steps, line by line."""
     return [line for step in steps(workflow) for line in step.get("run", "").splitlines()]
 
 
@@ -133,7 +133,7 @@ def test_the_wheel_that_the_release_tries_is_one_that_it_builds() -> None:
 
 
 def test_bubblewrap_may_make_user_namespaces_where_it_is_used(tmp_path: Path) -> None:
-    """On ubuntu-24.04, whose AppArmor keeps them from programs without a profile."""
+    """Ubuntu 24.04's AppArmor denies user namespaces to programs without a profile."""
     script = "tools/scripts/allow_user_namespaces.sh"
     for file in [*WORKFLOWS, ROOT / "action.yml"]:
         text = file.read_text(encoding="utf-8")
