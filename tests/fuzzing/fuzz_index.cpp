@@ -1,10 +1,9 @@
-// Index files: any change of one is refused; where its checksum is made right again, as a forger
-// would, it is refused or every question is answered or refused.
+// Index files: any change to a file is refused; if the checksum is corrected too, as a forger
+// would, the file is refused, or every question is answered or refused.
 //
-// An input is one of the indices below and changes to its file: of each eight bytes, the first two
-// are a place in words of four bytes, the next says what becomes of the word (`Change`), one is
-// left over, and four are a number. The lowest bit of the first byte says whether the checksum
-// follows.
+// An input is one index from below and changes to its file: of each eight bytes, the first two are
+// a place in words of four bytes, the next chooses the word's change (`Change`), one is unused, and
+// four are a number. The first byte's lowest bit says whether the checksum follows.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -20,7 +19,7 @@ namespace {
 
 constexpr std::size_t checksum_at = 24, record = 8, most_changes = 32;
 
-/// A file of the memory, by the name under which it is opened.
+/// A memory file and the path that opens it.
 class MemoryFile {
  public:
   MemoryFile()
@@ -58,7 +57,8 @@ std::string bytes_of(const ScaleIndex& index) {
   return bytes;
 }
 
-/// Convex, with a hole that closes, with rings that touch, and with fractions in all scales.
+/// Indices that are convex, have a closing hole, have touching rings, and have fractions in all
+/// scales.
 const std::array<std::string, 4>& files() {
   static const std::array<std::string, 4> made = [] {
     const PolygonSet triangle = polygon({{0, 0}, {2, 0}, {0, 2}});
@@ -109,7 +109,7 @@ void make_checksum_right(std::string& bytes) {
   std::memcpy(bytes.data() + checksum_at, &sum, sizeof sum);
 }
 
-/// An answer, whatever it is, or a refusal.
+/// Accepts any answer, or a refusal.
 template <class Question>
 void ask(Question&& question) {
   try {

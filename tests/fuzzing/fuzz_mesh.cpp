@@ -26,8 +26,8 @@ void check_lines(const MeshReading& reading, MeshFormat format, const std::strin
   }
 }
 
-/// Where a format holds it exactly, the same is read again: of STL with its vertices numbered anew.
-/// Elsewhere coordinates are rounded, and STL's faces cut.
+/// A format that holds the polyhedron exactly gives it back; STL numbers vertices anew. Otherwise
+/// coordinates are rounded, and STL cuts faces.
 void check_written(const Polyhedron& polyhedron, MeshFormat format) {
   const bool exactly = writes_exactly(polyhedron, format);
   std::string text;

@@ -1,4 +1,4 @@
-// Numbers: what is read is written and read again as the same number, in both notations.
+// Numbers: an accepted number is written and read again as the same number, in both notations.
 #include "formats/decimal.hpp"
 #include "tests/fuzzing/round_trip.hpp"
 

@@ -1,4 +1,4 @@
-// The law that every fuzz target of a reader checks.
+// The law that every reader's fuzz target checks.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +42,8 @@ inline void check_refusal(const BadInput& refused) {
   }
 }
 
-/// A set that was read is written and read again, in every format that holds it exactly, and is the
-/// same. The formats other than JSON group rings anew, and so hold valid sets only.
+/// Writes and reads the set again in every format that holds it exactly, and expects the same set.
+/// The formats other than JSON regroup rings, and so hold valid sets only.
 inline void check_round_trip(const PolygonSet& set) {
   bool valid = true;
   try {
@@ -72,7 +72,7 @@ inline int check_reader(const std::uint8_t* data, std::size_t size, Format forma
     return 0;
   }
   if (reading.origins.size() != reading.set.rings()) broken("every ring has an origin", "");
-  // A case keeps the orientation of its rings, which other formats would turn.
+  // A case keeps its rings' orientation, which other formats would turn.
   if (format != Format::case_json) check_round_trip(reading.set);
   return 0;
 }

@@ -17,8 +17,8 @@ void scale_by(Scaling& scaling, std::size_t axis, const Rational& factor) {
   }
 }
 
-/// The factor of the axis at which a facet of one body is parallel to an edge of the other; not
-/// positive, or 0, where there is none. `weighted`: the normals are Q's (contact.hpp).
+/// The factor of the axis that makes a facet of one body parallel to an edge of the other; 0 or
+/// negative if no factor does. `weighted`: the normals are Q's (contact.hpp).
 Rational parallel_factor(const Scaling& scaling, std::size_t axis, const IntegerVector& normal,
                          const IntegerVector& edge, bool weighted) {
   Rational others = 0;

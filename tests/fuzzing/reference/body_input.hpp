@@ -1,4 +1,4 @@
-// The input of the targets on convex bodies: bytes, all of which are two bodies and some scalings.
+// The input of the targets on convex bodies: any bytes give two bodies and some scalings.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace minkref::fuzzing {
 
-/// One byte after the other; zeros behind the end.
+/// One byte after the other; zeros after the end.
 class Bytes {
  public:
   explicit Bytes(std::span<const std::uint8_t> bytes) : left_(bytes) {}
@@ -33,19 +33,19 @@ class Bytes {
   std::span<const std::uint8_t> left_;
 };
 
-/// Points of a small or a large grid, at times with those of the other body or their mirror images;
-/// never all in one plane.
+/// Points of a small or a large grid, sometimes with the other body's points or their mirror
+/// images; never all coplanar.
 std::vector<LatticePoint> next_points(Bytes& bytes, const std::vector<LatticePoint>& other);
 
-/// Factors that make a body of integers one of other magnitudes or denominators; mostly 1.
+/// Factors that give an integer body other magnitudes or denominators; mostly 1.
 Scaling next_magnitude(Bytes& bytes);
 
-/// Another scaling: an axis or all of them by a ratio or by next to nothing; an axis by a power of
-/// two, or to where a facet of one body is parallel to an edge of the other.
+/// Another scaling: multiplies one axis or all axes by a ratio or almost 1; multiplies an axis by a
+/// power of two, or moves it to make a facet of one body parallel to an edge of the other.
 Scaling next_scaling(Bytes& bytes, Scaling from, const ConvexPolyhedron& P,
                      const ConvexPolyhedron& Q);
 
-/// Outward, of a strictly convex face: by its first three corners.
+/// The outward normal of a strictly convex face, from its first three corners.
 inline IntegerVector normal_of(const std::vector<IntegerVector>& points, const Face& face) {
   return cross(points[face[1]] - points[face[0]], points[face[2]] - points[face[0]]);
 }
@@ -61,8 +61,8 @@ struct BodyPair {
 void expect_same(const std::string& law, const BodyPair& pair, const Polyhedron& expected,
                  const Polyhedron& actual);
 
-/// Runs one input: `check` takes its bodies from the bytes, and its dice depend on them alone. An
-/// exception of `check` is a finding.
+/// Runs one input: `check` takes its bodies from the bytes, and its dice depend only on these
+/// bytes. An exception from `check` is a finding.
 int check_bodies(const std::uint8_t* data, std::size_t size,
                  const std::function<void(BodyPair&, Bytes&, Dice&)>& check);
 

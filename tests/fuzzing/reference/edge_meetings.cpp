@@ -30,7 +30,8 @@ std::optional<Rational> concurrent_scale(const RationalEdge& a, const RationalEd
   const auto cross = [](const Vector& u, const Vector& v) {
     return Rational(u.x() * v.y() - u.y() * v.x());
   };
-  // How far the third line is from the crossing of the other two: linear in s, so two scales tell.
+  // The third line's distance from the other two lines' crossing: linear in s, so two scales
+  // determine it.
   const auto offset = [&](const Rational& s) {
     const Vector a0 = at(start_of(a), s), b0 = at(start_of(b), s), c0 = at(start_of(c), s);
     const Vector point = a0 + a.d * Rational(cross(b0 - a0, b.d) / cross(a.d, b.d));

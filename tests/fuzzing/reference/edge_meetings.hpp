@@ -1,4 +1,4 @@
-// The scales at which two moving edges meet, by other ways than the search for events.
+// The scales at which two moving edges meet, found without the event search.
 #pragma once
 
 #include <optional>
@@ -27,8 +27,8 @@ MeetingScales meeting_scales(const RationalEdge& a, const RationalEdge& b);
 /// Whether two closed edges have a point in common at a scale, by orientation signs alone.
 bool do_meet(const RationalEdge& a, const RationalEdge& b, const Rational& s);
 
-/// The positive scale at which the lines of three edges, no two of them parallel, pass through one
-/// point, if there is one only.
+/// The positive scale at which the lines of three edges, no two parallel, share a point, if it is
+/// unique.
 std::optional<Rational> concurrent_scale(const RationalEdge& a, const RationalEdge& b,
                                          const RationalEdge& c);
 

@@ -21,7 +21,7 @@ Polyhedron sum_of(const Polyhedron& P, const Polyhedron& Q, const Scaling& scali
   return surface_of(p, q, scaling, by_traversal(contacts)).surface;
 }
 
-/// One update; its state is that of the scaling alone.
+/// Checks one update, whose state depends only on the scaling.
 void check_update(const BodyPair& pair, DynamicConvexSum& moving, Contacts& contacts, Dice& dice) {
   const Scaling& to = pair.scalings.back();
   const UpdateCounts counts = moving.update(to);
@@ -44,7 +44,7 @@ void check_update(const BodyPair& pair, DynamicConvexSum& moving, Contacts& cont
   }
 }
 
-/// The points farthest along a normal, by their numbers, and how far that is.
+/// The numbers of the points farthest along a normal, and their height.
 struct Farthest {
   Integer height;
   std::vector<std::uint32_t> points;
@@ -61,12 +61,12 @@ struct Farthest {
   }
 };
 
-/// By the definition: every vertex is a sum, and no sum lies above the plane of a facet, whose
+/// Checks by definition: every vertex is a sum, and no sum lies above a facet's plane, whose
 /// parents are the farthest faces of both operands.
 void check_surface(const BodyPair& pair, const DynamicConvexSum& moving, const ConvexSum& sum) {
   const ConvexPolyhedron body(sum.surface);
   expect_same("a surface is its own canonical form", pair, sum.surface, body.surface());
-  // All over one denominator.
+  // All coordinates over a common denominator.
   const Polyhedron P = scaled(moving.P().surface(), moving.scaling()), Q = moving.Q().surface();
   std::vector<SpacePoint> vertices = P.vertices;
   for (const Polyhedron* other : {&Q, &sum.surface}) {
@@ -136,7 +136,7 @@ void check_law(const BodyPair& pair, const ConvexPolyhedron& P, const Polyhedron
       return expect_same("faces cut into triangles", pair, sum,
                          sum_of(triangulated(pair.P), triangulated(pair.Q), s));
     case 4: {
-      // An edge or a diagonal of P: some facets of P are parallel to it.
+      // An edge or a diagonal of P, parallel to some facets of P.
       const Polyhedron surface = P.surface();
       const SpacePoint &a = surface.vertices[0], &b = dice.of(surface.vertices);
       if (a == b) return;

@@ -1,6 +1,6 @@
-// Which surfaces are convex: a hull in triangles with a few vertices moved or exchanged is accepted
-// exactly where no vertex lies above a face, and the volume is that of the hull: it does not run
-// around its middle twice.
+// Convexity of surfaces: a triangulated hull with a few moved or exchanged vertices is accepted
+// exactly if no vertex lies above a face and the volume equals the hull's volume: the surface does
+// not run around its middle twice.
 #include <utility>
 
 #include "reference/error.hpp"
@@ -11,8 +11,8 @@ namespace {
 
 constexpr int most_moves = 4;
 
-/// By a little, onto another vertex, onto the middle of two, or to another's place, which takes
-/// its.
+/// Moves a vertex a little, onto another vertex, onto the middle of two, or exchanges it with
+/// another.
 void move_vertex(Polyhedron& surface, Bytes& bytes) {
   std::vector<SpacePoint>& all = surface.vertices;
   SpacePoint& moved = all[bytes.next() % all.size()];

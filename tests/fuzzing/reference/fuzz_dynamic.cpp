@@ -1,5 +1,5 @@
-// The dynamic sum, stepped up and down through the events of its window, against the static one and
-// against what the timeline of holes and components tells.
+// The dynamic sum, stepped up and down through its window's events, against the static sum and
+// against the timeline of holes and components.
 #include <algorithm>
 
 #include "reference/paper/trials/from_scratch.hpp"
@@ -15,14 +15,15 @@ namespace {
 
 constexpr std::size_t most_stops = 40, most_static = 5;
 
-/// A place in the array of events: at the scale of a group, or in the interval below it.
+/// A place in the event array: at a group's scale, or in the interval below it.
 struct Stop {
   Rational scale;
   std::uint32_t interval = 0;  ///< below group `interval`
   bool at_group = false;       ///< at group interval - 1, where the interval begins
 };
 
-/// Stops at and between all groups of the closed window, ascending; of many some, by the dice.
+/// Stops at and between all groups of the closed window, ascending; with many groups, some by the
+/// dice.
 std::vector<Stop> stops_of(const DynamicSum& dynamic, Dice& dice) {
   const ArrangementEvents& events = *dynamic.states().timeline().events;
   const ScaleWindow& window = dynamic.window();
@@ -45,7 +46,7 @@ std::vector<Stop> stops_of(const DynamicSum& dynamic, Dice& dice) {
   return stops;
 }
 
-/// The entry of an interval.
+/// The count entry for an interval.
 const TopologyTimeline::Count& count_of(const TopologyTimeline& timeline, std::uint32_t interval) {
   const auto& counts = timeline.counts;
   auto after = std::upper_bound(counts.begin(), counts.end(), interval,
@@ -67,7 +68,7 @@ void check_counts(const Case& pair, const TopologyTimeline& timeline, const Stop
   }
 }
 
-/// Every change of a number has an event, events name features that are there, and lives add up.
+/// Every change of a count has an event, events name existing features, and lives add up.
 void check_lives(const Case& pair, const TopologyTimeline& timeline) {
   const auto alive = [](const Feature& f, std::uint32_t interval) {
     return (!f.born || *f.born < interval) && (!f.died || *f.died >= interval);
@@ -101,7 +102,7 @@ void check_lives(const Case& pair, const TopologyTimeline& timeline) {
   if (told != ends) broken("every birth and death has an event", pair);
 }
 
-/// Up through all stops, down through some, and at last here and there; one sum at each of them.
+/// Walks up through all stops, down through some, finally at random; computes a sum at each stop.
 void check_walk(const Case& pair, DynamicSum& dynamic, const TopologyTimeline& timeline,
                 Dice& dice) {
   const std::vector<Stop> stops = stops_of(dynamic, dice);
@@ -132,14 +133,14 @@ void check_walk(const Case& pair, DynamicSum& dynamic, const TopologyTimeline& t
   from_scratch();
 }
 
-/// A window changes nothing of what is in it.
+/// A window keeps its events and counts unchanged.
 void check_window(const Case& pair, const DynamicSum& dynamic, const TopologyTimeline& timeline) {
   const DynamicSum whole(pair.P, pair.Q, {});
   const ArrangementEvents &all = *whole.states().timeline().events,
                           &some = *dynamic.states().timeline().events;
   const TopologyTimeline of_all = topology_timeline(whole.states());
   for (std::uint32_t i = 0; i <= some.groups(); ++i) {
-    // Some scale of the interval, and the same interval of the whole.
+    // A scale inside the interval, and the same interval of the whole.
     const Rational low = i > 0 ? some.exact(i - 1) : some.window().from.value_or(0);
     const Rational high =
         i < some.groups() ? some.exact(i) : some.window().to.value_or(2 * low + 1);

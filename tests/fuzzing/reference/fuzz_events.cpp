@@ -27,7 +27,7 @@ std::string names(std::initializer_list<std::size_t> edges) {
 /// Scale, a, b, change.
 using Row = std::tuple<Rational, std::uint32_t, std::uint32_t, Change>;
 
-/// Checks pairs that are not parallel: the events listed are the ends of the intervals.
+/// Checks non-parallel pairs: the listed events are the ends of the meeting intervals.
 void check_intervals(const Case& pair, const Edges& edges, const PairEvents& found,
                      const std::vector<Rational>& scales) {
   std::vector<Row> listed, expected;
@@ -56,8 +56,7 @@ void check_intervals(const Case& pair, const Edges& edges, const PairEvents& fou
          to_string(std::get<0>(first)) + " " + names({std::get<1>(first), std::get<2>(first)}));
 }
 
-/// Whether a pair of edges meets at a scale, as the events of the pair say; none where there are no
-/// events.
+/// Whether a pair of edges meets at a scale, according to the pair's events; none without events.
 std::optional<bool> told(const std::vector<const PairEvent*>& events,
                          const std::vector<Rational>& scales, const Rational& s) {
   if (events.empty()) return std::nullopt;
@@ -71,7 +70,7 @@ std::optional<bool> told(const std::vector<const PairEvent*>& events,
   return meets;
 }
 
-/// At and between some scales of events: which pairs meet, parallel ones included.
+/// Checks at and between some event scales which pairs meet, including parallel pairs.
 void check_meetings(const Case& pair, const Edges& edges, const PairEvents& found,
                     const std::vector<Rational>& scales, Dice& dice) {
   std::vector<Rational> chosen{scale_of(pair)};
@@ -99,7 +98,7 @@ void check_meetings(const Case& pair, const Edges& edges, const PairEvents& foun
   }
 }
 
-/// A crossing on an edge is there from the beginning of the interval to its end.
+/// A crossing stays on its edge from the interval's beginning to its end.
 void check_nodes(const Case& pair, const ArrangementEvents& events) {
   const Edges& edges = events.moving();
   const auto is_bound = [&](std::uint32_t group, const std::optional<Rational>& bound) {
@@ -118,11 +117,11 @@ void check_nodes(const Case& pair, const ArrangementEvents& events) {
   }
 }
 
-/// Scale, edges, which of them sees the others swap.
+/// Scale, edges, and the edge that sees the other two swap.
 using Swap = std::tuple<Rational, std::uint32_t, std::uint32_t, std::uint32_t, std::uint8_t>;
 
 /// Checks triples of edges, no two parallel: the triple events are the scales at which their lines
-/// pass through one point where two of the edges meet the third below and above.
+/// share a point and two edges meet the third just below and just above.
 void check_triples(const Case& pair, const ArrangementEvents& events) {
   const Edges& edges = events.moving();
   const auto n = static_cast<std::uint32_t>(edges.size());
@@ -167,7 +166,7 @@ void check_triples(const Case& pair, const ArrangementEvents& events) {
              " expected");
 }
 
-/// The events of a window are those of all scales that lie in it.
+/// A window's events are the events of all scales inside the window.
 void check_window(const Case& pair, const PairEvents& found, const std::vector<Rational>& scales) {
   const ScaleWindow window{pair.interval->from, pair.interval->to};
   const PairEvents part = pair_events(pair.P, pair.Q, window);

@@ -1,5 +1,5 @@
-// Tight passages against the definition: every crossing of two edges of the convolution, and points
-// between, are decided one by one.
+// Tight passages against the definition, which decides every crossing of two convolution edges, and
+// points between crossings.
 #include <algorithm>
 #include <array>
 
@@ -36,8 +36,8 @@ bool is_on(const std::vector<TightPassage>& passages, const Point& x) {
   return false;
 }
 
-/// Ends and common points of edges of the reduced convolution, and points halfway between two of
-/// them on an edge.
+/// Ends and common points of reduced convolution edges, and points halfway between two such points
+/// on an edge.
 std::vector<Point> candidates(const Case& pair, const Rational& s, Dice& dice) {
   std::vector<Segment> edges;
   for (const ConvolutionEdge& e : reduced_convolution(pair.P, pair.Q)) {
@@ -63,7 +63,7 @@ std::vector<Point> candidates(const Case& pair, const Rational& s, Dice& dice) {
 }
 
 /// All points of the passages are in contact only, inside the sum or on its boundary; candidates
-/// inside the sum are on a passage where they are in contact only.
+/// inside the sum that are in contact only lie on a passage.
 void check_points(const Case& pair, const Rational& s, const Sum& sum, Dice& dice) {
   const auto& passages = *sum.tight_passages;
   const Membership membership(pair.P, pair.Q, s);
@@ -95,7 +95,7 @@ void check_points(const Case& pair, const Rational& s, const Sum& sum, Dice& dic
   }
 }
 
-/// The points of the pieces, each in its canonical direction; contacts are left out.
+/// The points of all pieces, each in canonical direction, without contacts.
 std::vector<std::vector<Point>> pieces(const std::vector<TightPassage>& passages) {
   std::vector<std::vector<Point>> all;
   for (const TightPassage& passage : passages) all.push_back(passage.points);
@@ -106,7 +106,7 @@ bool sequence_less(const std::vector<Point>& p, const std::vector<Point>& q) {
   return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), is_less);
 }
 
-/// Pieces are sorted, run the smaller way, and name a contact for each of their parts.
+/// Pieces are sorted, run the smaller way, and name a contact for each part.
 void check_order(const Case& pair, const std::vector<TightPassage>& passages) {
   const auto all = pieces(passages);
   if (!std::is_sorted(all.begin(), all.end(), sequence_less)) {
@@ -125,7 +125,7 @@ void check_order(const Case& pair, const std::vector<TightPassage>& passages) {
   }
 }
 
-/// Maps that keep the order of points, and the exchange of operands.
+/// Checks maps that keep the order of points, and the exchange of operands.
 void check_laws(const Case& pair, const Rational& s, const Sum& sum, Dice& dice) {
   const auto mapped = [&](const auto& map) {
     auto all = pieces(*sum.tight_passages);

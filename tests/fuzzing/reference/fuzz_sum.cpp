@@ -15,7 +15,7 @@ const Bounds bounds{.vertices = 16, .product = 80};
 
 namespace {
 
-/// The definition route takes all pairs of triangles: above this it is asked now and then.
+/// The definition route takes all pairs of triangles: above this product it runs only now and then.
 constexpr std::size_t definition_product = 40;
 
 /// Equal canonical forms have equal digests.
@@ -29,7 +29,7 @@ void expect_same(const std::string& law, const Case& pair, const Sum& expected, 
   }
 }
 
-/// The form of a form is itself; it is an operand; holes and components are those counted.
+/// A canonical form is its own form and an operand; holes and components equal the counts.
 void check_canonical(const Case& pair, const Sum& sum) {
   const Canonical again = canonicalize(sum.region);
   if (!again.well_formed) broken("rings of a canonical form do not overlap", pair);
@@ -41,7 +41,7 @@ void check_canonical(const Case& pair, const Sum& sum) {
   }
 }
 
-/// Brunn and Minkowski: sqrt(area of the sum) >= sqrt(area of sP) + sqrt(area of Q).
+/// Brunn and Minkowski: sqrt(sum's area) >= sqrt(area of sP) + sqrt(area of Q).
 void check_area(const Case& pair, const Rational& s, const Sum& sum) {
   if (pair.P.empty() || pair.Q.empty()) {
     if (!sum.region.empty()) broken("a sum with the empty set is empty", pair);
@@ -57,7 +57,7 @@ void check_area(const Case& pair, const Rational& s, const Sum& sum) {
   }
 }
 
-/// Points of the convolution and near it, decided by pairs of triangles.
+/// Tests points on and near the convolution, decided by pairs of triangles.
 void check_points(const Case& pair, const Rational& s, const Sum& sum, Dice& dice) {
   if (pair.P.empty() || pair.Q.empty()) return;
   const PolygonSet P = scaled(pair.P, s);
@@ -120,7 +120,7 @@ Sum canonical_sum(const PolygonSet& region) {
   return {std::move(form.region), form.components, form.holes, {}, {}};
 }
 
-/// One law, by one of the routes.
+/// Checks a random law with a random route.
 void check_law(const Case& pair, const Rational& s, const Sum& sum, Dice& dice) {
   static constexpr Route routes[] = {Route::paper,   Route::paper,   Route::paper,
                                      Route::winding, Route::winding, Route::definition};

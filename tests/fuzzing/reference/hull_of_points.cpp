@@ -20,7 +20,7 @@ LatticePoint cross(const LatticePoint& a, const LatticePoint& b) {
 
 constexpr LatticePoint zero{0, 0, 0};
 
-/// The points in the plane through three, where not some lie above and others below it.
+/// The points in the plane through three points, unless points lie on both sides.
 struct Plane {
   LatticePoint normal;
   Face in;
@@ -38,8 +38,8 @@ struct Plane {
   }
 };
 
-/// From the least point of a plane, each time to that which has no other on its right, of several
-/// the farthest.
+/// Starts at the plane's first point; each step goes to the point that has no other on its right,
+/// the farthest such point.
 Face corners(const std::vector<LatticePoint>& points, const Face& in, const LatticePoint& outward) {
   Face ring;
   std::uint32_t at = in.front();

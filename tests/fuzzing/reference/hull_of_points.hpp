@@ -1,4 +1,4 @@
-// Convex hulls of a few integer points, by all triples of them.
+// Convex hulls of a few integer points, from all triples.
 #pragma once
 
 #include <array>
@@ -12,11 +12,10 @@ namespace minkref::fuzzing {
 /// Below 2^15 in magnitude.
 using LatticePoint = std::array<std::int64_t, 3>;
 
-/// One face for each facet, its corners only; the empty set where all points lie in one plane.
-/// O(n^4).
+/// A face for each facet, with corners only; the empty set for coplanar points. O(n^4).
 Polyhedron hull_of_points(std::vector<LatticePoint> points);
 
-/// Every face cut into triangles from its first corner: that of a convex body.
+/// Cuts every face of a convex body into triangles from its first corner.
 Polyhedron triangulated(const Polyhedron& body);
 
 }  // namespace minkref::fuzzing

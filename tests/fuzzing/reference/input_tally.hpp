@@ -1,4 +1,4 @@
-// Numbers of valid, refused and other inputs of a process, printed when the process ends.
+// Counts of a process's valid, refused and other inputs, printed when the process ends.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@
 namespace minkref::fuzzing {
 namespace {
 
-/// Blocks of up to 8 * `classes` bytes are kept for later; longer ones are rare.
+/// Blocks up to 8 * `classes` bytes are kept for reuse; longer blocks are rare.
 constexpr std::size_t classes = 32;
 
 struct Free {

@@ -18,7 +18,8 @@ void stretch(const ChangeSite& c) {
   });
 }
 
-/// Far away, by a rational that no double is, or so that a vertex comes to a point of the other.
+/// Moves far away, by a rational that is no double, or so that a vertex meets a point of the other
+/// operand.
 void translate(const ChangeSite& c) {
   Point by{c.dice.between(-3, 3), c.dice.between(-3, 3)};
   switch (c.dice.below(4)) {
@@ -62,7 +63,7 @@ void turn(const ChangeSite& c) {
   });
 }
 
-/// The other operand, as it is or turned by half.
+/// Becomes the other operand, unchanged or turned by half.
 void become_other(const ChangeSite& c) {
   c.shape = c.other;
   if (c.dice.one_in(2)) {

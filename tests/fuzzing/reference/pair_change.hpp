@@ -1,4 +1,4 @@
-// Changes of one operand with an eye on the other. The result may be invalid; the mutator looks.
+// Changes one operand with regard to the other. The result may be invalid; the mutator checks.
 #pragma once
 
 #include <span>
@@ -8,19 +8,19 @@
 
 namespace minkref::fuzzing {
 
-/// The operands that a change works on. `other` is in the scale of `shape`: shapes that fit here
-/// fit at the scale of the pair.
+/// The operands that a change works on. `other` is scaled like `shape`: shapes that fit here fit at
+/// the pair's scale.
 struct ChangeSite {
   Dice& dice;
   PolygonSet& shape;
   const PolygonSet& other;
 
-  /// A ring of a set that has one.
+  /// A random ring; the set has at least one.
   Ring& some_ring(PolygonSet& set) const;
   const Ring& some_ring(const PolygonSet& set) const;
-  /// A vertex of either operand, or the sum or difference of two: what a convolution is made of.
+  /// A vertex of either operand, or two vertices' sum or difference: the points of a convolution.
   Point some_point() const;
-  /// Two vertices that follow each other.
+  /// Two consecutive vertices.
   std::pair<Point, Point> some_edge(const PolygonSet& set) const;
 };
 
@@ -52,7 +52,7 @@ inline Point operator*(const Rational& factor, const Point& p) {
   return {factor * p.x, factor * p.y};
 }
 inline Rational larger(const Rational& x, const Rational& y) { return x < y ? y : x; }
-/// The longer of the two sides of the box.
+/// The box's longer side.
 inline Rational reach(const Point& d) { return larger(abs(d.x), abs(d.y)); }
 
 }  // namespace minkref::fuzzing

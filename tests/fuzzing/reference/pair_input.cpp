@@ -30,8 +30,8 @@ bool is_small(const PolygonSet& set) {
   return true;
 }
 
-/// Up to the brace that closes the first one. Strings with braces in them do not occur: a text that
-/// is cut in one is not a case.
+/// The text up to the brace that closes the first brace. Strings never contain braces: a text cut
+/// inside a string is no case.
 std::string_view first_object(std::string_view text) {
   std::size_t depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -10,7 +10,7 @@ namespace minkref::fuzzing {
 namespace {
 
 constexpr int patience = 24;
-/// One mutation in so many may be invalid.
+/// One mutation in `invalid_one_in` may be invalid.
 constexpr std::size_t invalid_one_in = 40;
 
 /// A square frame and a square that fits its hole.
@@ -35,7 +35,7 @@ bool has_empty_ring(const PolygonSet& set) {
   return false;
 }
 
-/// Something to change: the input, or the plainest pair where it is none.
+/// A pair to change: the input, or the plainest pair if the input is no pair.
 Case to_change(const std::uint8_t* data, std::size_t size) {
   auto pair = read_pair({reinterpret_cast<const char*>(data), size});
   if (!pair || !is_small(*pair) || has_empty_ring(pair->P) || has_empty_ring(pair->Q)) {
@@ -44,7 +44,7 @@ Case to_change(const std::uint8_t* data, std::size_t size) {
   return std::move(*pair);
 }
 
-/// Operands and scales; nothing else of a case is looked at.
+/// The text of operands and scales, without the rest of a case.
 std::string text_of(const Case& pair) {
   Case bare;
   bare.id = "pair";
@@ -128,8 +128,8 @@ Case crossed(Dice& dice, const Case& first, const Case& second) {
   return result;
 }
 
-/// The text of the first candidate that is valid, small, short enough and another one; else of the
-/// pair itself, or of the plainest.
+/// Writes the first candidate that is valid, small, short enough and new; otherwise the pair
+/// itself, or the plainest pair.
 template <class Make>
 std::size_t write_first_good(Dice& dice, std::uint8_t* out, std::size_t room, const Case& pair,
                              const Make& make) {

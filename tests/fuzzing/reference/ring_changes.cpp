@@ -31,7 +31,7 @@ Rational some_fit(Dice& dice) {
   return dice.of(fits);
 }
 
-/// A polygon with holes, if there is one.
+/// A random polygon with holes, or null.
 Polygon* holed(const ChangeSite& c) {
   std::vector<Polygon*> found;
   for (Polygon& polygon : c.shape.polygons) {
@@ -44,8 +44,8 @@ void move(Ring& ring, const Point& by) {
   for (Point& p : ring) p = p + by;
 }
 
-/// A hole in the form of the other operand, turned by half, that fits it or nearly does. Placed in
-/// the box, or with a vertex at one of the outer ring.
+/// Adds a hole in the other operand's form, turned by half, with an exact or almost exact fit.
+/// Places the hole inside the box, or with a vertex at an outer ring's vertex.
 void add_hole(const ChangeSite& c) {
   if (!c.shape.is_region() || c.other.empty()) return;
   Polygon& polygon = c.dice.of(c.shape.polygons);
@@ -92,7 +92,7 @@ void fit_hole(const ChangeSite& c) {
   }
 }
 
-/// A hole moved so that a vertex of it comes to one of another ring.
+/// Moves a hole so that one vertex meets another ring's vertex.
 void move_hole(const ChangeSite& c) {
   Polygon* polygon = holed(c);
   if (polygon == nullptr) return;
@@ -113,7 +113,8 @@ void add_island(const ChangeSite& c) {
   c.shape.polygons.push_back({std::move(island), {}});
 }
 
-/// A polygon of the other operand in place of one, or beside them: far, or vertex at vertex.
+/// Replaces a polygon with a polygon of the other operand, or adds that polygon: far away, or
+/// vertex at vertex.
 void copy_part(const ChangeSite& c) {
   if (c.other.empty()) return;
   Polygon part = c.dice.of(c.other.polygons);
@@ -133,7 +134,7 @@ void copy_part(const ChangeSite& c) {
   c.shape.polygons = {std::move(part)};
 }
 
-/// A polygon of its own, mirrored in one of its vertices: the two touch there.
+/// Adds a polygon's mirror image in one vertex: both polygons touch there.
 void add_touching(const ChangeSite& c) {
   if (!c.shape.is_region()) return;
   Polygon copy = c.dice.of(c.shape.polygons);

@@ -9,7 +9,7 @@
 namespace minkref::fuzzing {
 namespace {
 
-/// The most pairs of vertices, one of P and one of Q, for which all events are looked for.
+/// The most vertex pairs, from P and Q, for which all events are computed.
 constexpr std::size_t most_pairs = 64;
 
 Rational plain_scale(Dice& dice) {
@@ -17,7 +17,7 @@ Rational plain_scale(Dice& dice) {
   return Rational(dice.between(1, 12), dice.between(1, 8));
 }
 
-/// A scale at which the boundary of the sum changes, or any event of the pair.
+/// A scale at which the sum's boundary changes, or any event scale of the pair.
 std::optional<Rational> event_of(Dice& dice, const Case& pair) {
   if (pair.P.empty() || pair.Q.empty()) return std::nullopt;
   if (dice.one_in(2) && pair.P.vertices() * pair.Q.vertices() <= most_pairs) {

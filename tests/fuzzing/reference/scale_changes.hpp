@@ -1,4 +1,4 @@
-// Changes of the scale of a pair and of its window.
+// Changes to a pair's scale and window.
 #pragma once
 
 #include "formats/case.hpp"
@@ -9,7 +9,7 @@ namespace minkref::fuzzing {
 /// The pair is valid.
 void change_scale(Dice& dice, Case& pair);
 
-/// P and Q exchanged: sums are those from before, divided by the scale.
+/// Exchanges P and Q: sums equal the earlier sums divided by the scale.
 void exchange_operands(Case& pair);
 
 }  // namespace minkref::fuzzing

@@ -25,7 +25,7 @@ def vertices(operand: dict) -> int:
 
 
 def scales(P: str, Q: str, scale: str, index: int) -> dict:
-    """Its own scale, that of an event, or the interval between two of them."""
+    """The pair's own scale, an event's scale, or the interval between two events."""
     probes = [s for position, s in scale_probes(P, Q, 16) if position == "at"]
     if index % 3 == 1 and probes:
         return {"scales": [probes[len(probes) // 2]]}

@@ -30,7 +30,7 @@ Rational rounded(const Rational& value, const Rational& unit) {
   return unit * Rational(floor);
 }
 
-/// One coordinate, or all of them, to a grid.
+/// Rounds one coordinate, or all coordinates, to a grid.
 void round_coordinates(const ChangeSite& c) {
   const Rational units[] = {1, 1, Rational(1, 2), Rational(1, 4), 8, power_of_two(-16)};
   const Rational unit = c.dice.of(units);

@@ -71,15 +71,15 @@ void align_vertex(const ChangeSite& c) {
   (c.dice.one_in(2) ? p.x : p.y) = c.dice.one_in(2) ? target.x : target.y;
 }
 
-/// A vertex comes to another one, or onto an edge: rings touch, or it is refused.
+/// Moves a vertex onto another vertex or onto an edge: rings touch, or the pair is refused.
 void vertex_onto_boundary(const ChangeSite& c) {
   const auto [from, to] = c.some_edge(c.shape);
   const Rational along(static_cast<long>(c.dice.below(5)), 4);
   c.dice.of(c.some_ring(c.shape)) = from + along * (to - from);
 }
 
-/// An edge turned about its start into the direction of an edge of the other operand; at times it
-/// gets that edge's length too.
+/// Turns an edge about its start into the direction of an edge of the other operand, and sometimes
+/// gives it that edge's length.
 void make_parallel(const ChangeSite& c) {
   if (c.other.empty()) return;
   Ring& ring = c.some_ring(c.shape);
