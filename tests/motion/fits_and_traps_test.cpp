@@ -101,8 +101,8 @@ TEST(ScalesThatFit, OfARectangleInAnother) {
   EXPECT_FALSE(at.bounds[0].contact->obstacle.is_edge);
 }
 
-/// A ring fits into an equal one at scale 1, around the island; into the ring's width, which is 1,
-/// as long as it is at most that wide itself. No hole of any sum shows the scale 1.
+/// A ring fits into an equal ring at scale 1, around the island, and into the ring's width of 1
+/// while its own width is at most 1. No hole of any sum shows the scale 1.
 TEST(ScalesThatFit, OfARingInItselfAreASingleScaleAndThoseInItsWidth) {
   PolygonSet ring = rectangle(-2, -2, 2, 2);
   ring.polygons[0].holes.push_back({{-1, -1}, {-1, 1}, {1, 1}, {1, -1}});
@@ -137,7 +137,7 @@ TEST(ScalesThatFit, RefuseAPoint) {
   EXPECT_THROW(scales_that_fit(rectangle(0, 0, 1, 1), point), BadInput);
 }
 
-/// At scales drawn at random, at those of the list of events and between them.
+/// Compares at random scales, at event scales and between them.
 std::string as_static_sums_say(const Case& c) {
   Source own(11);
   const auto ends = random_path(own, c.P, c.Q);
@@ -298,8 +298,8 @@ TEST(StarCentre, IsFoundWhereThereIsOne) {
   EXPECT_TRUE(has_star_centre({{{{{1, 1}, {2, 3}}, {}}}}));
 }
 
-/// At the scale of every event of the arrangement, whether its place is free or not: none of those
-/// that are left out changes the answer.
+/// At every event scale of the arrangement, compares whether the place is free: no omitted event
+/// changes the answer.
 TEST(FreeScales, ChangeAtNoEventThatWasLeftOut) {
   MINKREF_SEEDED(random, 3122);
   expect_law(random, 30, lattice_pieces(2, 4), [](const Case& c) -> std::string {

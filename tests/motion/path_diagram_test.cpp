@@ -1,4 +1,4 @@
-// The bad polygons of a path hold the places and scales that collide, and no others.
+// The bad polygons of a path contain exactly the colliding places and scales.
 #include "reference/motion/path_diagram.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Random paths, many of them degenerate, and a judge of single scales: static sums.
+// Random paths, many of them degenerate, and static sums as a judge of single scales.
 #pragma once
 
 #include <optional>

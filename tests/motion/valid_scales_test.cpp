@@ -138,7 +138,7 @@ TEST(ValidScales, AreAsStaticSumsSayAtAndBesideEachBound) {
   with_paths(thin_and_wide(4, 2), random, scales_are_as_static_sums_say)(30);
 }
 
-/// Each bound names features that touch at its place: the point is on both.
+/// Each bound names features that touch at its place: both contain the point.
 std::string bounds_touch(const Case& c, const std::vector<Point>& path) {
   if (!c.P.is_region() && !c.Q.is_region()) return "";
   const auto on = [](const PolygonSet& set, const TouchingFeature& f, const Point& p) {
@@ -203,7 +203,8 @@ TEST(ValidScales, AreSeveralIntervalsOfAPartThatIsNotStarShaped) {
   EXPECT_FALSE(found.bounds[1].blocks);
 }
 
-/// Bad are (1/3, 2), where [2 s, 3 s] meets (1, 4), and (2, 9/2), where it meets (6, 9).
+/// Bad scales: (1/3, 2), where [2 s, 3 s] meets (1, 4), and (2, 9/2), where [2 s, 3 s] meets (6,
+/// 9).
 TEST(ValidScales, MayBeASingleScale) {
   const PolygonSet part = box(2, 0, 3, 1);
   const PolygonSet walls = both(box(1, 0, 4, 1), box(6, 0, 9, 1));
@@ -315,7 +316,7 @@ TEST(StarShaped, NeedsTheOriginOnTheLeftOfAllEdges) {
   EXPECT_FALSE(star_shaped(box(1, 0, 2, 1)));
   EXPECT_TRUE(star_shaped({{{{{-1, 0}, {1, 0}}, {}}}}));
   EXPECT_FALSE(star_shaped({{{{{1, 0}, {2, 0}}, {}}}}));
-  // Two triangles that touch in the origin.
+  // Two triangles that touch at the origin.
   EXPECT_TRUE(star_shaped({{{{{0, 0}, {1, -1}, {1, 1}}, {}}, {{{0, 0}, {-1, 1}, {-1, -1}}, {}}}}));
 }
 

@@ -1,4 +1,4 @@
-// Random polyhedra and paths in space, many of them degenerate; polygons drawn out to prisms.
+// Random polyhedra and paths in space, many of them degenerate; prisms over polygons.
 #pragma once
 
 #include <algorithm>

@@ -121,7 +121,8 @@ void expect_valid(const Polyhedron& robot, const Polyhedron& obstacles, const Sp
   }
 }
 
-/// Bad are (1/3, 2), where [2 s, 3 s] meets (1, 4), and (2, 9/2), where it meets (6, 9).
+/// Bad scales: (1/3, 2), where [2 s, 3 s] meets (1, 4), and (2, 9/2), where [2 s, 3 s] meets (6,
+/// 9).
 TEST(SpacePaths, MayBeValidAtOneScaleAlone) {
   const Polyhedron part = box_from(at(2, 0, 0), at(3, 1, 1));
   const Polyhedron walls = surfaces::together(
@@ -151,7 +152,7 @@ TEST(SpacePaths, EndWhereTwoEdgesTouch) {
   EXPECT_EQ(found.bounds[0].touching, at(1, -2, 2));
 }
 
-/// The tip of a part meets the inside of a wall; and the corner of an obstacle a face of the part.
+/// The part's tip meets a wall's inside; and an obstacle's corner meets the part's face.
 TEST(SpacePaths, EndWhereAVertexMeetsAFace) {
   const Polyhedron part = bodies::octahedron(), wall = box_from(at(-9, -9, 5), at(9, 9, 6));
   const SpaceValidScales tip = valid_scales(part, wall, {at(0, 0, 0)});
@@ -179,7 +180,7 @@ TEST(SpacePaths, MayPassThroughAHoleWithoutClearance) {
                "(0, 2/3] ");
 }
 
-/// Along a face, along an edge, and past a vertex that is touched at one instant.
+/// Slides along a face, along an edge, and past a vertex that it touches for an instant.
 TEST(SpacePaths, MaySlideInContact) {
   const Polyhedron block = box_from(at(0, 0, 0), at(4, 4, 4));
   const Polyhedron part = box_from(at(-1, -1, 0), at(1, 1, 1));
@@ -193,7 +194,7 @@ TEST(SpacePaths, MaySlideInContact) {
   expect_valid(octahedron, block, {at(7, 6, 5), at(5, 6, 7)}, ContactRule::allowed, "(0, 6] ");
 }
 
-/// A point that passes inside of a solid along the seams of its convex pieces.
+/// A point passes through a solid along the seams of its convex pieces.
 TEST(SpacePaths, OfAPointSeeSeams) {
   const Polyhedron bent = polycubes::solid(polycubes::with(polycubes::block({0, 0, 0}, {2, 1, 2}),
                                                            polycubes::block({0, 1, 0}, {1, 2, 1})));
@@ -207,12 +208,12 @@ TEST(SpacePaths, OfAPointSeeSeams) {
   }
   expect_valid(point, bent, {{half, 1, 1}}, ContactRule::allowed, "(0, inf) ");
   expect_valid(point, bent, {{half, 1, 1}}, ContactRule::forbidden, "none");
-  // Eight cells of which one is missing: seams meet in the middle, which is on the surface.
+  // Seven of eight cells: seams meet at the middle, on the surface.
   const Polyhedron corner = polycubes::solid(polycubes::without(
       polycubes::block({0, 0, 0}, {2, 2, 2}), polycubes::block({1, 1, 1}, {2, 2, 2})));
   expect_valid(point, corner, {at(1, 1, 1)}, ContactRule::allowed, "(0, inf) ");
   expect_valid(point, corner, {{1, 1, half}}, ContactRule::allowed, "none");
-  // A segment that lies in a seam at one scale only, crossing the reflex edge of the dent.
+  // A segment lies in a seam at a single scale, crossing the dent's reflex edge.
   const Polyhedron needle{{at(1, 0, 0), at(1, 1, 0)}, {}};
   expect_valid(needle, corner, {{0, half, half}}, ContactRule::allowed, "[2, inf) ");
 }
@@ -231,8 +232,8 @@ TEST(SpacePaths, RefuseWhatHasNoAnswer) {
                BadInput);
 }
 
-/// Whatever else touches or overlaps there: on a path that is a place, on one that crosses the
-/// plane in which vertex and edge move, and on one in it.
+/// Finds the contact whatever else touches or overlaps: for a path that is a place, for a path
+/// across the plane of the moving vertex and edge, and for a path within that plane.
 TEST(ContactScales, AreAllAtWhichAVertexComesToAnEdge) {
   const Polyhedron part = box_from(at(-1, -1, -1), at(1, 1, 1));
   const Polyhedron block = box_from(at(3, 3, -9), at(6, 6, 9));  // an edge x = 3, y = 3
@@ -284,7 +285,7 @@ std::string does_not_change(const SpaceCase& c) {
 }
 TEST(SpacePaths, DoNotChangeWhereAllIsScaledOrMoved) { with_cases(40, false, does_not_change); }
 
-/// The scales that are valid among two obstacles are those that are valid among each.
+/// Scales are valid among two obstacles iff they are valid among each.
 TEST(SpacePaths, AmongTwoObstaclesAreThoseOfBoth) {
   bodies::for_each_seed(static_cast<unsigned>(repetitions(40)), [](std::mt19937& dice) {
     const Polyhedron robot = drawn_solid(dice), first = bodies::random_tetrahedron(dice, 3);
@@ -331,7 +332,7 @@ std::string windows_cut(const SpaceCase& c) {
 }
 TEST(SpacePaths, OfAWindowAreThoseInIt) { with_cases(15, false, windows_cut); }
 
-/// Each bound names features that hold the point at which they touch.
+/// Each bound names features that contain the contact point.
 std::string bounds_touch(const SpaceCase& c) {
   const auto holds = [](const Polyhedron& body, const SpaceFeature& f, const SpacePoint& p) {
     const auto& v = body.vertices;
