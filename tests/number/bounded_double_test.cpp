@@ -1,4 +1,4 @@
-// Doubles with a bound: signs that they call certain are right, and exact ones are exact.
+// Doubles with a bound: certain signs are right, and exact doubles are exact.
 #include "reference/number/bounded_double.hpp"
 
 #include <gtest/gtest.h>

@@ -25,8 +25,7 @@ TEST(FloatEnvironment, EveryOperationIsRightInEachEnvironment) {
   EXPECT_GT(counts.all().size(), 20U);
 }
 
-/// The sum with itself of a square whose side is 2^(1 - bits), by intervals; "undecided" where they
-/// tell no sign.
+/// Adds a square of side 2^(1 - bits) to itself, by intervals; "undecided" if they tell no sign.
 std::string sum_by_intervals(int bits) {
   const Rational unit(Integer(1), Integer(1) << bits);
   const PolygonSet square{

@@ -1,4 +1,4 @@
-// Intervals: tightest operations, enclosure of whole expressions, and signs that are right or
+// Intervals: tightest operations, enclosures of whole expressions, and signs that are right or
 // refused.
 #include <gtest/gtest.h>
 
@@ -207,7 +207,7 @@ TEST(IntervalEnds, RandomOperationsOnUnboundedIntervalsNeverMakeNaNOrAnEmptyInte
     if (bounds[0] > bounds[1]) std::swap(bounds[0], bounds[1]);
     if (bounds[2] > bounds[3]) std::swap(bounds[2], bounds[3]);
     const Interval a(bounds[0], bounds[1]), b(bounds[2], bounds[3]);
-    // Finite members of both, whose results must be enclosed.
+    // Finite members of both intervals, whose results must be enclosed.
     const double x = std::isinf(a.lower()) ? std::min(a.upper(), greatest) : a.lower();
     const double y = std::isinf(b.upper()) ? std::max(b.lower(), -greatest) : b.upper();
     for (const Operation operation : operations) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Bit for bit: one random operation after the other in both arithmetics.
+/// Compares both arithmetics bit for bit, through a sequence of random operations.
 template <class Float>
 void compare_with(testing::Source& random, long precision, int exponents, int width) {
   using Bits = std::conditional_t<sizeof(Float) == 8, std::uint64_t, std::uint32_t>;

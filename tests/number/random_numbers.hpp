@@ -15,8 +15,8 @@
 
 namespace minkref::testing {
 
-/// A seeded source; the seed is in the trace of every failure and in the test's record. The
-/// variable MINKREF_SEED overrides it.
+/// A seeded source; every failure's trace and the test's record show the seed. The variable
+/// MINKREF_SEED overrides the seed.
 class Source {
  public:
   explicit Source(std::uint64_t seed) : seed_(seed) {

@@ -1,4 +1,4 @@
-// Rationals against doubles: exact one way, correctly rounded the other.
+// Rationals against doubles: exact one way, correctly rounded the other way.
 #include <gtest/gtest.h>
 
 #include <bit>

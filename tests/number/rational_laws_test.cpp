@@ -1,4 +1,4 @@
-// Rationals are an ordered field.
+// Rationals form an ordered field.
 #include <gtest/gtest.h>
 
 #include "reference/number/scalar.hpp"

@@ -1,4 +1,4 @@
-// Texts of numbers: what is read, exactly, and what is refused before any work is spent on it.
+// Number texts: exact readings, and refusals before any work.
 #include <gtest/gtest.h>
 
 #include <chrono>

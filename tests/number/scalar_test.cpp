@@ -14,7 +14,7 @@ struct Points {
   Rational coordinates[6];
 };
 
-/// The sign of the area of a triangle, in the arithmetic given.
+/// The sign of a triangle's area, computed with the given arithmetic.
 template <Scalar T>
 int orientation(const Points& points, const Arithmetic<T>& arithmetic) {
   Vector2<T> p[3];

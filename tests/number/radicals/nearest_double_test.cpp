@@ -1,4 +1,4 @@
-// The doubles that are written for exact numbers.
+// The doubles written for exact numbers.
 #include "reference/number/radicals/nearest_double.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// a + b √m with what two such numbers leave of each other.
+/// a + b √2, or the small rest after subtracting a close rational.
 RootNumber random_difference(std::mt19937& dice) {
   const auto fraction = [&] { return Rational(static_cast<int>(dice() % 2001) - 1000, 7); };
   const RootNumber x = RootNumber(fraction()) + RootNumber(fraction()) * sqrt(RootNumber(2));
@@ -40,7 +40,7 @@ TEST(NearestDouble, IsNearerThanItsNeighbours) {
   }
 }
 
-/// No number of bits tells on which side of such numbers an interval is.
+/// No precision tells on which side of such numbers an interval lies.
 TEST(NearestDouble, IsDecidedExactlyWhereBitsNeverTell) {
   const RootNumber root = sqrt(RootNumber(2));
   const RootNumber other = sqrt(RootNumber(3) + RootNumber(2) * root);  // 1 + √2

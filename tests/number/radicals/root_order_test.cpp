@@ -1,4 +1,4 @@
-// The order of numbers of different fields.
+// The order between numbers from different fields.
 #include "reference/number/radicals/root_order.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(RootOrder, FindsNumbersEqualThatFieldsNameDifferently) {
   EXPECT_EQ(compare(two * three, root(6)), 0);
   EXPECT_EQ(compare(root(8), two + two), 0);
   EXPECT_EQ(compare(RootNumber(3), root(9)), 0);
-  // Conjugates have one polynomial, and are not equal.
+  // Conjugates share a polynomial, but are different.
   EXPECT_EQ(compare(RootNumber(1) - two, RootNumber(1) + root(2)), -1);
   EXPECT_EQ(compare(two - three, nested), -1);
 }

@@ -33,7 +33,7 @@ TEST(RootText, AddsNumbersOfSeveralFields) {
   EXPECT_EQ(terms.text(), "0");
 }
 
-/// √2 √8 is 4, though its name has two roots.
+/// √2 √8 equals 4, though its name has two roots.
 TEST(RootText, SeesWhatUnderARootIsRational) {
   const RootNumber two = sqrt(RootNumber(2));
   const RootNumber eight = sqrt(RootNumber(8).in(two.field()));
@@ -42,7 +42,7 @@ TEST(RootText, SeesWhatUnderARootIsRational) {
   EXPECT_EQ(expression(sqrt(two * eight - RootNumber(4)) + RootNumber(1)), "1");
 }
 
-/// √2 times √(2 x) is one root of a rational number.
+/// √2 times √(2 x) simplifies to the root of a rational number.
 TEST(RootText, ProductsOfRootsOfRationalsAreOne) {
   const RootNumber two = sqrt(RootNumber(2));
   RootTerms terms;
