@@ -1,4 +1,4 @@
-"""The CGAL oracle as the tests use it. Without its executables the tests are reported skipped."""
+"""Test fixtures for the CGAL oracle. Without its executables the tests are reported skipped."""
 
 from __future__ import annotations
 
@@ -94,8 +94,9 @@ def polygon() -> Callable[..., dict[str, Any]]:
 
 @pytest.fixture
 def lost_hole(polygon: Callable[..., dict[str, Any]]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Fixed in CGAL 5.6 (its issue 5830): the reduced convolution loses the hole of this sum. The
-    point x = (37/5, 14) lies in the hole, for x - Q = (32/5,13)(37/5,13)(37/5,14) lies in P's."""
+    """CGAL issue 5830, fixed by CGAL 5.6: the reduced convolution loses this sum's hole. The point
+    x = (37/5, 14) lies in the hole, because x - Q = (32/5,13)(37/5,13)(37/5,14) lies in P's
+    hole."""
     P = polygon(
         [(0, 0), (20, 0), (20, 20), (0, 20)],
         [(6, 12), (7, 16), (11, 16), (9, 14), (8, 14), (7, 12)],

@@ -1,9 +1,9 @@
-"""Random operands for the slow engine, by seed: meshes with triangles left out, and stars with
+"""Random operands for the slow engine, by seed: meshes with omitted triangles, and stars with
 holes.
 
-A mesh is a grid of vertices, moved a little, its cells cut in triangles, some of them taken. Its
-boundary has holes, several components, rings that touch, straight vertices and parallel edges, and
-is valid whichever triangles are taken: so a mesh shrinks triangle by triangle.
+A mesh is a grid of slightly moved vertices, its cells cut into triangles, some of them chosen. Its
+boundary has holes, several components, touching rings, straight vertices and parallel edges, and is
+valid for any choice of triangles: so a mesh shrinks triangle by triangle.
 """
 
 from __future__ import annotations
@@ -136,14 +136,14 @@ def source(rng: random.Random, small: bool, flat: bool = False) -> Source:
 
 
 def pair(seed: int, index: int, small: bool = True) -> tuple[Source, Source]:
-    """The pair of that seed and index; about one in ten has a point or a segment."""
+    """The pair for a seed and index; about one pair in ten has a point or a segment."""
     rng = random.Random(f"{seed}:{index}:{small}")
     flat = rng.choice(("", "", "", "", "", "", "", "", "", "P", "Q"))
     return source(rng, small, flat == "P"), source(rng, small, flat == "Q")
 
 
 def shrunk(P: Source, Q: Source, fails: Callable[[Source, Source], bool]) -> tuple[Source, Source]:
-    """A smallest pair that still fails, by leaving out one triangle or corner after another."""
+    """A smallest failing pair, found by omitting triangles or corners one after another."""
     while True:
         fewer = ((p, Q) for p in P.smaller())
         less = ((P, q) for q in Q.smaller())

@@ -1,4 +1,4 @@
-"""Shapes of all families, most of them spoilt: valid and invalid ones in about equal numbers."""
+"""Shapes from all families, most of them spoilt: about as many valid as invalid."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def on_edge(dice: Random, ring: Ring) -> tuple[Fraction | int, Fraction | int]:
 
 
 def inner(ring: Ring) -> tuple[Fraction | int, Fraction | int]:
-    """The middle of three vertices."""
+    """The centroid of the first three vertices."""
     return (sum(p[0] for p in ring[:3]) / Fraction(3), sum(p[1] for p in ring[:3]) / Fraction(3))
 
 
@@ -108,8 +108,8 @@ def shrunk(ring: Ring, about: tuple[Fraction | int, Fraction | int], by: Fractio
 
 
 def toothed(ring: Ring, sign: int) -> Ring:
-    """A ring that touches the given one at all vertices and at the middles of its edges, and lies
-    outside of it where it runs counter-clockwise and the sign is 1, or clockwise and it is -1."""
+    """A ring that touches the given ring at all vertices and edge midpoints, and lies outside it if
+    the ring runs counter-clockwise and the sign is 1, or clockwise and the sign is -1."""
     found: Ring = []
     for k, (x0, y0) in enumerate(ring):
         x1, y1 = ring[(k + 1) % len(ring)]

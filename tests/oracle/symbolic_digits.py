@@ -1,4 +1,4 @@
-"""Offset edges and arcs of a swept disc in 60 digits: a second way to see what they share."""
+"""A swept disc's offset edges and arcs with 60 digits: a second way to find their common points."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ def decimal(x: Radical) -> Any:
 
 
 def place(x: Any, feature: Any, s: Any) -> tuple[Any, Any]:
-    """A point of an edge, offset by s, in 60 digits."""
+    """A point of an edge, offset by s, with 60 digits."""
     e = [mpf(int(k)) for k in feature.edge]
     length = mp.hypot(*e)
     return mpf(int(x[0])) + s * e[1] / length, mpf(int(x[1])) - s * e[0] / length
 
 
 def crossings(a: Any, b: Any, s: Any) -> int:
-    """How many points two features share at a scale that is no event, in 60 digits."""
+    """The number of points shared by two features at a scale without an event, with 60 digits."""
     if isinstance(a, Arc) and isinstance(b, Offset):
         a, b = b, a
     centres = [[mpf(int(k)) for k in x.centre] for x in (a, b) if isinstance(x, Arc)]

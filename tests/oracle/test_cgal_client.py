@@ -17,7 +17,7 @@ UNIT = {"polygons": [{"outer": [["0", "0"], ["1", "0"], ["0", "1"]], "holes": []
 
 @pytest.fixture
 def impostor(tmp_path):
-    """An executable that does in Python what it is told, in place of a server."""
+    """An executable that runs given Python code instead of a server."""
 
     def write(code):
         path = tmp_path / "minkref-cgal-reduced"

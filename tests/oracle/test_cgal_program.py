@@ -14,8 +14,8 @@ SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
 
 def build(text, folder):
-    """By the command in the program's own comment, less the optimiser's minutes, in two steps: a
-    compilation without linking is what ccache can keep."""
+    """Builds with the command from the program's own comment, without the optimiser's minutes, and
+    with two steps: ccache can keep a compilation without linking."""
     found = re.search(r"^// (g\+\+ .*) (\w+)\.cpp -o \2 (.*) && \./\2$", text, re.MULTILINE)
     assert found, "the program says how it is compiled and run"
     compiler, name, libraries = found.groups()

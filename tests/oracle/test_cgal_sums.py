@@ -66,7 +66,7 @@ def test_numbers_beyond_the_range_of_doubles_pass_the_border(oracle, polygon):
 
 @pytest.mark.parametrize("method", METHOD_GROUPS)
 def test_non_convex_operands_leave_a_hole(oracle, polygon, method):
-    # A 10 x 10 frame cut open by a slot of width 1, closed again by a square of side 2.
+    # A 10 x 10 frame with a slot 1 wide, closed again by a 2 x 2 square.
     frame = [(0, 0), (10, 0), (10, 10), (6, 10), (6, 9), (9, 9), (9, 1), (1, 1), (1, 9), (5, 9)]
     P = polygon([*frame, (5, 10), (0, 10)])
     outer, inner = rings(oracle(method).sum(P, polygon(box(0, 0, 2, 2))))

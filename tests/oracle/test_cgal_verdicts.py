@@ -1,4 +1,4 @@
-"""The server outlives whatever happens in its children, and says what it was."""
+"""The server survives every failure of its children, and names the failure."""
 
 from __future__ import annotations
 

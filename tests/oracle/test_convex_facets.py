@@ -1,4 +1,4 @@
-"""The facets of convex sums as the reference has them, and by computer algebra."""
+"""The facets of convex sums, from the reference and from computer algebra."""
 
 from __future__ import annotations
 

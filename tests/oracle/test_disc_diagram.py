@@ -1,5 +1,5 @@
-"""Events of a disc before CGAL's and Boost's Voronoi diagrams, with diagrams that are known, and
-faults planted into lists of events."""
+"""Events of a disc compared with CGAL's and Boost's Voronoi diagrams, with known diagrams, and with
+faults planted into event lists."""
 
 from __future__ import annotations
 
@@ -49,8 +49,8 @@ def two_squares() -> _core.PolygonSet:
 
 
 def octagonal_hole() -> _core.PolygonSet:
-    """The edges of the hole touch the circle of radius 5 about the origin: its normals are those of
-    the triangle 3, 4, 5, turned by quarters and mirrored."""
+    """The hole's edges touch the circle of radius 5 about the origin: its normals come from the
+    triangle 3, 4, 5, turned by quarters and mirrored."""
     normals = [(1, 0), (4, 3), (3, 4), (0, 1), (-3, 4), (-4, 3), (-1, 0), (-4, -3), (-3, -4),
                (0, -1), (3, -4), (4, -3)]  # fmt: skip
     lines = [(Fraction(a), Fraction(b), Fraction(5 if a * b == 0 else 25)) for a, b in normals]
@@ -71,7 +71,7 @@ def judge(request: pytest.FixtureRequest) -> str:
 
 
 def places(judge: str, P: _core.PolygonSet) -> set[tuple[float, ...]]:
-    """Place, distance and number of features, in the set's own coordinates."""
+    """Place, distance and feature count, in the set's own coordinates."""
     outline = Outline.of(P)
     with DiagramJudge(judge, 60) as asked:
         answer = asked.vertices(outline)
@@ -116,7 +116,8 @@ def test_two_squares_have_a_ridge_with_two_ends(judge: str) -> None:
 
 
 def test_a_straight_vertex_makes_no_event(judge: str) -> None:
-    """Libraries have a vertex in front of it, where a third feature is as near: on the ridge."""
+    """Libraries have a vertex in front of the straight vertex, where a third feature is equally
+    near: on the ridge."""
     bent = [(3, 0), (5, 0), (5, 2), (3, 2), (3, 1)]
     P = polygons([SIDE_BY_SIDE[0]], [bent])
     assert differences(judge, P) == []
@@ -205,7 +206,7 @@ def test_an_event_told_twice_and_wrong_bounds_of_its_radius_are_found(judge: str
 
 
 def test_a_saddle_that_is_missing_moved_or_invented_is_found(judge: str) -> None:
-    """Two points of triangles, 2 apart."""
+    """Two triangles with tips 2 apart."""
     P = polygons([[(0, 0), (3, 1), (0, 2)]], [[(5, 1), (8, 0), (8, 2)]])
     (at,) = [k for k, row in enumerate(rows_of(P)) if len(row[5]) == 2]
     assert rows_of(P)[at][1] == "1"
@@ -245,7 +246,8 @@ def test_a_witness_tells_a_vertex_from_what_is_none() -> None:
 
 
 def test_a_wrong_answer_of_boost_is_refuted_by_a_proof() -> None:
-    """The floor of a notch is as far as its walls half a unit of Boost's grid over the mouth."""
+    """The notch's floor and walls are equally far from a point half a unit of Boost's grid above
+    the mouth."""
     if missing := absence(BOOST):
         pytest.skip(missing)
     wall = 5 - Fraction(1, 2**20)

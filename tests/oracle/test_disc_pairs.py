@@ -1,4 +1,4 @@
-"""Pair events of a disc are those of the symbolic oracle, printed ones those of the formulas."""
+"""A disc's pair events equal the symbolic oracle's events, and printed events the formulas'."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The judge of places of a disc's events: it agrees with the reference, knows examples by hand, and
-refuses answers with one thing wrong."""
+"""The judge of event places for a disc: it agrees with the reference, knows examples by hand, and
+refuses answers with a single error."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ EQUAL = [[ring] for ring in BOXES]
 
 @cache
 def judged(kind: str) -> Table:
-    """One set of a kind, or two."""
+    """Judges one or two sets of a kind."""
     print(f"seed {SEED}")
     first = list(KINDS).index(kind)
     table = Table()
@@ -75,7 +75,7 @@ def test_bridges_of_four_boxes() -> None:
 
 
 def test_a_square_is_no_bridge_but_a_greatest_value() -> None:
-    """The middle of a square frame is as far from four walls: nothing is cut off there."""
+    """The middle of a square frame is equally far from four walls: nothing is cut off there."""
     outer, hole = [(0, 0), (8, 0), (8, 8), (0, 8)], [(2, 2), (2, 6), (6, 6), (6, 2)]
     assert bridges(Boundary([[outer, hole]])) == []
     assert faults_of([[outer, hole]], rows_of(set_of([[outer, hole]]))) == []
@@ -108,7 +108,7 @@ def test_numbers_of_one_root_and_of_two_are_ordered() -> None:
     assert (two * two).rational == 2 and Surd.root(Fraction(9, 4)) == surd(Fraction(3, 2))
     assert order(two, three) < 0 < order(three + surd(1), two.times(Fraction(3, 2)))
     assert order(two + surd(1), two + surd(1)) == 0
-    # 17/12 is above the root of 2 by less than 0.003.
+    # 17/12 exceeds the square root of 2 by less than 0.003.
     assert (surd(Fraction(17, 12)) - two).sign() > 0 > (surd(Fraction(41, 29)) - two).sign()
     with pytest.raises(ValueError, match="two roots"):
         two + three

@@ -1,4 +1,4 @@
-"""Sums with a disc against CGAL's exact offset, and who is right where they differ."""
+"""Sums with a disc against CGAL's exact offset, and who is right if they differ."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_sets_of_cells_have_the_curves_of_cgal(judge: OffsetJudge) -> None:
 
 
 def test_components_that_touch_and_the_hole_between_them(judge: OffsetJudge) -> None:
-    """Two pairs of corners at the distance of twice the radius."""
+    """Two pairs of corners, twice the radius apart."""
     table = Table()
     with judge:
         P = polygons(square(0, 0), [["2", "1"], ["3", "1"], ["3", "3"], ["1", "3"], ["1", "2"]])
@@ -47,7 +47,7 @@ def test_components_that_touch_and_the_hole_between_them(judge: OffsetJudge) -> 
 
 
 def test_a_wrong_union_of_cgal_is_refuted_by_a_point(judge: OffsetJudge) -> None:
-    """CGAL 5.5 loses two of three offsets when it joins them."""
+    """CGAL 5.5 loses two of three offsets during their union."""
     table = Table()
     with judge:
         P = polygons([["0", "0"], ["1", "0"], ["0", "1"]], square(0, 2), square(1, 1))

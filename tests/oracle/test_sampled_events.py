@@ -1,4 +1,4 @@
-"""The judge of boundary events by itself: events worked out by hand, and laws it must keep."""
+"""The judge of boundary events alone: hand-computed events, and laws that it must keep."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ GROWING = rings([[(0, 2), (0, 0), (1, 0)]], [[(-2, 1), (-3, -1), (-2, 0)]])
 
 
 def test_an_edge_that_shrinks_to_a_point_and_grows_again_reversed_is_an_event(ask: Any) -> None:
-    """Below and above it the moving boundary is one and the same."""
+    """Below and above the event the moving boundary is the same."""
     found = ask(SHRINKING, GROWING, **{"from": "7/5", "to": "8/5"})
     (event,) = found["events"]
     vertices = [event[name][1] for name in ("below", "at", "above")]
@@ -70,9 +70,9 @@ def box(x: int, y: int) -> list[Ring]:
 
 
 def test_parts_that_touch_corner_to_corner_at_one_scale_only_have_an_event(ask: Any) -> None:
-    """The box from (0,0) to (s+1,s+1), and one with its least corner (10s-8,13-11s): the second is
-    above the first where s < 1, and to its right where s > 1. At 1 both have the corner (2,2). The
-    other two boxes are far away."""
+    """The box from (0,0) to (s+1,s+1), and a box with least corner (10s-8,13-11s): the second box
+    lies above the first for s < 1, and right of it for s > 1. At s = 1 both boxes share the corner
+    (2,2). The other two boxes are far away."""
     P, Q = rings(box(0, 0), box(10, -11)), rings(box(0, 0), box(-8, 13))
     found = ask(P, Q, **{"from": "9/10", "to": "11/10"})
     state = [4, 16, 4, 0]

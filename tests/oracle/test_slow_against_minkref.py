@@ -1,6 +1,6 @@
 """The slow engine against the reference: random pairs with holes, at plain scales and at events.
 
-A difference is shrunk by leaving out triangles and corners; what fails then is printed with its
+A difference is shrunk by omitting triangles and corners; the test prints the failing rest with its
 seed.
 """
 
@@ -73,7 +73,7 @@ Events = Callable[[Operand, Operand, str], dict[Fraction, list[Any]]]
 
 @pytest.fixture
 def events(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Events:
-    """The events of the reference by their scales, as its command tells them."""
+    """The reference's events by scale, from the command's output."""
 
     def call(P: Operand, Q: Operand, kind: str) -> dict[Fraction, list[Any]]:
         names = written(tmp_path, P, Q)
@@ -111,7 +111,7 @@ def test_states_change_at_the_events_of_the_reference_and_at_no_other(
         assert_equal(index, P, Q, scale)
         found = topology(p, q, scale)
         assert found.boundary_changes == (scale in boundary), (SEED + 1, index, scale)
-        # How many go in, how many parts there are at the scale, how many come out.
+        # How many features go in, how many parts exist at the scale, how many come out.
         links = [("hole", link) for link in found.holes]
         links += [("component", link) for link in found.components]
         expected = [

@@ -1,4 +1,4 @@
-"""The slow engine's command line; in a process of its own, as a reader of README.md calls it."""
+"""The slow engine's command line; as a separate process, as a reader of README.md would call it."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ def test_help_has_examples() -> None:
 
 
 def test_package_works_below_another_name(tmp_path: Path, files: tuple[Path, Path]) -> None:
-    """As a link inside of a larger package: imports are relative."""
+    """Links the package into a larger package: imports are relative."""
     (tmp_path / "larger").mkdir()
     os.symlink(ORACLE / "slow", tmp_path / "larger" / "slow")
     code, out, _ = run_alone("sum", *files, "--json", module="larger.slow", folder=tmp_path)

@@ -37,7 +37,7 @@ def test_digest_of_the_unit_square_is_that_of_the_definitions() -> None:
 
 
 def test_square_plus_diamond_is_an_octagon_of_area_seven() -> None:
-    """Area 1 + 2 and the mixed area: of a square of side 1 and a diamond of width 2 that is 4."""
+    """Area 1 + 2 plus the mixed area, which is 4 for a unit square and a diamond 2 wide."""
     diamond = polygons(([[1, 0], [0, 1], [-1, 0], [0, -1]],))
     found = minkowski_sum(UNIT, diamond)
     assert (found.area, found.components, found.holes) == (7, 1, 0)
@@ -47,7 +47,7 @@ def test_square_plus_diamond_is_an_octagon_of_area_seven() -> None:
 def test_square_that_fits_a_square_hole_leaves_one_point() -> None:
     frame = polygons((box(0, 0, 4, 4), box(1, 1, 2, 2)))
     assert minkowski_sum(frame, UNIT).tight == [points((2, 2))]
-    # A little smaller and there is a hole, a little larger and there is nothing.
+    # A slightly smaller scale leaves nothing tight, a slightly larger one a hole.
     assert minkowski_sum(frame, UNIT, Fraction(101, 100)).holes == 1
     assert minkowski_sum(frame, UNIT, Fraction(99, 100)).tight == []
 
@@ -109,7 +109,7 @@ def test_diamond_hole_that_touches_two_sides_parts_the_set() -> None:
 
 
 def test_hole_pinched_at_a_point_is_two_holes_in_one_walk() -> None:
-    """Two diamonds that touch at (3,2), in a frame: one ring through the point is split in two."""
+    """Two diamonds that touch at (3,2), inside a frame: the ring through the point is split."""
     left, right = [[1, 2], [2, 1], [3, 2], [2, 3]], [[3, 2], [4, 1], [5, 2], [4, 3]]
     frame = polygons((box(0, 0, 6, 4), left, right))
     found = minkowski_sum(frame, Operand([], points((0, 0))))

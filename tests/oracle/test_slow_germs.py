@@ -25,7 +25,7 @@ def operands(index: int) -> tuple[Operand, Operand]:
 
 
 def moved_on(state: State, step: Fraction) -> str:
-    """The digest of the state, each vertex moved along its track."""
+    """The state's digest, with each vertex moved along its track."""
     parts = [
         [[(x.value + x.slope * step, y.value + y.slope * step) for x, y in ring] for ring in part]
         for part in state.rings
@@ -42,7 +42,8 @@ def test_tracks_lead_to_the_sums_very_near(index: int) -> None:
     for state, sign in ((found.below, -1), (found.above, 1)):
         near = [sign * Fraction(1, 10**k) for k in (6, 7)]
         sums = [minkowski_sum(P, Q, scale + step) for step in near]
-        # An event between them would show: no seed of this test has one, and none is passed over.
+        # An event between them would show: no seed of this test has such an event, and no case is
+        # skipped.
         assert [len(r) for p in sums[0].polygons for r in (p.outer, *p.holes)] == [
             len(r) for p in sums[1].polygons for r in (p.outer, *p.holes)
         ]
@@ -117,7 +118,7 @@ def test_packed_numbers_give_their_coefficients_back(side: int) -> None:
     for x, y in ((0, 0), (1000, -1000), (-1000, 999), (1, 0), (-1, 0)):
         assert where.coefficients(where.of_p * x + where.of_q * y) == (3 * x + 7 * y, side * 7 * x)
         track = where.track(where.of_p * x + where.of_q * y, 1)
-        # s x + y over the unit 5, and its derivative by s.
+        # s x + y over the unit 5, and its derivative with respect to s.
         assert track.value == Fraction(3 * x, 35) + Fraction(y, 5)
         assert track.slope == Fraction(x, 5)
 

@@ -60,8 +60,8 @@ def at(x: object, y: object, z: object) -> tuple[Fraction, Fraction, Fraction]:
 
 
 def test_points_of_a_cube_in_a_frame_that_it_fits() -> None:
-    """Frame + cube is a plate. The axis of its hole is covered by contact alone: it is in the
-    closed sum and not in the sum of the interiors."""
+    """Frame + cube is a plate. Contact alone covers the hole's axis: the closed sum contains it,
+    but the sum of the interiors does not."""
     cube = surface_of({(0, 0, 0)})
     truth = SolidSum(solid(surface_of(FRAME)), solid(cube), uniform(ONE))
     assert truth.holds(at(2, 2, 1))
@@ -111,7 +111,7 @@ def test_cells_are_the_whole_sum(matrix: Matrix, index: int) -> None:
 
 
 def test_a_claim_without_its_cavity_is_found() -> None:
-    """The sum of a hollow box of walls of one and a cube of side 1/2 has a cavity of side 1/2."""
+    """A hollow box with walls 1 thick plus a cube with side 1/2 has a cavity with side 1/2."""
     hollow, cube = surface_of(BOX - {(1, 1, 1)}), surface_of({(0, 0, 0)})
     found = whole_sum(SolidSum(solid(cube), solid(hollow), uniform(Fraction(1, 2))))
     assert found.volume() == Fraction(7, 2) ** 3 - Fraction(1, 8)
@@ -138,7 +138,7 @@ def shape(polygons: list[Polygon]) -> list[tuple[int, list[int]]]:
 def test_sides_that_touch_at_a_corner(
     cells: set[tuple[int, ...]], wanted: list[tuple[int, list[int]]]
 ) -> None:
-    """Rules 1 and 2 of the canonical form: two squares, a ring whose hole touches its rim."""
+    """Rules 1 and 2 of the canonical form: two squares, and a ring whose hole touches its rim."""
     flat = {(c[0], c[1], 0) for c in cells}
     found = of_faces(solid(surface_of(flat)).faces)
     assert shape(found.planes[(0, 0, 1), ONE]) == wanted
@@ -160,7 +160,7 @@ def test_wrong_claims_are_found() -> None:
 @pytest.mark.parametrize("family", ["torus", "star", "prism", "thin"])
 @pytest.mark.parametrize("index", range(3))
 def test_points_are_decided_as_by_meeting(family: str, index: int) -> None:
-    """The other decision procedure, of fuzz/, knows nothing of convex pieces."""
+    """The other decision procedure, from fuzz/, does not use convex pieces."""
     pair = space_pair(family, SEED, index)
     pair = replace(pair, scale=Fraction(1 + index, 2))
     truth = SolidSum(solid(pair.P), solid(pair.Q), uniform(Fraction(1 + index, 2)))

@@ -24,7 +24,7 @@ SQUARE = [[0, 0], [9, 0], [9, 9], [0, 9]]
 
 
 def slow_refusal(text: str) -> str:
-    """Empty where the set is valid."""
+    """The slow engine's refusal; empty for a valid set."""
     try:
         refuse_invalid(operand_from_json(json.loads(text), as_given=True).polygons)
     except InputError as error:
@@ -83,7 +83,7 @@ def test_valid_sets(polygons: list[list[object]]) -> None:
         ([[[[0, 0], [9, 0], [12, 0], [9, 0], [9, 9]]]], "not simple"),
         ([[SQUARE, [[1, 0], [1, 1], [2, 0]]]], "overlap along"),
         ([[SQUARE, [[1, -1], [1, 1], [2, 1]]]], "cross"),
-        # Through the vertices of a hole, not through an edge of it.
+        # Passes through a hole's vertices, not through its edges.
         ([[SQUARE, [[4, 4], [4, 6], [6, 6], [6, 4]], [[2, 2], [4, 4], [6, 6], [8, 5]]]], "cross"),
         ([[SQUARE, [[10, 0], [10, 1], [11, 0]]]], "outside of its outer"),
         ([[SQUARE, [[9, 4], [10, 5], [10, 4]]]], "outside of its outer"),
@@ -107,8 +107,9 @@ def as_lists(ring: Ring) -> list[list[str]]:
 
 
 def touching_everywhere() -> tuple[str, str]:
-    """A hole in its outer ring, and two polygons of which one lies in the other. They touch at all
-    vertices and at the middles of all edges of the inner ring: none of these tells where it is."""
+    """A hole inside its outer ring, and two polygons, one inside the other. They touch at all
+    vertices and edge midpoints of the inner ring: none of these points tells where the inner ring
+    lies."""
     outer, inner = as_lists(toothed(TRIANGLE, 1)), as_lists(TRIANGLE)
     return polygon_set([outer, inner[::-1]]), polygon_set([outer], [inner])
 

@@ -1,4 +1,4 @@
-"""Judges of sums in space: right answers pass, and wrong ones are settled by a proven point."""
+"""Judges of sums in space: right answers pass, and a proven point settles wrong answers."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ def two_parts() -> GeneralPair:
 @pytest.mark.parametrize("law", LAWS)
 def test_laws_hold_of_the_slow_engine_and_not_of_what_is_no_sum(law: str) -> None:
     def shifted(P: Polyhedron, Q: Polyhedron, scale: Fraction) -> str:
-        """Wrong by a corner that hangs on the order and the number of faces."""
+        """Errs by a shift that depends on the first vertex and on both face counts."""
         wrong = Fraction(len(P.faces) + 3 * len(Q.faces) + P.vertices[0][0] ** 2, 7)
         rows = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
         return moved(truth(P, Q, scale), rows, (wrong, wrong, wrong))

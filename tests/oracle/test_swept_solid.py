@@ -1,4 +1,4 @@
-"""The swept solid: heights of its vertices are scales at which the boundary of the sum changes."""
+"""The swept solid: its vertices' heights are scales at which the sum's boundary changes."""
 
 from __future__ import annotations
 
@@ -44,16 +44,16 @@ def test_a_hole_that_dies_in_a_point_leaves_a_vertex_at_its_scale(solid, polygon
 
 
 def test_a_hole_that_closes_to_a_segment_leaves_its_two_ends(solid, polygon):
-    """The hole 3 x 1 of Q less sP is (3 - s) x (1 - s): at s = 1 it is the segment from (2, 2) to
-    (4, 2)."""
+    """Q's 3 x 1 hole shrinks to (3 - s) x (1 - s): at s = 1 a segment from (2, 2) to (4, 2)
+    remains."""
     Q = polygon([(0, 0), (5, 0), (5, 3), (0, 3)], [(1, 1), (1, 2), (4, 2), (4, 1)])
     answer = solid.vertices(polygon(UNIT), Q, "1/2", "5")
     assert {(v.s, v.x, v.y) for v in answer.vertices} == {(1, 2, 2), (1, 4, 2)}
 
 
 def test_a_notch_that_closes_and_rings_that_touch(solid, polygon):
-    """Two squares that touch at a corner, in one operand: P slides between them no more at s > 0;
-    the notch of width 1 of a fork is closed from s = 1 on."""
+    """Two squares of one operand touch at a corner: P no longer slides between them for s > 0; the
+    fork's notch, 1 wide, is closed from s = 1 on."""
     fork = polygon([(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)])
     assert scales(solid.vertices(polygon(UNIT), fork, "1/2", "5")) == [1]
     touching = {"polygons": polygon(UNIT)["polygons"] + polygon(

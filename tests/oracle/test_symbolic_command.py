@@ -26,7 +26,7 @@ def asked(
 
 
 def example(name: str) -> str:
-    """The request of the help text: its first JSON object."""
+    """The help text's request: its first JSON object."""
     found, _ = json.JSONDecoder().raw_decode(COMMANDS[name][2])
     return json.dumps(found)
 

@@ -1,4 +1,4 @@
-"""minkref's events and intervals are those of the symbolic oracle."""
+"""minkref's events and intervals equal the symbolic oracle's."""
 
 from __future__ import annotations
 

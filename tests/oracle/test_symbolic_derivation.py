@@ -1,4 +1,5 @@
-"""The general solutions: derived again, they are the ones kept; put in, they solve the contact."""
+"""The general solutions: a new derivation gives the stored solutions, and they solve the
+contact."""
 
 from __future__ import annotations
 
@@ -26,7 +27,7 @@ def test_some_solutions_are_derived_again(kept: dict[str, dict[str, object]]) ->
 
 @pytest.mark.thorough
 def test_deleted_solutions_are_derived_again(tmp_path: Path) -> None:
-    """All of them: test_some_solutions_are_derived_again."""
+    """Derives all solutions, unlike test_some_solutions_are_derived_again."""
     again = tmp_path / "solutions.json"
     solutions.write(solutions.derive(), again)
     assert again.read_bytes() == solutions.FILE.read_bytes()
@@ -77,7 +78,7 @@ def test_solved_conditions_satisfy_the_definition(
     t, u = (fixed, unknown) if condition[0] == "t" else (unknown, fixed)
     A, B = derive_plane.data_symbols("a"), derive_plane.data_symbols("b")
     gap = derive_plane.moving_point(kinds[0], A, t) - derive_plane.moving_point(kinds[1], B, u)
-    # Two data are left free: the identity is one of rational functions in them.
+    # Two data stay free: the identity holds between rational functions in them.
     rng = random.Random(kinds + condition)
     for _ in range(draws(1, 2)):
         some = {x: sp.Integer(rng.randint(-(10**6), 10**6)) for x in (*A, *B[:4])}

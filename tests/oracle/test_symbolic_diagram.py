@@ -54,7 +54,7 @@ def test_known_places_of_each_kind() -> None:
     assert polynomials(between(point(3, -5), FLOOR)) == []  # behind the line
     assert polynomials(equidistant([point(0, 0), point(2, 0), point(0, 2)])) == [(1, -2)]
     assert polynomials(equidistant([point(0, 0), point(1, 0), point(2, 0)])) == []
-    # In front of (0, 0) on the floor: x = 0, and the point (3, 1) is as far at the height 5.
+    # In front of (0, 0) on the floor: x = 0, and the point (3, 1) is equally far at height 5.
     assert polynomials(in_front(point(0, 0), FLOOR, point(3, 1))) == [(1, -25)]
     wall = edge(4, -9, 4, 9)  # the polygon is to its left
     assert polynomials(in_front(point(0, 0), FLOOR, Offset(wall.q, wall.p))) == [(1, -16)]
@@ -79,7 +79,8 @@ def test_a_point_between_parallel_walls() -> None:
 
 
 def test_places_are_as_far_in_fifty_digits() -> None:
-    """From each of the three features, for random ones: the radius is a root of the polynomial."""
+    """The distances from three random features agree, and the radius is a root of the
+    polynomial."""
     print(f"seed {SEED}")
     rng = random.Random(SEED)
     seen: Counter[int] = Counter()
@@ -131,7 +132,7 @@ def test_events_of_sets_have_the_radii_of_computer_algebra() -> None:
 
 
 def notch_event() -> tuple[Outline, Choice, Any]:
-    """Over the floor of a notch with walls of slopes 2 and 3: of three lines."""
+    """An event of three lines, over the floor of a notch with walls of slopes 2 and 3."""
     ring = [(0, 0), (9, 0), (9, 6), (6, 6), (5, 3), (4, 3), (2, 7), (0, 7)]
     text = [[str(x), str(y)] for x, y in ring]
     P = _core.PolygonSet.from_json(json.dumps({"polygons": [{"outer": text, "holes": []}]}))

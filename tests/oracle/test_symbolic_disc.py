@@ -82,7 +82,7 @@ def test_degrees_are_those_stated_and_reached() -> None:
         "disc three lines": 8,
         "disc three circles": 2,
     }
-    # Edges of squared length 5, 10 and 13, no products of which are squares.
+    # Edges with squared lengths 5, 10 and 13, whose products are no squares.
     edges = [
         Offset((Rational(x), Rational(y)), (Rational(x + dx), Rational(y + dy)))
         for (x, y), (dx, dy) in (((0, 0), (2, 1)), ((9, 2), (-1, 3)), ((3, 7), (-2, -3)))
@@ -124,7 +124,7 @@ def test_radicals_obey_the_laws_of_a_field() -> None:
 
 
 def test_scales_are_roots_of_their_polynomials_and_isolated() -> None:
-    """The minimal polynomial vanishes, exactly; it has one root in the interval (Sturm); and it
+    """The minimal polynomial vanishes exactly; it has one root inside the interval (Sturm); and it
     divides the polynomial from which the lengths were eliminated."""
     print(f"seed {SEED}")
     rng = random.Random(SEED)
@@ -132,7 +132,7 @@ def test_scales_are_roots_of_their_polynomials_and_isolated() -> None:
     seen: dict[int, int] = {}
     for _ in range(count := draws(250, 500)):
         ring = random_ring(rng, rng.choice([3, 8, 30]), 6)
-        # Run the other way the disc is in the polygon, and its offset edges close in.
+        # With the ring reversed, the disc is inside the polygon, and its offset edges close in.
         e = rng.sample(offsets(rng.choice([ring, ring[::-1]])), 3)
         v, w = minus(e[1].p, e[0].p), minus(e[2].p, e[0].p)
         found = three_lines(e[0], e[1], e[2], Rational(1))
@@ -175,8 +175,8 @@ def test_three_circles_pass_through_one_point_at_the_circumradius() -> None:
 
 
 def test_a_scan_over_scales_finds_no_other_event() -> None:
-    """Between neighbouring scales at which features touch, the number of points that two features
-    share stays what it is. Pairs that touch at every scale (on one line) are counted, and few."""
+    """Between neighbouring scales at which features touch, the number of points shared by two
+    features stays constant. Pairs that touch at every scale (on one line) are counted, and few."""
     print(f"seed {SEED}")
     rng = random.Random(SEED)
     changes = level = pairs = 0

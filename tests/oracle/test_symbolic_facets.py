@@ -1,4 +1,4 @@
-"""Events of facets in space are those of the symbolic oracle."""
+"""Events of facets in space equal the symbolic oracle's."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_events_of_three_and_four_facets() -> None:
 
 
 def test_sides_in_one_plane_that_come_to_pass_through_one_point() -> None:
-    """Two pairs of facets and a side of others lie in one plane at all scales."""
+    """Two pairs of facets and a side of other facets are coplanar at all scales."""
     pair = space_event_comparison.solids_of(1912, 385)
     assert pair is not None
     judged = facet_arrangement.judge_list(pair, ("1/5", "2"), 160, draws(1, 3))
@@ -37,7 +37,7 @@ def test_sides_in_one_plane_that_come_to_pass_through_one_point() -> None:
 
 
 def test_three_facets_come_to_pass_through_one_point() -> None:
-    """Many draws: of a pair of polyhedra with facets that are folded onto each other at a side."""
+    """Needs many draws: pairs of polyhedra with facets folded onto each other at a side."""
     table = facet_tuple_comparison.compare(1912, 60, first=draws(16, 20))
     assert not table.differences, table.differences[:2]
     assert table.events["triple pass"]

@@ -28,7 +28,7 @@ def drawn(count: int) -> list[tuple[MovingSegment, MovingSegment]]:
 
 
 def moved(segment: MovingSegment, v: tuple[int, int], w: tuple[int, int]) -> MovingSegment:
-    """The segment when P is translated by v and Q by w."""
+    """The segment after translating P by v and Q by w."""
     p, q = rationals(v), rationals(w)
     shifts = (p, p, q) if segment.kind == "S" else (p, q, q)
     shift = [x for pair in shifts for x in pair]

@@ -1,4 +1,4 @@
-"""Hand-made cases of parallel moving segments, and what they mean scale by scale."""
+"""Handmade cases of parallel moving segments, and their meaning scale by scale."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_segments_on_one_line_meet_pass_and_part() -> None:
 
 
 def test_a_growing_segment_passes_the_ends_of_one_at_rest() -> None:
-    """[-s,s] and [-1,2]: it has both ends inside until 1, its right one until 2."""
+    """[-s,s] and [-1,2]: the first segment has both ends inside until 1, its right end until 2."""
     a, b = s_edge((-1, 0), (1, 0), (0, 0)), t_edge((0, 0), (2, 0), (-1, 0))
     expected = [("1", "swap", at(-1, 0), None), ("2", "swap", at(2, 0), None)]
     assert events(a, b) == expected
@@ -88,7 +88,7 @@ def test_events_of_parallel_segments_are_where_contact_changes() -> None:
 
 
 def owners(a: MovingSegment, b: MovingSegment, s: Rational) -> frozenset[tuple[str, int]]:
-    """Which ends bound what the two share at scale s."""
+    """The ends that bound the segments' common part at scale s."""
     shared = common(a.at(s), b.at(s))
     named = [("a", i, x) for i, x in enumerate(a.at(s))] + [
         ("b", i, x) for i, x in enumerate(b.at(s))

@@ -105,7 +105,8 @@ def test_parallel_planes_coincide_once_always_or_never() -> None:
 
 
 def test_coplanar_facets_begin_and_end_to_meet() -> None:
-    """[0,6] by [0,6] below its diagonal at rest, and the same moving by (s - 10, 0)."""
+    """A resting facet, [0,6] by [0,6] below the diagonal, and the same facet moved by (s - 10,
+    0)."""
     still, moving = facet("vf", [(0, 0, 0)], CORNER), facet("vf", [(1, 0, 0)], CORNER)
     moved = facet("vf", [(1, 0, 0)], [(x - 10, y, z) for x, y, z in CORNER])
     assert plane_event(still, moved).case == "always"
@@ -199,7 +200,7 @@ def test_four_planes_pass_through_one_point_at_their_event() -> None:
 
 
 def test_facets_of_four_faces_of_a_shrinking_tetrahedron_meet_in_one_point() -> None:
-    """x >= s, y >= s, z >= s, x + y + z <= 12 is a tetrahedron until s = 4, in the point
+    """x >= s, y >= s, z >= s, x + y + z <= 12 is a tetrahedron until s = 4, and then the point
     (4,4,4): the hole of a sum in space that dies where four facets meet."""
     big = 40
     low = [

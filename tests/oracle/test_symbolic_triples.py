@@ -24,7 +24,7 @@ HOLE = ((0, 20), (17, -11), (-19, -9))
 
 
 def sides_of_the_hole() -> Triple:
-    """Each side of the hole at the corner of the triangle that is furthest into it."""
+    """Each side of the hole at the triangle's corner that reaches furthest into the hole."""
     return (
         t_edge(CORNERS[0], HOLE[0], HOLE[1]),
         t_edge(CORNERS[2], HOLE[1], HOLE[2]),
@@ -55,7 +55,8 @@ def test_the_hole_of_a_triangle_dies_at_a_triple_event() -> None:
 
 
 def test_a_corner_that_runs_along_an_edge_swaps_nothing() -> None:
-    """Two edges of one corner and a third: where the corner comes to the third, pairs are born."""
+    """Two edges of one corner, and a third edge: when the corner reaches the third edge, pairs are
+    born."""
     corner = (s_edge((1, 1), (3, 1), (0, 0)), s_edge((1, 1), (1, 3), (0, 0)))
     third = t_edge((0, 0), (0, 10), (10, 0))
     triple = (*corner, third)
@@ -89,8 +90,8 @@ def test_ends_that_pass_on_a_common_line_are_told_for_the_third_too() -> None:
 
 
 def test_an_end_that_enters_where_another_leaves_passes_nobody() -> None:
-    """[3s,4s], [1,2] and [2s,2s+1]: at 1/2 all end in 2, and each pair of ends passes there. On the
-    last the end of the first is until then, and that of the second from then on."""
+    """[3s,4s], [1,2] and [2s,2s+1]: at 1/2 all end at 2, and each pair of ends passes there. On the
+    third segment, the first segment's end exists until then, and the second's from then on."""
     a, b = s_edge((4, 0), (3, 0), (0, 0)), t_edge((0, 0), (1, 0), (2, 0))
     c = t_edge((2, 0), (0, 0), (1, 0))
     assert [str(e.s) for e, third in ends_passed((a, b, c)) if third == 2] == ["1/4", "1/3", "2/3"]
