@@ -20,7 +20,7 @@ Regions = dict[tuple[int, int], tuple[Fraction | None, Fraction | None]]
 
 
 def edges_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> tuple[list[Edge], list[set[Any]]]:
-    """Edges of the reduced convolution, each with the pairs of vertices at its ends."""
+    """Edges of the reduced convolution, each with the vertex pairs at its ends."""
     first, second = ([ring for rings in each.rings() for ring in rings] for each in (P, Q))
     edges, ends = [], []
     for kind, _, ring, index, other, vertex in _core.reduced_convolution(P, Q):
@@ -35,7 +35,7 @@ def edges_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> tuple[list[Edge], list
 
 
 def regions_of(update: _core.PaperUpdate) -> Regions:
-    """From the array of events."""
+    """The regions according to the event array."""
     found: dict[tuple[int, int], list[Fraction | None]] = {}
     for scale, a, b, begins in update.events():
         found.setdefault((a, b), [None, None])[0 if begins else 1] = Fraction(scale)

@@ -1,5 +1,5 @@
-"""The array of events of the paper's program, whole, against digests that were taken when each pair
-was worked out to its end by one thread, with a number of MPFR's own for each result."""
+"""The whole event array of the paper's program, against digests from an earlier computation: one
+thread worked each pair out to its end, with a separate MPFR number for each result."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ CORRECTED = {name: corrected for name, _, corrected, _ in _core.paper_readings()
 PRINTED = {name: values[0] for name, values, *_ in _core.paper_readings()}
 READINGS = {"corrected": CORRECTED, "printed": PRINTED}
 ARITHMETICS = ("double", "mpfr:53", "mpfr:200", "mpfr:1000")
-# Digests for each pair and reading, in the order of ARITHMETICS.
+# Digests for each pair and reading, ordered like ARITHMETICS.
 DIGESTS = {
     ("g1", "g2", "corrected"): (
         "b677a2c7521cf456bcb0dbdf",
@@ -90,7 +90,7 @@ def digest(names: tuple[str, str], arithmetic: str, form: str, threads: int) -> 
 
 @pytest.mark.parametrize(("P", "Q", "form"), DIGESTS)
 def test_no_event_has_changed(P: str, Q: str, form: str) -> None:
-    """In two arithmetics in turn; in all where the run is thorough."""
+    """Takes two arithmetics in turn; all if the run is thorough."""
     turn = list(DIGESTS).index((P, Q, form)) // 2 % 2
     for k in range(4) if THOROUGH else (turn, turn + 2):
         assert digest((P, Q), ARITHMETICS[k], form, 1) == DIGESTS[P, Q, form][k]

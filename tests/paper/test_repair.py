@@ -1,5 +1,5 @@
-"""The paper's repair of convex sums (Section 6): with all sentences in their right form and exact
-numbers it is the proven update; each printed one alone loses the sum of two small bodies."""
+"""The paper's repair of convex sums (Section 6): with all sentences corrected and exact numbers the
+repair equals the proven update; each printed sentence alone loses the sum of two small bodies."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def repaired(
     ("first", "second"), [(hull, hull), (random_box, random_box), (prism, prism), (hull, prism)]
 )
 def test_all_corrected_in_rational_numbers_is_the_proven_update(first: Draw, second: Draw) -> None:
-    """By pairs and, against the static route, by facets."""
+    """Compares pairs and, against the static route, facets."""
     dice = random.Random(f"{first.__name__} {second.__name__}")
     for _ in range(RANDOM_PAIRS // 4):
         P, Q = first(dice), second(dice)
@@ -114,8 +114,8 @@ def test_each_printed_sentence_loses_the_sum_of_two_tetrahedra(name: str) -> Non
 
 
 def assert_is_witness(P: Body, Q: Body, scaling: Scaling, found: ClaimComparison) -> None:
-    """A vertex beyond a claimed facet is above its plane, by the volume of a tetrahedron; a ring of
-    the sum is one of the hull."""
+    """A vertex beyond a claimed facet lies above the facet's plane, by a tetrahedron's volume; a
+    missing facet bounds the hull."""
     factors = tuple(map(Fraction, scaling))
     first, second = P.surface().points(), Q.surface().points()
 
@@ -135,7 +135,7 @@ def sextuple(
     a: tuple[Fraction, ...], b: tuple[Fraction, ...], c: tuple[Fraction, ...],
     d: tuple[Fraction, ...],
 ) -> Fraction:  # fmt: skip
-    """Six times the tetrahedron's volume, positive where d is above the plane of a, b, c."""
+    """Six times the tetrahedron's volume, positive if d lies above the plane through a, b, c."""
     u, v, w = ([x - y for x, y in zip(p, a, strict=True)] for p in (b, c, d))
     return (
         w[0] * (u[1] * v[2] - u[2] * v[1])
@@ -154,9 +154,9 @@ def test_as_printed_the_simplex_beside_itself_is_lost() -> None:
 
 @pytest.mark.parametrize("form", ["printed", "corrected"])
 def test_degrees_witnesses_and_ends_are_those_of_computer_algebra(form: str) -> None:
-    """Every step of the descents of a few updates, an edge level with the facet counting as not
-    above it; the degree is squared. From where several edges are witnesses the step takes one of
-    them, and the rest of the way is not compared."""
+    """Compares every descent step of a few updates; an edge level with the facet counts as not
+    above; the degree is squared. If several edges are witnesses, the step takes one of them, and
+    the rest of the descent is not compared."""
     dice = random.Random(11)
     steps = ends = without_end = 0
     for _ in range(draws(20, 50)):

@@ -21,13 +21,13 @@ DRAWN = [
     for index in range(0, 120, 20)
 ][:40]
 
-# The sum of these two has a hole that vanishes at 541/186, where three edges pass through a point.
+# The sum of this pair has a hole that vanishes at 541/186, where three edges share a point.
 HOLE_P = "POLYGON ((-3 -2, 4 -1, 1 3, -3 -2))"
 HOLE_Q = "POLYGON ((-40 -40, 40 -40, 40 40, -40 40, -40 -40), (0 20, 17 -11, -19 -9, 0 20))"
 
 
 def scales_of(update: _core.PaperUpdate, dice: random.Random, count: int) -> list[str]:
-    """Half of them events of the array."""
+    """Scales, half of them from the event array."""
     events = [event[0] for event in update.events()] or ["1"]
     return [
         dice.choice(events) if k % 2 else str(Fraction(dice.randint(1, 90), dice.randint(9, 40)))
@@ -40,7 +40,7 @@ def scales_of(update: _core.PaperUpdate, dice: random.Random, count: int) -> lis
 def test_all_corrected_in_rational_numbers_is_the_exact_sum(
     family: str, index: int, adjacent: str
 ) -> None:
-    """By digest, up and down, half of the scales at events."""
+    """Compares digests, up and down, at scales of which half are events."""
     pair = FAMILIES[family].pair(SEED, index)
     P, Q = (_core.PolygonSet.from_json(text) for text in (pair.P, pair.Q))
     update = _core.PaperUpdate(P, Q, "1", "rational", CORRECTED | {"adjacent": adjacent})
@@ -89,8 +89,8 @@ def test_doubles_and_mpfr_of_53_bits_answer_alike() -> None:
 
 @pytest.mark.parametrize("bits", [53, 200, 1000])
 def test_consistency_fails_in_rounding_arithmetic_of_any_precision(bits: int) -> None:
-    """Section 4.2.1: conditions with a solution are called inconsistent, and regions are lost. In
-    rational numbers none is."""
+    """Section 4.2.1: rounding calls solvable conditions inconsistent, and loses regions. Rational
+    numbers lose none."""
     pair = random_pair(SEED, 900)
     P, Q = (_core.PolygonSet.from_json(text) for text in (pair.P, pair.Q))
     printed = CORRECTED | {"solve": "printed"}
@@ -135,9 +135,9 @@ def test_consistency_loses_a_corner_of_the_sum_of_two_triangles(arithmetic: str)
 
 
 def test_a_hole_born_at_a_triple_event_is_missed_where_the_order_is_kept() -> None:
-    """The hole is there below 541/186. Coming from above the kept order has a loop in its place
-    that runs the wrong way; coming from below the loop that should have gone does too,
-    and collision detection leaves it out."""
+    """The hole exists below 541/186. From above, the kept order has a loop at the hole's place that
+    runs the wrong way; from below, the loop that should have gone runs so too, and collision
+    detection omits it."""
     P, Q = _core.PolygonSet(HOLE_P), _core.PolygonSet(HOLE_Q)
     for order, first, last, right in (
         ("sorted", "3", "5/2", True),
@@ -192,8 +192,8 @@ def test_points_segments_and_nothing_as_operands() -> None:
 
 @pytest.mark.parametrize("arithmetic", ["rational", "double", "mpfr:100"])
 def test_the_list_has_the_intersections_that_a_search_of_all_pairs_finds(arithmetic: str) -> None:
-    """Where edges with a common vertex are taken and parallel ones left out, as many of them; with
-    small integers no arithmetic errs at these scales."""
+    """Takes edges with a common vertex and omits parallel edges: both counts agree; with small
+    integers no arithmetic errs at these scales."""
     readings = CORRECTED | {"adjacent": "taken", "parallel": "left-out"}
     for index in (30, 300, 900):
         pair = random_pair(SEED, index)
