@@ -1,4 +1,4 @@
-// Sets that look odd and are regular, closed and rightly given: they must be accepted.
+// Odd-looking sets that are regular, closed and correctly given: they must be accepted.
 #include <gtest/gtest.h>
 
 #include "tests/plane/random_cases.hpp"

@@ -41,7 +41,7 @@ TEST(Arithmetic, EveryScalarAnswersTheEndToEndExampleExactly) {
 TEST(Arithmetic, AxisParallelIntegersAreExactInEveryArithmetic) {
   MINKREF_SEEDED(random, 2000);
   const auto make = [](Source& r) {
-    // Cells of a grid of unit spacing: no crossing needs a division that rounds.
+    // Cells of a unit grid: no crossing needs a rounded division.
     const auto cells = [&](int size) {
       PolygonSet set;
       for (int i = 0; i < size; ++i) {
@@ -94,7 +94,7 @@ TEST(Arithmetic, IntervalDecidesConvexPairsInGeneralPosition) {
 }
 
 TEST(Arithmetic, IntervalIsUndecidedOnARoundedCoincidence) {
-  // A vertex on an edge whose coordinates are no doubles: no interval can prove it.
+  // A vertex on an edge, with coordinates that are no doubles: no interval can prove the incidence.
   const PolygonSet P =
       region({{0, 0}, {Rational(1, 3), Rational(1, 7)}, {Rational(2, 3), Rational(2, 7)}, {0, 1}});
   EXPECT_THROW(minkowski_sum(P, box(0, 0, 1, 1), 1, Route::paper, "interval"), UndecidedSign);

@@ -1,4 +1,4 @@
-// Laws of an arrangement of segments, checked against a subdivision made by brute force.
+// Laws for arrangements of segments, checked against a brute-force subdivision.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace minkref::testing {
 using ExactKernel = PlainKernel<Rational>;
 using ExactArrangement = Arrangement<ExactKernel>;
 
-/// Counter-clockwise from the angle of -180 degrees, which is the direction (-1, 0).
+/// Counter-clockwise from the angle -180 degrees, the direction (-1, 0).
 inline bool less_angle(const Point& a, const Point& b) {
   const auto half = [](const Point& d) {
     const int y = sign(d.y);
@@ -95,8 +95,8 @@ class ArrangementLaws {
     return "";
   }
 
-  /// Each segment is the union of the pieces between its consecutive nodes; these are all the
-  /// sub-edges, and the covers of each are the segments that contain it.
+  /// Each segment is the union of the pieces between consecutive nodes; these pieces are all the
+  /// sub-edges, and each is covered by exactly the segments that contain it.
   std::string sub_edges() const {
     using Covers = std::set<std::pair<std::uint32_t, bool>>;
     std::map<std::pair<std::uint32_t, std::uint32_t>, Covers> expected;
@@ -211,8 +211,8 @@ class ArrangementLaws {
     return name;
   }
 
-  /// A positive cycle bounds a face of its own; any other belongs to the face of the smallest
-  /// positive cycle of another component that surrounds it, or to the unbounded one.
+  /// A positive cycle bounds a separate face; any other cycle belongs to the face of the smallest
+  /// positive cycle that surrounds it in another component, or to the unbounded face.
   std::string faces() const {
     const std::vector<std::uint32_t> component = component_of_nodes();
     std::vector<int> visits(built_.half_edge_count()), positive(built_.face_count());

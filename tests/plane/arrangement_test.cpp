@@ -64,7 +64,7 @@ TEST(Arrangement, LawsHoldOnManySegments) {
 }
 
 TEST(Arrangement, LawsHoldOnNestedComponents) {
-  // Squares one in the other, antennas, and components side by side in one face.
+  // Nested squares, antennas, and components side by side within one face.
   std::vector<Edge> all;
   for (int i = 0; i < 4; ++i) {
     for (const Edge& e : edges(box(i, i, 20 - i, 20 - i))) all.push_back(e);
@@ -121,7 +121,7 @@ TEST(Arrangement, OfNothingIsOneFace) {
 TEST(Arrangement, SegmentsOfNoLengthAreIgnored) {
   const ExactKernel kernel;
   using V = Vector2<Rational>;
-  // Two crossing segments, and three that are points: at the crossing, on one, and apart.
+  // Two crossing segments, and three points: at the crossing, on one segment, and apart.
   const std::vector<V> vertices{V(0, 0), V(4, 4), V(0, 4), V(4, 0), V(2, 2), V(1, 1), V(9, 9)};
   const ExactArrangement built(kernel, vertices, {{0, 1}, {2, 3}, {4, 4}, {5, 5}, {6, 6}});
   EXPECT_EQ(built.half_edge_count(), 8U);

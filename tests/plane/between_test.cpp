@@ -1,4 +1,4 @@
-// The readings of "between" in the compatibility rule (Behar & Lien 2012, Sec. 3).
+// The readings of "between" for the compatibility rule (Behar & Lien 2012, Sec. 3).
 #include "reference/plane/convolution/between.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr Between readings[] = {Between::half_open, Between::open, Between::closed};
 
-/// Pieces of a lattice: most of their edges have directions in common.
+/// Pieces of a lattice: most of their edges share directions.
 Case lattice_case(Source& random) {
   return {random_mesh_region(random, 4), random_mesh_region(random, 3), random_scale(random)};
 }
@@ -52,7 +52,7 @@ TEST(Between, HalfOpenIsTheConvolution) {
   });
 }
 
-/// Whether an edge of the other operand has the direction of the one that a row names.
+/// Whether the other operand has an edge in the direction of the row's edge.
 bool is_parallel(const ConvolutionEdge& edge, const Case& c) {
   const bool s_edge = edge.kind == ConvolutionEdge::Kind::S;
   const auto own = corners(s_edge ? c.P : c.Q), others = corners(s_edge ? c.Q : c.P);

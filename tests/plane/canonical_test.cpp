@@ -1,4 +1,4 @@
-// One text for each set of points.
+// Each point set has exactly one text.
 #include <gtest/gtest.h>
 
 #include "tests/plane/random_cases.hpp"
@@ -60,7 +60,7 @@ TEST(Canonical, DiamondTouchingAllFourSidesLeavesFourTriangles) {
 }
 
 TEST(Canonical, HolePinchedAtAPointIsTwoHolesAndTwoRings) {
-  // A bow tie of two triangles, as one polygon's two holes that touch in (3,3).
+  // A bow tie of two triangles, as one polygon's holes that touch at (3,3).
   const PolygonSet two =
       region(rectangle(0, 0, 6, 6), {{{1, 2}, {1, 4}, {3, 3}}, {{5, 4}, {5, 2}, {3, 3}}});
   ASSERT_NO_THROW(validate(two));
@@ -72,8 +72,8 @@ TEST(Canonical, HolePinchedAtAPointIsTwoHolesAndTwoRings) {
 }
 
 TEST(Canonical, AComponentThatTouchesItselfIsAnOuterRingWithAHole) {
-  // A ring of cells round (1,1)-(2,2), the cell at (2,2) missing: the hole's corner is on the outer
-  // boundary, which is pinched there.
+  // A ring of cells around (1,1)-(2,2) without the cell at (2,2): the hole's corner lies on the
+  // outer boundary, which is pinched there.
   const PolygonSet as_outer_and_hole =
       region({{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 3}, {0, 3}}, {rectangle(1, 1, 2, 2)});
   ASSERT_NO_THROW(validate(as_outer_and_hole));
@@ -85,8 +85,8 @@ TEST(Canonical, AComponentThatTouchesItselfIsAnOuterRingWithAHole) {
 }
 
 TEST(Canonical, TwoHolesThatTouchTwiceCutOutAnIsland) {
-  // Two U-shaped holes whose tips meet in two points: what is between them is a component of its
-  // own, and the complement has two bounded components.
+  // Two U-shaped holes whose tips meet at two points: the part between them is a separate
+  // component, and the complement has two bounded components.
   const PolygonSet set =
       region(rectangle(0, 0, 10, 10), {{{2, 5}, {2, 2}, {8, 2}, {8, 5}, {6, 4}, {4, 4}},
                                        {{2, 5}, {4, 6}, {6, 6}, {8, 5}, {8, 8}, {2, 8}}});

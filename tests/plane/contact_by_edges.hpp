@@ -1,4 +1,4 @@
-// How two sets meet, from the definition: by cutting the edges of each at those of the other. No
+// The contact of two sets by definition: cuts the edges of each set at the other set's edges. No
 // triangles and no convolution.
 #pragma once
 
@@ -46,11 +46,10 @@ inline std::vector<Rational> meeting(const Edge& a, const Edge& b) {
   return low == high ? std::vector<Rational>{low} : std::vector<Rational>{low, high};
 }
 
-/// Whether a piece of A's boundary, between two meetings with B's, runs through the interior of B
-/// or along B's boundary with both interiors on one side. If so, the interiors overlap; if it holds
-/// neither for A's pieces in B nor for B's in A, they do not: a non-empty common interior has a
-/// boundary, whose pieces would be of these kinds. `meets` is set where boundaries have a point in
-/// common.
+/// Whether a piece of A's boundary, between two meetings with B's boundary, runs through B's
+/// interior, or along B's boundary with both interiors on one side. If so, the interiors overlap;
+/// if neither A's pieces in B nor B's pieces in A do so, the interiors are disjoint: a non-empty
+/// common interior has a boundary with such pieces. Sets `meets` if the boundaries share a point.
 inline bool enters(const PolygonSet& A, const PolygonSet& B, bool sides_count, bool& meets) {
   const std::vector<Edge> of_b = edges(B);
   for (const Edge& a : edges(A)) {
@@ -77,7 +76,7 @@ inline bool enters(const PolygonSet& A, const PolygonSet& B, bool sides_count, b
   return false;
 }
 
-/// A point or a segment counts by its relative interior; at most one of A, B may be such a set.
+/// A point or a segment counts by its relative interior; at most one operand may be such a set.
 inline Contact contact_by_edges(const PolygonSet& A, const PolygonSet& B) {
   if (A.empty() || B.empty()) return Contact::empty;
   if (!B.is_region()) return contact_by_edges(B, A);
@@ -93,7 +92,7 @@ inline Contact contact_by_edges(const PolygonSet& A, const PolygonSet& B) {
   return meets ? Contact::touching : Contact::empty;
 }
 
-/// Membership of x in sP + Q.
+/// The contact at x for membership in sP + Q.
 inline Contact contact_at(const PolygonSet& P, const PolygonSet& Q, const Rational& scale,
                           const Point& x) {
   return contact_by_edges(stretched(P, scale), placed(Q, x));

@@ -1,4 +1,4 @@
-// Convex operands: the sum is the convex hull of the sums of their vertices.
+// Convex operands: the sum is the convex hull of their vertex sums.
 #include <gtest/gtest.h>
 
 #include "reference/plane/sum.hpp"

@@ -1,4 +1,4 @@
-// The compatibility rule of the convolution as the definition states it, edge by vertex.
+// The convolution's compatibility rule as defined, edge by vertex.
 #pragma once
 
 #include <tuple>
@@ -38,8 +38,8 @@ inline bool strictly_between(const Point& a, const Point& d, const Point& b) {
   return sign(cross(a, d)) > 0 && sign(cross(d, b)) > 0;
 }
 
-/// 1 at a strictly convex, -1 at a reflex vertex if d is in the turn, else 0. `first`, `last`:
-/// which of its ends the turn holds.
+/// 1 at a strictly convex vertex, -1 at a reflex vertex if d lies in the turn, else 0. `first`,
+/// `last`: the ends that the turn includes.
 inline int compatible(const Point& d, const Corner& corner, bool first, bool last) {
   const int turn = sign(cross(corner.in, corner.out));
   if (turn == 0) return 0;

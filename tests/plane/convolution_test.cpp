@@ -1,5 +1,5 @@
-// The convolution and the reduced convolution: which edges, and what they cover
-// (Behar & Lien 2012, Sec. 3).
+// The convolution and the reduced convolution: their edges, and what these cover (Behar & Lien
+// 2012, Sec. 3).
 #include "reference/plane/convolution/convolution.hpp"
 
 #include <gtest/gtest.h>
@@ -172,13 +172,13 @@ TEST(Convolution, WindingCanBeZeroInsideWithHoles) {
   ASSERT_TRUE(winding(c, x).has_value());
   EXPECT_EQ(*winding(c, x), 0);
   EXPECT_EQ(contact_at(c.P, c.Q, 1, x), Contact::overlapping);
-  // Cut along a slit it is simply connected, and the winding number is 1.
+  // Cut along a slit, the operand is simply connected, and the winding number is 1.
   const Case cut{cut_to_simply_connected(c.P), c.Q, 1};
   ASSERT_TRUE(winding(cut, x).has_value());
   EXPECT_EQ(*winding(cut, x), 1);
 }
 
-/// Whether the segments that lie along a - b cover it.
+/// Whether the parts of the segments that lie along an edge cover the edge.
 bool covered(const Edge& edge, const std::vector<Edge>& by) {
   std::vector<std::pair<Rational, Rational>> parts;
   for (const Edge& other : by) {
@@ -202,7 +202,7 @@ TEST(Convolution, ReducedCoversTheBoundaryOfTheSum) {
       const Segment s = at_scale(edge, c.P, c.Q, c.scale);
       convolution.push_back({s.start, s.end});
     }
-    // The sum by a route that does not use it.
+    // The sum comes from a route without the convolution.
     for (const Edge& edge : edges(minkowski_sum(c.P, c.Q, c.scale, Route::definition).region)) {
       std::vector<Edge> along;
       for (const Edge& part : convolution) {
@@ -254,8 +254,8 @@ TEST(Convolution, ParallelEdgesOfTwoBoxesAreTiledOnce) {
 TEST(Convolution, ParallelEdgesOfConvexPairsAreTiledOnce) {
   MINKREF_SEEDED(random, 911);
   expect_law(random, 100, convex_polygons(8, 2), [](const Case& c) -> std::string {
-    // A convex pair's reduced convolution is the boundary of its sum: one edge for each edge of an
-    // operand, and their lengths along each side add up to it.
+    // A convex pair's reduced convolution is the sum's boundary: each operand edge gives one edge,
+    // and the edges' lengths along each side add up to the side.
     const std::vector<ConvolutionEdge> all = reduced_convolution(c.P, c.Q);
     if (all.size() != c.P.vertices() + c.Q.vertices()) return "another number of edges";
     for (const Edge& side : edges(minkowski_sum(c.P, c.Q, c.scale).region)) {

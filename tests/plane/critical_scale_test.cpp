@@ -59,8 +59,8 @@ TEST(CriticalScale, OpenSlotOfTheWidthOfTheOtherOperandFillsUp) {
 }
 
 TEST(CriticalScale, RingWithAGapOfTheWidthOfTheOtherOperandClosesToAHole) {
-  // [0,5]^2 less (1,4)^2 less the gap [4,5]x(2,3): the bars of the ring sum to all of [0,6]^2 but
-  // (2,4)^2, and what passes the gap is of height 0.
+  // [0,5]^2 less (1,4)^2 less the gap [4,5]x(2,3): the ring's bars sum to all of [0,6]^2 except
+  // (2,4)^2, and the part that passes the gap has height 0.
   const PolygonSet ring = region({{0, 0},
                                   {5, 0},
                                   {5, 2},
@@ -103,8 +103,8 @@ TEST(CriticalScale, TriangularHoleDiesWhereThreeEdgesMeetInAPoint) {
     EXPECT_EQ(minkowski_sum(P, Q, critical + tiny, route).holes, 0U);
     EXPECT_EQ(minkowski_sum(P, Q, critical, route).region.rings(), 1U);
   }
-  // The hole is similar to Q's, shrunk by (s* - s) / s*: its area is that of Q's hole times the
-  // square of this.
+  // The hole is similar to Q's hole, shrunk by (s* - s) / s*: its area is Q's hole area times the
+  // square of this ratio.
   const Rational hole = Rational(1082, 2);
   const PolygonSet below = minkowski_sum(P, Q, critical - tiny).region;
   ASSERT_EQ(below.polygons.size(), 1U);
@@ -124,9 +124,9 @@ TEST(CriticalScale, TriangularHoleDiesWhereThreeEdgesMeetInAPoint) {
 }
 
 TEST(CriticalScale, HoleSplitsInTwoWhereItsWaistBecomesTooNarrow) {
-  // The hole is an hourglass of waist 2, so of waist 2s after scaling. The unit square, wherever it
-  // straddles the waist, has a width of 2s to itself: it passes iff 2s > 1. At s = 1/2 the hole is
-  // of height 3 and of width 3 at top and bottom, with room for the square on either side.
+  // The hole is an hourglass with waist 2, so 2s after scaling. The unit square, straddling the
+  // waist, has a width of 2s to itself: it passes iff 2s > 1. At s = 1/2 the hole has height 3, and
+  // width 3 at top and bottom, with room for the square on either side.
   const PolygonSet frame =
       region(rectangle(-9, -9, 15, 15), {{{0, 0}, {6, 0}, {4, 3}, {6, 6}, {0, 6}, {2, 3}}});
   const PolygonSet unit = box(0, 0, 1, 1);

@@ -56,7 +56,7 @@ TEST(DegenerateOperand, PointOperandTranslates) {
 }
 
 TEST(DegenerateOperand, SegmentSumIsTheUnionOfParallelogramsAndBothEnds) {
-  // A region swept along a segment is its two end positions and what each edge sweeps.
+  // A region swept along a segment consists of its two end positions and each edge's sweep.
   MINKREF_SEEDED(random, 300);
   expect_law(random, 150, [](const Case& c) {
     const Point a{-1, 2}, b{3, 1};

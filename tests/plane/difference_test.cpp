@@ -1,4 +1,4 @@
-// The point that shows that two sets are not the same.
+// The point that proves two sets different.
 #include <gtest/gtest.h>
 
 #include "reference/plane/witness.hpp"
@@ -48,7 +48,7 @@ TEST(Difference, FindsAMissingPolygonAndTheEmptySet) {
 }
 
 TEST(Difference, IsOfFewDigits) {
-  // [0,1]^2 and [0,1]x[0,2]: any point will do; one of a few digits is asked for.
+  // [0,1]^2 and [0,1]x[0,2]: any point will do; the test asks for few digits.
   const std::optional<Difference> found = difference(box(0, 0, 1, 1), box(0, 0, 1, 2));
   ASSERT_TRUE(found.has_value());
   EXPECT_LE(to_string(found->point.x).size(), 5U);

@@ -1,4 +1,4 @@
-// The float filter of the grid kernel is never wrong, and is tried where doubles are.
+// The grid kernel's float filter is never wrong, and is tried where plain doubles often are.
 #include "reference/paper/trials/filter_trial.hpp"
 
 #include <gtest/gtest.h>

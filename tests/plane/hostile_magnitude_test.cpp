@@ -56,7 +56,7 @@ TEST(HostileMagnitude, AHoleSmallerThanAnyDoubleIsKeptAndClosedExactly) {
 }
 
 TEST(HostileMagnitude, SubnormalCoordinatesBesideHugeOnes) {
-  // The nearest doubles of the small coordinates are off by a large part of them.
+  // The small coordinates differ from their nearest doubles by large parts of their size.
   const PolygonSet P = region({{0, 0},
                                {parse_rational("69e-325"), parse_rational("49e-325")},
                                {parse_rational("12e299"), parse_rational("10e299")}});
@@ -100,7 +100,7 @@ TEST(HostileMagnitude, FilteredSignsOfMixedMagnitudesAreExact) {
 }
 
 TEST(HostileMagnitude, NearlyParallelEdges) {
-  // Directions that differ by one unit in 2^200: no filter of doubles can tell them apart.
+  // Directions that differ by one unit in 2^200: no filter with doubles can separate them.
   const Rational w(Integer(1) << 200);
   const PolygonSet P = region({{0, 0}, {w, 1}, {w, 2}}), Q = region({{0, 0}, {w + 1, 1}, {w, 3}});
   std::vector<Point> sums;

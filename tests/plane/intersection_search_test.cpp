@@ -1,4 +1,4 @@
-// The searches that the dynamic update is timed against find what there is.
+// The searches that the dynamic update is timed against find everything.
 #include "reference/paper/trials/intersection_search.hpp"
 
 #include <gtest/gtest.h>

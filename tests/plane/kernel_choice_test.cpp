@@ -11,7 +11,7 @@ Integer power(int base, unsigned exponent) {
   return boost::multiprecision::pow(Integer(base), exponent);
 }
 
-/// Mersenne primes, and others that share nothing.
+/// 2^exponent - 1: Mersenne primes, for the exponents used here.
 Integer mersenne(unsigned exponent) { return (Integer(1) << exponent) - 1; }
 
 std::string sum_is_stretched(const Case& c, const Rational& factor, const std::string& kernel) {
@@ -42,7 +42,7 @@ TEST(KernelChoice, ACommonDenominatorIsTakenOut) {
 TEST(KernelChoice, WideIntegersTakeTheGridOf256Bits) {
   MINKREF_SEEDED(random, 1902);
   expect_law(random, 60, [](const Case& c) {
-    // 10^30 is of 100 bits; something small beside it keeps a common factor from being taken out.
+    // 10^30 has 100 bits; a small shift beside it prevents a common factor.
     const Point p{1, 0}, q{0, Rational(1, 7)};
     const Rational factor(power(10, 30));
     const PolygonSet P = shifted(stretched(c.P, factor), p), Q = shifted(stretched(c.Q, factor), q);
@@ -106,8 +106,8 @@ Integer reach(const PolygonSet& set) {
 }
 
 TEST(KernelChoice, AnyNumberOfBitsFromCornerToCorner) {
-  // Both operands as large, with coordinates of both signs: differences of vertices of the
-  // convolution are two bits wider than coordinates.
+  // Both operands are equally large, with coordinates of both signs: differences of convolution
+  // vertices are two bits wider than coordinates.
   MINKREF_SEEDED(random, 1906);
   expect_law(random, 60, [](const Case& c) -> std::string {
     const auto around = [](const PolygonSet& set) {

@@ -1,4 +1,4 @@
-// Location by the crossings of a ray against this room's own.
+// Location by ray crossings against this room's own ray casting.
 #include "reference/plane/location.hpp"
 
 #include <gtest/gtest.h>

@@ -69,7 +69,7 @@ std::string membership_fault(Source& random, const Case& c) {
     if (!wrong.empty()) return wrong + at;
     const Where place = where(sum, x);
     if ((place == Where::outside) != (truth == Contact::empty)) return "the sum is wrong" + at;
-    // The sum of the interiors is open, so it lies in the interior of the sum.
+    // The sum of the interiors is open, so it lies inside the sum's interior.
     if (place == Where::boundary && truth != Contact::touching) return "boundary in ri sum" + at;
   }
   return "";

@@ -1,4 +1,4 @@
-"""Cases in the plane by their names."""
+"""Cases in the plane, loaded by name."""
 
 from __future__ import annotations
 

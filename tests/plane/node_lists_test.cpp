@@ -1,4 +1,4 @@
-// Lists of nodes that jump through a timeline are those that one gets by walking.
+// Node lists after a jump through a timeline equal the lists after walking.
 #include "reference/plane/dynamic/node_lists.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using Lists = std::vector<std::vector<std::uint32_t>>;
 
-/// After each number of steps, change by change.
+/// The lists after each number of steps, change by change.
 std::vector<Lists> walked(const ArrangementTimeline& timeline) {
   std::vector<Lists> all{timeline.initial};
   for (std::size_t step = 0; step + 1 < timeline.first_change.size(); ++step) {

@@ -1,4 +1,4 @@
-// The filter of overlaps: what it calls certain is true, also where doubles are coarse.
+// The overlap filter: certain answers hold, even with coarse doubles.
 #include "reference/plane/overlap_filter.hpp"
 
 #include <gtest/gtest.h>
@@ -43,8 +43,7 @@ TEST(OverlapFilter, FindsAllOverlapsOfSmallTrianglesAndNoOthers) {
 }
 
 TEST(OverlapFilter, IsNeverCertainOfTrianglesThatOnlyTouchNextToThemInDoubles) {
-  // A touching pair is stretched, turned and moved by fractions that doubles round: it still
-  // touches.
+  // Stretches, turns and moves a touching pair by fractions that doubles round: it still touches.
   MINKREF_SEEDED(random, 721);
   int tried = 0;
   while (tried < 300) {

@@ -1,4 +1,4 @@
-"""Pairs of sets, as text, of several components, with islands, or that touch."""
+"""Pairs of sets as text: several components, islands, or touching parts."""
 
 TRIANGLE = "POLYGON((0 0,1 0,0 1,0 0))"
 # Four squares that touch at corners, around a hole.
@@ -8,7 +8,7 @@ RING_OF_SQUARES = "MULTIPOLYGON({})".format(
         for x, y in ((1, 0), (0, 1), (2, 1), (1, 2))
     )
 )
-# The second: a frame, an island with a hole in it, and a part beside them.
+# The second set: a frame, an island with a hole, and a part beside them.
 ISLANDS = (
     "POLYGON((0 0,3 0,1 2,0 0))",
     "MULTIPOLYGON(((0 0,60 0,60 60,0 60,0 0),(5 5,5 55,55 55,55 5,5 5)),"

@@ -1,4 +1,4 @@
-// Unions of unit cells: their sum is a union of square blocks, which are counted.
+// Unions of unit cells: their sum is a union of square blocks, which the tests count.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -55,8 +55,8 @@ Cells block_sum(const Cells& P, int a, const Cells& Q, int b) {
   return sum;
 }
 
-/// Connected by edges: cells that meet in a corner only are not joined in the interior, and holes
-/// that meet in a corner are not joined in the open complement.
+/// Counts parts connected by edges: the interior does not join cells that share only a corner, and
+/// the open complement does not join such holes.
 std::size_t connected_parts(Cells cells) {
   std::size_t parts = 0;
   for (; !cells.empty(); ++parts) {
@@ -73,7 +73,7 @@ std::size_t connected_parts(Cells cells) {
   return parts;
 }
 
-/// The cells of the frame's box that are not in the set; one part of them is outside.
+/// The cells of the frame's box outside the set; one part of them lies outside the frame.
 Cells complement(const Cells& cells, int size) {
   Cells rest;
   for (int x = -1; x <= size; ++x) {

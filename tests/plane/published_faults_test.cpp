@@ -28,7 +28,7 @@ void expect_membership_on_a_grid(const PolygonSet& P, const PolygonSet& Q, const
 }
 
 TEST(PublishedFaults, HoleIsLostByAPointTakenOutsideItsFace) {  // CGAL 5830
-  // |[0,20]^2 + triangle| = 400 + 20 + 20 + 1/2; the hole is of area 19/8.
+  // |[0,20]^2 + triangle| = 400 + 20 + 20 + 1/2; the hole's area is 19/8.
   const PolygonSet P =
       region(rectangle(0, 0, 20, 20), {{{6, 12}, {7, 16}, {11, 16}, {9, 14}, {8, 14}, {7, 12}}});
   const PolygonSet Q = region({{1, 1}, {0, 1}, {0, 0}});
@@ -88,8 +88,8 @@ TEST(PublishedFaults, OriginOutsideTheSecondOperandDoesNotMatter) {  // manifold
 }
 
 TEST(PublishedFaults, EulerCharacteristicZeroInsideTheSum) {  // winding numbers with holes
-  // x - Q is [-4.9,15.1]x[-5.1,14.9], which holds all of P: their intersection is P, a ring, of
-  // Euler characteristic 0. The hole of P, of side 2, is too small for Q.
+  // x - Q is [-4.9,15.1]x[-5.1,14.9], which contains P: their intersection is P, a ring with Euler
+  // characteristic 0. P's hole has side 2, too small for Q.
   const PolygonSet P = region(rectangle(0, 0, 8, 8), {rectangle(3, 3, 5, 5)});
   const PolygonSet Q = box(0, 0, 20, 20);
   const Point x{Rational(151, 10), Rational(149, 10)};

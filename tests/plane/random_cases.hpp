@@ -1,4 +1,4 @@
-// A law is tried on random operands; a case that breaks it is made small before it is shown.
+// Tries laws on random operands; shrinks a failing case before showing it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ inline std::string fault(const Law& law, const Case& c) {
   }
 }
 
-/// All sets with one polygon, one hole or one vertex less that are still operands.
+/// All valid sets with one polygon, hole or vertex less.
 inline std::vector<PolygonSet> smaller(const PolygonSet& set) {
   std::vector<PolygonSet> all;
   const auto add = [&](PolygonSet candidate) {
@@ -70,7 +70,7 @@ inline std::vector<PolygonSet> smaller(const PolygonSet& set) {
   return all;
 }
 
-/// Greedy: takes the first smaller case that still breaks the law, until there is none.
+/// Greedy: takes the first smaller case that still breaks the law, until no such case exists.
 inline Case shrunk(Case c, const Law& law, int budget = 3000) {
   const auto still_fails = [&](const Case& candidate) {
     return --budget > 0 && !fault(law, candidate).empty();
@@ -162,7 +162,7 @@ inline auto shaken_lattice_pieces(Rational (*scale)(Source&)) {
   };
 }
 
-/// Tries the law on `count` cases; stops at the first that breaks it and shows it at its smallest.
+/// Tries the law on `count` cases; stops at the first failing case and shows it shrunk.
 template <class Make>
 void expect_law(Source& random, int count, Make&& make, const Law& law) {
   for (int i = 0; i < repetitions(count); ++i) {

@@ -28,8 +28,8 @@ struct Mesh {
   std::vector<std::array<std::size_t, 3>> triangles;
 };
 
-/// The union of the chosen triangles. Its boundary is followed round each wedge of the interior
-/// and split at repeated vertices, so rings are simple and touch where the triangles do.
+/// The union of chosen triangles. The boundary walk follows each wedge of the interior and splits
+/// at repeated vertices, so rings are simple and touch where the triangles do.
 class MeshRegion {
  public:
   MeshRegion(const Mesh& mesh, const std::vector<bool>& chosen) : mesh_(mesh) {
@@ -70,7 +70,7 @@ class MeshRegion {
     while (component_[t] != t) t = component_[t];
     return t;
   }
-  /// The boundary edge that leaves the head of `edge` along the same wedge of the interior.
+  /// The boundary edge that leaves the head of `edge` along the same interior wedge.
   std::pair<std::size_t, std::size_t> next(std::pair<std::size_t, std::size_t> edge) const {
     std::size_t triangle = owner_.at(edge);
     for (;;) {
@@ -148,7 +148,7 @@ inline Mesh random_mesh(Source& random, int nx, int ny, Grid style) {
   return mesh;
 }
 
-/// Whole cells mostly, so that the sets are not all dust.
+/// Chooses mostly whole cells, so that the sets are not all dust.
 inline std::vector<bool> random_choice(Source& random, const Mesh& mesh) {
   std::vector<bool> chosen(mesh.triangles.size());
   const int density = random.between(25, 85);
@@ -195,8 +195,9 @@ inline PolygonSet random_mesh_region(Source& random, int most_cells = 3) {
   return set;
 }
 
-/// A simple polygon through random grid points: crossing edges are uncrossed by reversing the
-/// chain between them, which shortens it. Touching points make some fail; those are drawn again.
+/// A simple polygon through random grid points: reversing the chain between crossing edges
+/// uncrosses them and shortens the ring. Touching points make some rings fail; these are drawn
+/// again.
 inline PolygonSet random_simple_polygon(Source& random, int vertices, int size) {
   for (;;) {
     Ring ring;
@@ -226,7 +227,7 @@ inline PolygonSet random_simple_polygon(Source& random, int vertices, int size) 
   }
 }
 
-/// Triangular and quadrilateral holes at random; those that do not fit are not there.
+/// Punches random triangular and quadrilateral holes; omits holes that do not fit.
 inline void punch_holes(Source& random, PolygonSet& set, int attempts, int size) {
   for (int i = 0; i < attempts; ++i) {
     Ring hole;
@@ -274,7 +275,7 @@ inline PolygonSet random_convex_polygon(Source& random, int points = 7, int size
   }
 }
 
-/// Any of the kinds above; about one in eight has holes.
+/// A region of any kind above; about one region in eight has holes.
 inline PolygonSet random_region(Source& random, int most_cells = 3) {
   switch (random.below(6)) {
     case 0:
@@ -291,7 +292,7 @@ inline PolygonSet random_region(Source& random, int most_cells = 3) {
   }
 }
 
-/// Each vertex moved by at most 2 units of 2^-bits; rings that share a vertex still do.
+/// Moves each vertex by at most 2 units of 2^-bits; rings that share a vertex keep it.
 inline PolygonSet shaken(Source& random, const PolygonSet& set, int bits) {
   const Rational unit(Integer(1), Integer(1) << bits);
   const int a = random.between(1, 97), b = random.between(1, 97);

@@ -1,5 +1,5 @@
-// Where a point lies, decided by this room's own arithmetic: nothing of reference/plane is used but
-// the plain data.
+// Where a point lies, decided by this room's own arithmetic: it uses only the plain data of
+// reference/plane.
 #pragma once
 
 #include "tests/plane/shapes.hpp"

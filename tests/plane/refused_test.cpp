@@ -36,7 +36,7 @@ Refusal refusal(const PolygonSet& set) {
     EXPECT_FALSE(e.mend().empty());
     EXPECT_NE(std::string(e.what()).find(e.problem()), std::string::npos);
     EXPECT_NE(std::string(e.what()).find(e.mend()), std::string::npos);
-    // The coordinates are those of the vertices, exact.
+    // The coordinates are exact vertex coordinates.
     std::vector<Ring> rings;
     for_each_ring(set, [&](const Ring& ring) { rings.push_back(ring); });
     const Place& place = e.place();
@@ -77,7 +77,7 @@ void expect_pair_refused(const PolygonSet& set, const std::string& code, std::si
 }
 
 TEST(Refused, TooFewVertices) {
-  // One or two vertices are a point or a segment only if they are all there is.
+  // One or two vertices form a point or a segment only if the set has no others.
   EXPECT_EQ(refusal(raw({})).code, "too-few-vertices");
   const Refusal with_region = refusal(together(box(0, 0, 1, 1), segment_set({5, 5}, {6, 6})));
   EXPECT_EQ(with_region.code, "too-few-vertices");
@@ -119,7 +119,7 @@ TEST(Refused, WrongOrientation) {
 }
 
 TEST(Refused, SelfIntersectionNamesTheTwoEdges) {
-  // A ring that crosses itself in the middle, its area not zero.
+  // A ring that crosses itself in the middle, with nonzero area.
   const Ring bow{{0, 0}, {4, 0}, {1, 3}, {3, 3}};
   const Refusal found = refusal(raw(bow));
   EXPECT_EQ(found.code, "self-intersection");
@@ -168,8 +168,8 @@ TEST(Refused, SelfIntersectionOfAHoleNamesTheHole) {
 }
 
 TEST(Refused, OverlappingRings) {
-  // A hole that shares a part of an edge with its outer ring, holes that share one, polygons that
-  // do, and the same ring twice.
+  // A hole that shares part of an edge with its outer ring, holes that share one, polygons that
+  // share one, and the same ring twice.
   expect_pair_refused(region(rectangle(0, 0, 9, 9), {rectangle(0, 3, 2, 5)}), "overlapping-rings",
                       0, 1);
   expect_pair_refused(region(rectangle(0, 0, 9, 9), {rectangle(1, 1, 3, 3), rectangle(3, 2, 5, 4)}),
@@ -191,7 +191,7 @@ TEST(Refused, CrossingRings) {
 }
 
 TEST(Refused, RingsThatCrossAtVertices) {
-  // In and out at two vertices of the other: no edge crosses another in its interior.
+  // In and out at two vertices of the other ring: no edge crosses another edge's interior.
   expect_pair_refused(together(box(0, 0, 4, 4), region({{0, 0}, {4, 4}, {-1, 5}})),
                       "crossing-rings", 0, 1);
   // A diamond through the four corners of a square, its own corners outside.
@@ -204,9 +204,9 @@ TEST(Refused, HoleOutside) {
   const Refusal apart = refusal(region(rectangle(0, 0, 2, 2), {rectangle(5, 5, 6, 6)}));
   EXPECT_EQ(apart.code, "hole-outside");
   EXPECT_EQ(apart.ring, 1U);
-  // Outside, touching in a point.
+  // Outside, touching at a point.
   EXPECT_EQ(refusal(region(rectangle(0, 0, 2, 2), {rectangle(2, 2, 3, 3)})).code, "hole-outside");
-  // Round its own outer ring.
+  // Around its own outer ring.
   EXPECT_EQ(refusal(region(rectangle(0, 0, 2, 2), {rectangle(-5, -5, 6, 6)})).code, "hole-outside");
   // In another polygon.
   PolygonSet two = together(box(0, 0, 2, 2), box(10, 0, 19, 9));
@@ -224,14 +224,15 @@ TEST(Refused, HoleInAHole) {
 TEST(Refused, OverlappingPolygons) {
   expect_pair_refused(together(box(0, 0, 9, 9), box(2, 2, 3, 3)), "overlapping-polygons", 0, 1);
   expect_pair_refused(together(box(2, 2, 3, 3), box(0, 0, 9, 9)), "overlapping-polygons", 0, 1);
-  // Its corners on the edges of the outer one.
+  // The inner square's corners lie on the outer square's edges.
   expect_pair_refused(together(box(0, 0, 4, 4), region({{2, 0}, {4, 2}, {2, 4}, {0, 2}})),
                       "overlapping-polygons", 0, 1);
   // Inside a polygon with a hole, beside the hole.
   expect_pair_refused(
       together(region(rectangle(0, 0, 9, 9), {rectangle(1, 1, 3, 3)}), box(5, 5, 6, 6)),
       "overlapping-polygons", 0, 2);
-  // The hole of one lies in the other, which lies in the first's outer ring: it covers the hole.
+  // One polygon's hole lies inside the other polygon, which lies inside the first's outer ring and
+  // covers the hole.
   EXPECT_EQ(
       refusal(together(region(rectangle(0, 0, 9, 9), {rectangle(4, 4, 5, 5)}), box(3, 3, 6, 6)))
           .code,

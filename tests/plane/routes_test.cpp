@@ -1,4 +1,4 @@
-// Three routes that share as little as they can have one answer.
+// Three routes that share as little as possible give the same answer.
 #include <gtest/gtest.h>
 
 #include "reference/plane/routes/face_points.hpp"

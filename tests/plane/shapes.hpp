@@ -1,4 +1,4 @@
-// Small polygon sets written by hand, maps of them, and their text for a failure's message.
+// Small handwritten polygon sets, maps, and texts for failure messages.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ inline PolygonSet united(const PolygonSet& a, const PolygonSet& b) {
   return canonicalize(together(a, b)).region;
 }
 
-/// The image of every vertex. A map that reverses orientation has its rings turned by `orient`.
+/// The image of every vertex. After a map that reverses orientation, `orient` turns the rings.
 template <class Map>
 PolygonSet mapped(PolygonSet set, Map&& map) {
   for (Polygon& polygon : set.polygons) {
@@ -63,7 +63,7 @@ inline PolygonSet stretched(const PolygonSet& set, const Rational& factor) {
   return mapped(set, [&](const Point& p) { return Point{p.x * factor, p.y * factor}; });
 }
 
-/// By 90 degrees to the left.
+/// Turns by 90 degrees to the left.
 inline PolygonSet turned(const PolygonSet& set) {
   return mapped(set, [](const Point& p) { return Point{Rational(-p.y), p.x}; });
 }
@@ -101,7 +101,7 @@ inline std::string text(const Ring& ring) {
   return out + "]";
 }
 
-/// The set as it is, in the notation of canonical JSON.
+/// The unchanged set, in canonical JSON notation.
 inline std::string text(const PolygonSet& set) {
   std::string out;
   for (const Polygon& polygon : set.polygons) {

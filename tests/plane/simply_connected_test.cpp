@@ -84,7 +84,7 @@ TEST(Slits, PointsAndSegmentsStayAsTheyAre) {
 }
 
 TEST(Slits, HolesOneBehindTheOtherAndTouching) {
-  // Five holes in a row, two of which touch, and one that touches the outer ring.
+  // Five holes in a row: two touch each other, and one touches the outer ring.
   const PolygonSet set = region(rectangle(0, 0, 20, 6), {rectangle(1, 2, 3, 4),
                                                          {{5, 2}, {7, 3}, {5, 4}},
                                                          {{7, 3}, {9, 2}, {9, 4}},

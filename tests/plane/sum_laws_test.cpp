@@ -1,4 +1,4 @@
-// Laws of the sum, none of which needs an expected value.
+// Laws of the sum, without expected values.
 #include <gtest/gtest.h>
 
 #include "reference/plane/sum.hpp"

@@ -1,4 +1,4 @@
-"""The tight passages of exact fits made by hand, at their scale and close to it."""
+"""The tight passages of handmade exact fits, at their scale and close by."""
 
 from __future__ import annotations
 

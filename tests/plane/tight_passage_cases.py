@@ -55,13 +55,14 @@ GAP_RING = [
         ]
     ]
 ]
-# A hole in the form of an hourglass, 6 high, its waist of width 2 at half the height.
+# A hole in hourglass form, 6 high, with a waist 2 wide at half the height.
 HOURGLASS = [[box(-9, -9, 15, 15), [(0, 0), (2, 3), (0, 6), (6, 6), (4, 3), (6, 0)]]]
 FOUR_SQUARES = [[box(0, 0, 1, 1)], [box(2, 0, 3, 1)], [box(0, 2, 1, 3)], [box(2, 2, 3, 3)]]
-# Two squares that touch in the origin, in quadrants 1 and 3; two in quadrants 2 and 4.
+# Two squares that touch at the origin, filling quadrants 1 and 3; two more, filling quadrants 2 and
+# 4.
 ONE_THREE = [[box(-1, -1, 0, 0)], [box(0, 0, 1, 1)]]
 TWO_FOUR = [[box(-1, 0, 0, 1)], [box(0, -1, 1, 0)]]
-# A hole with its apex in the origin, in the middle of the upper side.
+# A hole with its apex at the origin, the middle of the upper side.
 APEX = [[box(-2, -4, 2, 0), [(0, 0), (1, -2), (-1, -2)]]]
 # Four blunt tips at (1,0), (0,1), (-1,0), (0,-1) that point at the origin.
 HALF = Fraction(3, 2)
@@ -73,8 +74,8 @@ TIPS = [
 ]
 DIAMOND = [[[(1, 0), (0, 1), (-1, 0), (0, -1)]]]
 TRIANGLE = [[[(-3, -2), (4, -1), (1, 3)]]]
-# The three sides of the hole, moved inwards by the triangle's support, meet in one point at
-# s = 541/186: it solves -31 x - 17 y = a and 2 x + 36 y = b.
+# The hole's three sides, moved inwards by the triangle's support, share a point at s = 541/186: it
+# solves -31 x - 17 y = a and 2 x + 36 y = b.
 CRITICAL = Fraction(541, 186)
 A, B = -340 + CRITICAL * 127, -362 + CRITICAL * 110
 MEETING = ((36 * A + 17 * B) / -1082, (-31 * B - 2 * A) / -1082)
@@ -185,9 +186,9 @@ CASES = [
     ),
     Case(
         "a notch wider at its bottom holds its counterpart: a point",
-        # The notch is the trapezoid T = (1,1) (5,1) (4,3) (2,3), open at the top; x - Q is
-        # T + x - (6,4). Its outer normals (-2,1), (2,1), (0,-1) at the sides in contact have a
-        # positive combination that is zero, so no motion frees it.
+        # The notch is the trapezoid T = (1,1) (5,1) (4,3) (2,3), open at the top; x - Q is T + x -
+        # (6,4). Its outer normals (-2,1), (2,1), (0,-1) at the touching sides have a positive
+        # combination equal to zero, so no motion frees it.
         [[[(0, 0), (6, 0), (6, 3), (4, 3), (5, 1), (1, 1), (2, 3), (0, 3)]]],
         [[[(5, 3), (1, 3), (2, 1), (4, 1)]]],
         "1",
@@ -238,7 +239,7 @@ CASES = [
     ),
     Case(
         "a peg in the hole of Q: a point",
-        # x less the hole of Q is (x-2, x-1)^2, which is sP = [0,1]^2 at x = (2,2).
+        # x minus the hole of Q is (x-2, x-1)^2, which equals sP = [0,1]^2 at x = (2,2).
         UNIT,
         FRAME,
         "1",
@@ -270,7 +271,7 @@ CASES = [
     ),
     Case(
         "a hole that is the size of the peg at s = 3/2",
-        # The hole is (3,6)^2 there and the peg has side 3.
+        # At this scale the hole is (3,6)^2, and the peg has side 3.
         [[box(0, 0, 8, 8), hole(2, 2, 4, 4)]],
         [[box(0, 0, 3, 3)]],
         "3/2",
@@ -340,15 +341,15 @@ CASES = [
         "7/5",
         [[(0, 0), (1, -1)]],
         near=[[(0, 0), (1, -1)]],
-        # Vertex (0,0) of the lower square is its third, of the upper its first; Q's edge 0 runs to
-        # the right and down, edge 1 back.
+        # Vertex (0,0) is the lower square's third vertex and the upper square's first; Q's edge 0
+        # runs right and down, edge 1 back.
         contacts=[[[("T", 0, 0, 1, 0), ("T", 0, 1, 0, 2)]]],
     ),
     Case(
         "a hole that touches the outer ring inside of an edge: a segment through the point, always",
-        # x - Q = {0} x [y-1, y] passes the apex (0,0) from the hole to the outside for y from 0
-        # to 1. To the right of the apex the interior of P lies between the outer edge 2, leftwards,
-        # and the hole's edge 0, downwards: Q's edge 1, down, touches it. To its left Q's edge 0.
+        # x - Q = {0} x [y-1, y] passes the apex (0,0) from the hole to the outside for y from 0 to
+        # 1. Right of the apex, P's interior lies between outer edge 2, leftwards, and hole edge 0,
+        # downwards: Q's edge 1, down, touches it. Left of the apex Q's edge 0 does so.
         APEX,
         [[[(0, 0), (0, 1)]]],
         "1",

@@ -1,6 +1,6 @@
-// Tight passages against their definition, point by point: a point is missed by the sum of the
-// interiors and lies inside of the sum. The first is judged by edges cut at edges, the second by
-// the union of the sums of triangles; neither uses the convolution.
+// Tight passages against their definition, point by point: the sum of the interiors misses a point
+// that lies inside the sum. Edges cut at edges judge the first condition, the union of triangle
+// sums the second; neither uses the convolution.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ bool on(const Pieces& all, const Point& x) {
   return std::any_of(all.begin(), all.end(), [&](const auto& piece) { return on(piece, x); });
 }
 
-/// Nodes of the arrangement of the reduced convolution and three points of each sub-edge.
+/// Nodes of the reduced convolution's arrangement, and three points of each sub-edge.
 std::vector<Point> points_of_arrangement(const Case& c) {
   const PolygonSet P = stretched(c.P, c.scale);
   return on_exact_frame(P, c.Q, [&](const auto& frame) {
@@ -60,7 +60,7 @@ std::vector<Point> vertices(const PolygonSet& set) {
   return all;
 }
 
-/// Sums of vertices and of middles of edges, which need not be on the convolution, and points
+/// Sums of vertices and of edge midpoints, which need not lie on the convolution, and points
 /// between them.
 std::vector<Point> other_points(Source& random, const Case& c) {
   const std::vector<Point> p = vertices(c.P), q = vertices(c.Q);
@@ -75,7 +75,7 @@ std::vector<Point> other_points(Source& random, const Case& c) {
   return points;
 }
 
-/// The fault of the pieces as a set of points.
+/// The pieces' fault as a set of points.
 std::string wrong_points(Source& random, const Case& c) {
   const Pieces found = pieces(c);
   const PolygonSet sum = minkowski_sum(c.P, c.Q, c.scale, Route::definition).region;
@@ -94,7 +94,7 @@ std::string wrong_points(Source& random, const Case& c) {
       return "a point on the boundary: " + text(piece.points[0]);
     }
     for (std::size_t i = 0; i + 1 < piece.points.size(); ++i) {
-      // Not the middle: two passages on one line may meet in a point of the boundary.
+      // Avoids the middle: two passages on one line may meet at a boundary point.
       const Point x = piece.points[i] + Rational(5, 11) * (piece.points[i + 1] - piece.points[i]);
       if (where(sum, x) != Where::inside) return "a segment on the boundary: " + text(x);
     }
@@ -106,7 +106,7 @@ bool less(const std::vector<Point>& a, const std::vector<Point>& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less_xy);
 }
 
-/// Pieces that meet a point elsewhere than inside of one segment or at one inner vertex.
+/// Counts the pieces that end at a point; a closed piece counts twice.
 std::size_t ends_at(const Pieces& all, const Point& x) {
   std::size_t count = 0;
   for (const TightPassage& piece : all) {
@@ -132,7 +132,7 @@ std::string wrong_form(const Case& c) {
       }
       if (ends_at(found, points[k]) != 0) return "passes a branching: " + text(points[k]);
     }
-    // An end is one of a single piece or of three; a closed piece has two ends at one point.
+    // A single piece or three pieces end at a point; a closed piece has both ends at one point.
     const bool closed = points.size() > 1 && points.front() == points.back();
     const std::size_t ends = ends_at(found, points.front());
     if (points.size() == 1 && ends != 1) return "a point on another piece";
@@ -157,8 +157,8 @@ bool rings_touch(const PolygonSet& set) {
   return touch;
 }
 
-/// Every contact covers a part of its segment. Both shapes are held from both sides. Where no rings
-/// touch, the contacts are all edges of the reduced convolution that do so.
+/// Every contact covers a part of its segment. Both shapes are held from both sides. If no rings
+/// touch, the contacts are all reduced convolution edges that cover a part.
 std::string wrong_contacts(const Case& c) {
   const auto all = reduced_convolution(c.P, c.Q);
   const bool all_of_them = !rings_touch(c.P) && !rings_touch(c.Q);
@@ -211,7 +211,7 @@ PolygonSet random_lattice_region(Source& random, int most) {
   return set;
 }
 
-/// Whole cells of a lattice, so many in a hundred: passages one cell wide are common in it.
+/// Whole lattice cells, `density` in a hundred: passages one cell wide are common.
 PolygonSet random_maze(Source& random, int nx, int ny, int density) {
   const Mesh mesh = random_mesh(random, nx, ny, Grid::lattice);
   std::vector<bool> chosen(mesh.triangles.size(), false);
@@ -227,7 +227,7 @@ PolygonSet random_maze(Source& random, int nx, int ny, int density) {
 }
 
 /// Operands on one lattice, where exact fits are common: a maze and some of its cells, or cells and
-/// quarters of them.
+/// their quarters.
 Case random_lattice_case(Source& random) {
   if (random.below(2) == 0) {
     return {random_maze(random, random.between(3, 6), random.between(3, 6), 60),
@@ -238,7 +238,7 @@ Case random_lattice_case(Source& random) {
           scales[random.below(5)]};
 }
 
-/// A segment in one of eight directions on the same lattice.
+/// A lattice segment in one of eight directions.
 PolygonSet random_segment(Source& random) {
   for (;;) {
     const Point a{random.between(-2, 2), random.between(-2, 2)};
@@ -261,7 +261,7 @@ TEST(TightPassages, AreTheDefinitionPointByPointOnALattice) {
     }
     return fault_of(random, c);
   });
-  // Kinds that are common on the lattice, so that nothing is tried in vain.
+  // These kinds are common on the lattice, so that the test is not vacuous.
   EXPECT_GE(points, testing::repetitions(10U));
   EXPECT_GE(lines, testing::repetitions(20U));
   EXPECT_GE(bends, testing::repetitions(5U));

@@ -38,7 +38,7 @@ std::vector<Row> rows(const PairEvents& found, const PolygonSet& P, const Polygo
   return result;
 }
 
-/// Every pair of edges in rational numbers: no filter, no grid, no sorting by doubles.
+/// Every pair of edges, by rational numbers: no filter, no grid, no sorting by doubles.
 std::vector<Row> all_pairs(const PolygonSet& P, const PolygonSet& Q) {
   const auto edges = moving_edges<Vector>(
       reduced_convolution(P, Q), scalar_operand<Rational>(P, {}), scalar_operand<Rational>(Q, {}));
@@ -97,7 +97,7 @@ TEST(PairEvents, AreThoseOfAllPairsInRationals) {
 }
 
 TEST(PairEvents, AreThoseOfAllPairsInRationalsWhereDoublesTellNothingApart) {
-  // Coincidences of lattice pieces missed by a hair: the float filter must hand them on.
+  // Lattice pieces whose coincidences are missed by a hair: the float filter must hand them on.
   MINKREF_SEEDED(random, 3106);
   expect_law(random, 40, shaken_lattice_pieces([](Source&) -> Rational { return 1; }),
              [](const Case& c) -> std::string {
@@ -139,8 +139,8 @@ TEST(PairEvents, ScalingPDividesTheScales) {
 }
 
 TEST(PairEvents, SwappingTheOperandsInvertsTheScales) {
-  // s P + Q = s (P + Q / s). The ends of the compatible turns change sides with the operands, which
-  // chooses other edges where an edge of P is parallel to one of Q.
+  // s P + Q = s (P + Q / s). The exchange moves the included ends of the compatible turns to the
+  // other operand, which chooses other edges if an edge of P is parallel to an edge of Q.
   MINKREF_SEEDED(random, 3103);
   int compared = 0;
   for (int i = 0; i < repetitions(40); ++i) {

@@ -80,7 +80,7 @@ TEST(Observation1, PrintedParameterIsWrongAndCorrectedIsRight) {
   EXPECT_EQ(observation_1<Rational>(v, w, u, Form::printed), r(1, 2));
 }
 
-/// Checks random pairs that are not parallel.
+/// Checks random non-parallel pairs.
 template <class Check>
 void expect_of_crossing_pairs(Source& random, Check&& check) {
   for (int i = 0; i < repetitions(500); ++i) {
@@ -107,7 +107,7 @@ TEST(ScaleSolve, AlphaAndBetaAreMultiplesOfTheDirectionOfTheEdge) {
       EXPECT_EQ(K::cross(direction, alpha), 0) << text(pair);
       EXPECT_EQ(K::cross(direction, beta), 0) << text(pair);
     }
-    // So both forms of the solve agree in exact arithmetic.
+    // Therefore both forms of the solve agree in exact arithmetic.
     const auto by_consistency = end_scales<Rational>(conditions, Form::printed);
     const auto along = end_scales<Rational>(conditions, Form::corrected);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -134,7 +134,7 @@ TEST(ScaleSolve, RootInconsistentAndIdentityInTwoAndThreeDimensions) {
 }
 
 TEST(ScaleSolve, ConsistencyFailsInDoublesWhereARootExists) {
-  // Multiples of the direction (1, 3) by a factor that is no double.
+  // Multiples of the direction (1, 3) by factors without an exact double.
   const auto alpha = Vector2<double>(0.1, 0.1 * 3), beta = Vector2<double>(0.7, 0.7 * 3);
   EXPECT_EQ((solve_by_consistency<double, 2>(alpha, beta).kind), Solution::inconsistent);
   EXPECT_EQ((solve_along<double, 2>(Vector2<double>(1, 3), alpha, beta).kind), Solution::root);
@@ -256,7 +256,7 @@ TEST(ParallelPair, NeverAtOneScaleOrAlwaysAsOrientationSignsSay) {
 TEST(ParallelPair, TouchingOrOverlapping) {
   const K kernel;
   const auto meeting = [&](const Vector& from, const Vector& to) {
-    // The S-edge s [(0,1), (2,1)] comes to the line y = 3 at s = 3, where it is [0,6].
+    // The S-edge s [(0,1), (2,1)] reaches the line y = 3 at s = 3, as [0,6].
     return parallel_pair<K>(kernel, s_edge(vector(0, 1), vector(2, 1), vector(0, 0)),
                             t_edge(from, to, vector(0, 0)));
   };

@@ -1,4 +1,4 @@
-// Pairs of moving edges written by hand and at random, and whether they meet at one scale, by
+// Pairs of moving edges, handwritten and random, and whether they meet at one scale, from the
 // orientation signs of their end points alone.
 #pragma once
 
@@ -60,12 +60,12 @@ inline bool meet_at(const PairOfEdges& pair, const Rational& s) {
   return testing::do_segments_meet(a0, a1, b0, b1);
 }
 
-/// Types of pairs, as the kinds of a and b.
+/// Types of pairs, as kinds of a and b.
 inline constexpr std::pair<Kind, Kind> types[] = {
     {Kind::S, Kind::S}, {Kind::S, Kind::T}, {Kind::T, Kind::T}};
 
-/// On a small grid; a third of them degenerate: parallel, on one line at all scales, with a common
-/// end, touching at a chosen scale, or with an end of one that stays on the line of the other.
+/// A pair on a small grid; a third are degenerate: parallel, always collinear, with a common end,
+/// touching at a chosen scale, or with an end that stays on the other edge's line.
 inline PairOfEdges random_pair(Source& random, std::pair<Kind, Kind> kinds) {
   const auto grid = [&] { return vector(random.between(-6, 6), random.between(-6, 6)); };
   const auto direction = [&] {

@@ -1,4 +1,4 @@
-// Whether two segments meet, by the signs of turns alone.
+// Whether two segments meet, from signs of turns alone.
 #pragma once
 
 #include "reference/number/eigen.hpp"
@@ -6,7 +6,7 @@
 
 namespace minkref::testing {
 
-/// Whether the closed segments have a point in common; either may lie on the line of the other.
+/// Whether the closed segments share a point; either segment may lie on the other's line.
 inline bool do_segments_meet(const Vector2<Rational>& a0, const Vector2<Rational>& a1,
                              const Vector2<Rational>& b0, const Vector2<Rational>& b1) {
   using Vector = Vector2<Rational>;

@@ -1,4 +1,4 @@
-// The law of the dynamic sum: a step leads to what is there when one starts from scratch.
+// The law of the dynamic sum: a step leads to the same state as starting from scratch.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace minkref::testing::of_dynamic_walk {
 namespace {
 
-/// A scale within the window, every third one that of an event.
+/// A scale within the window, every third one an event's scale.
 Rational some_scale(Source& random, const DynamicSum& dynamic) {
   const ArrangementEvents& events = *dynamic.states().timeline().events;
   const ScaleWindow& window = dynamic.window();
@@ -79,7 +79,7 @@ TEST(DynamicWalk, AStepAndItsReverseCancel) {
   });
 }
 
-/// From one scale to another. At the scale of an event nodes may be in one place; a node is there
+/// A way from one scale to another. At an event's scale, nodes may share a place; a node exists
 /// from its first scale to its last, both included.
 struct Way {
   Rational from, to;
@@ -87,21 +87,21 @@ struct Way {
   bool up() const { return from < to; }
   bool reaches(const Rational& s) const { return up() ? from < s && s <= to : to <= s && s < from; }
   bool leaves(const Rational& s) const { return up() ? from <= s && s < to : to < s && s <= from; }
-  /// Two nodes in one place are in their order below until the scale is left upwards.
+  /// Two nodes at one place keep their lower order until the way leaves the scale upwards.
   bool swaps_at(const Rational& s) const {
     return up() ? from <= s && s < to : to <= s && s < from;
   }
 };
 
-/// Whether a node is there below and above a scale.
+/// Whether a node exists both below and above a scale.
 bool stays(const ArrangementEvents& events, const EdgeNode& node, const Rational& s) {
   return (node.from == EdgeNode::always || events.exact(node.from) < s) &&
          (node.to == EdgeNode::always || events.exact(node.to) > s);
 }
 
-/// Pairs of nodes of one edge that pass each other on the way, from their tracks alone; and triples
-/// of edges of which two do so along the third. (Two edges on the line of the third, of one length
-/// at the scale, pass with both ends at once.)
+/// Counts node pairs of an edge that pass each other on the way, from their tracks alone; and edge
+/// triples where two edges pass each other along the third. (Two edges on the third's line, equally
+/// long at the scale, pass with both ends at once.)
 struct Passings {
   std::uint64_t nodes = 0, triples = 0;
 };
@@ -196,7 +196,7 @@ TEST(DynamicWalk, TakesPointsSegmentsAndTheEmptySet) {
 }
 
 TEST(DynamicWalk, TakesRingsThatTouchAnEdgeWithAPointOrASegment) {
-  // Nothing widens the edge that is touched: its left is not all in the sum.
+  // Nothing widens the touched edge: the sum does not cover its whole left side.
   const std::vector<PolygonSet> sets{
       region(rectangle(0, 0, 4, 4), {Ring{{0, 2}, {1, 3}, {2, 2}, {1, 1}}}),
       region(rectangle(0, 0, 4, 4), {Ring{{0, 2}, {2, 4}, {4, 2}, {2, 0}}}),
@@ -245,7 +245,7 @@ TEST(DynamicWalk, OfAPointOrASegmentLeadsToTheStaticSumToo) {
 }
 
 TEST(DynamicWalk, StandsHugeAndTinyNumbers) {
-  // Also scales far beyond the range of doubles, of coordinates within it.
+  // Also tests scales far beyond the range of doubles, with coordinates within the range.
   const std::vector<std::pair<const char*, const char*>> factors{
       {"1e200", "1"},      {"1e-200", "1"},    {"1e305", "1e-50"}, {"1e-50", "1e305"},
       {"1e200", "1e-150"}, {"1e-250", "1e90"}, {"1e-315", "1"}};

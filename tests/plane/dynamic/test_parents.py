@@ -28,7 +28,7 @@ ON_ONE_LINE = (43, 48, 54, 68, 118)
 
 
 def rings_of(operand: _core.PolygonSet) -> list[list[Point]]:
-    """All rings in the order in which they are numbered."""
+    """All rings, in numbering order."""
     return [
         [(Fraction(x), Fraction(y)) for x, y in ring]
         for polygon in json.loads(operand.to_json())["polygons"]
@@ -56,7 +56,8 @@ def along(edge: Segment, point: Point) -> Fraction | None:
 
 
 def on_boundary(edge: Segment, boundary: list[Segment]) -> list[tuple[Point, Point]]:
-    """The pieces of positive length that the edge shares with boundary edges, sorted along it."""
+    """The pieces of positive length shared by the edge and boundary edges, sorted along the
+    edge."""
     pieces = []
     for a, b in boundary:
         t, u = along(edge, a), along(edge, b)

@@ -119,7 +119,7 @@ TEST(Topology, ATriangularHoleDiesWhereNoPairEventIs) {
   EXPECT_EQ(event.change, TopologyEvent::Change::death);
   EXPECT_EQ(event.before, std::vector<std::uint32_t>{1});
   EXPECT_TRUE(event.after.empty());
-  // The three sides of the hole, each with the vertex of P that slides along it.
+  // The hole's three sides, each with the vertex of P that slides along it.
   ASSERT_EQ(timeline.boundary.size(), 1U);
   EXPECT_EQ(timeline.boundary[0].edges.size(), 3U);
   EXPECT_EQ(timeline.boundary[0].place, (Point{Rational(-59, 186), Rational(-107, 93)}));
@@ -143,7 +143,7 @@ TEST(Topology, ASlabCloses) {
 }
 
 TEST(Topology, AHoleSplitsAtAWaist) {
-  // An hourglass: two chambers of side 8 and a channel of width 2 between them.
+  // An hourglass: two 8 by 8 chambers and a channel between them, 2 wide.
   const Ring hourglass{{2, 2},   {10, 2},  {10, 5}, {14, 5}, {14, 2},  {22, 2},
                        {22, 10}, {14, 10}, {14, 7}, {10, 7}, {10, 10}, {2, 10}};
   const PolygonSet P = box(0, 0, 1, 1), Q = region(rectangle(0, 0, 24, 12), {hourglass});
@@ -186,8 +186,8 @@ TEST(Topology, TheLargestPartOfAHoleThatSplitsKeepsItsName) {
 }
 
 TEST(Topology, AHoleTouchesItselfAtOneScaleOnly) {
-  // P is two spikes, 10 apart; Q has a hole with a spike from below and one from above. One copy of
-  // the upper spike passes one of the lower spike, tip at tip, at s = 1.
+  // P consists of two spikes, 10 apart; Q has a hole with a spike from below and a spike from
+  // above. A copy of the upper spike passes a copy of the lower spike, tip at tip, at s = 1.
   const PolygonSet P{
       {Polygon{Ring{{-1, -2}, {1, -2}, {0, 0}}, {}}, Polygon{Ring{{10, 0}, {11, 2}, {9, 2}}, {}}}};
   const PolygonSet Q = region(rectangle(-200, -200, 200, 200), {Ring{{-100, -100},
@@ -214,7 +214,7 @@ TEST(Topology, AHoleTouchesItselfAtOneScaleOnly) {
 }
 
 TEST(Topology, EventsCloserThanDoublesCanTellAreApart) {
-  // Two square holes, one larger by 2^-70, filled by the unit square scaled by 1 and by 1 + 2^-70.
+  // Two square holes, one larger by 2^-70; the unit square fills them at scales 1 and 1 + 2^-70.
   const Rational more = 1 + Rational(Integer(1), Integer(1) << 70);
   const PolygonSet P = box(0, 0, 1, 1);
   const PolygonSet Q =
@@ -230,7 +230,7 @@ TEST(Topology, EventsCloserThanDoublesCanTellAreApart) {
 }
 
 TEST(Topology, ComponentsMerge) {
-  // Squares of side s at distance 6: they touch along an edge where s + 1 = 6.
+  // Squares with side s at distance 6: they touch along an edge if s + 1 = 6.
   const PolygonSet P = box(0, 0, 1, 1);
   const PolygonSet Q = together(box(0, 0, 1, 1), box(6, 0, 7, 1));
   const DynamicSum dynamic(P, Q, {});
@@ -246,7 +246,7 @@ TEST(Topology, ComponentsMerge) {
 }
 
 TEST(Topology, AnIslandMergesWithTheShore) {
-  // A component inside a hole of another one: it grows until it touches.
+  // A component inside another component's hole: it grows until it touches.
   const PolygonSet P = box(0, 0, 1, 1);
   const PolygonSet Q =
       together(region(rectangle(0, 0, 30, 30), {rectangle(5, 5, 25, 25)}), box(14, 14, 16, 17));
@@ -266,7 +266,7 @@ TopologyEvent event_of_components(const PolygonSet& P, const PolygonSet& Q) {
 }
 
 TEST(Topology, AnIslandThatFillsItsHoleAtOnceMerges) {
-  // Island and hole are parallel: none of the boundary between them is left at s = 2.
+  // Island and hole are parallel: at s = 2 the boundary between them vanishes completely.
   const PolygonSet P = box(0, 0, 1, 1);
   const PolygonSet shore = region(rectangle(0, 0, 9, 9), {rectangle(2, 2, 7, 7)});
   const TopologyEvent one = event_of_components(P, together(shore, box(4, 4, 5, 5)));
@@ -274,7 +274,7 @@ TEST(Topology, AnIslandThatFillsItsHoleAtOnceMerges) {
   EXPECT_EQ(one.before, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(one.after, std::vector<std::uint32_t>{0});
   EXPECT_EQ(one.at, 1U);
-  // Among others, far away: it merges with the right one.
+  // With distant components around, the island merges with the right component.
   const PolygonSet far = together(box(-30, 0, -29, 9), together(shore, box(4, 4, 5, 5)));
   const TopologyEvent two = event_of_components(P, together(far, box(90, 0, 91, 9)));
   EXPECT_EQ(two.change, TopologyEvent::Change::merge);

@@ -16,8 +16,7 @@ using V = Vector2<Rational>;
 
 Rational cross_of(const V& u, const V& v) { return u.x() * v.y() - u.y() * v.x(); }
 
-/// Where the lines of two edges meet at a scale, if they do in one point; by Cramer's rule on their
-/// equations.
+/// The point at which the lines of two edges cross at a scale, if it is unique; by Cramer's rule.
 std::optional<V> crossing(const RationalEdge& a, const RationalEdge& b, const Rational& s) {
   const Rational det = cross_of(a.d, b.d);
   if (sign(det) == 0) return std::nullopt;
@@ -33,15 +32,15 @@ bool on_edge(const RationalEdge& e, const V& x, const Rational& s) {
   return sign(along) >= 0 && along <= length;
 }
 
-/// Where two edges cross at a scale, if they do.
+/// The point at which two edges cross at a scale, if they do.
 std::optional<V> meeting(const RationalEdge& a, const RationalEdge& b, const Rational& s) {
   const auto x = crossing(a, b, s);
   if (!x || !on_edge(a, *x, s) || !on_edge(b, *x, s)) return std::nullopt;
   return x;
 }
 
-/// The scale at which the lines of three edges, not all parallel, pass through one point, if there
-/// is exactly one: the determinant of their equations is linear in s.
+/// The unique scale at which the lines of three edges, not all parallel, share a point, if any: the
+/// determinant of their equations is linear in s.
 std::optional<Rational> concurrency(const std::array<const RationalEdge*, 3>& edges) {
   const auto det = [&](const Rational& s) {
     std::array<Rational, 3> c;
@@ -153,7 +152,7 @@ TEST(TripleEvents, GroupsAscendAndTellEqualScales) {
 }
 
 TEST(TripleEvents, ADyingTriangularHoleIsNoPairEvent) {
-  // The three pair events next to it are at 541/117, 1082/209 and 1082/163.
+  // The nearest three pair events lie at 541/117, 1082/209 and 1082/163.
   const PolygonSet P = region({{-3, -2}, {4, -1}, {1, 3}});
   const PolygonSet Q = region(rectangle(-40, -40, 40, 40), {{{0, 20}, {17, -11}, {-19, -9}}});
   const ArrangementEvents events(P, Q, {});

@@ -1,4 +1,4 @@
-// The memory limit and an interrupt end a build in each of its stages, and while these last.
+// The memory limit and an interrupt end a build between and during all stages.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -13,7 +13,7 @@
 namespace minkref::testing::of_build_limits {
 namespace {
 
-/// Teeth of many heights, with gaps of many widths.
+/// Teeth with many heights, and gaps with many widths.
 PolygonSet comb(int teeth) {
   Ring ring{{-40, -100}, {100 * teeth, -100}, {100 * teeth, 0}};
   for (int k = teeth - 1; k >= 0; --k) {
@@ -27,7 +27,7 @@ PolygonSet comb(int teeth) {
   return {{{ring, {}}}};
 }
 
-/// A report of progress: the stage and how much is done.
+/// A progress report: the stage and the finished work.
 using Step = std::pair<BuildProgress::Stage, std::uint64_t>;
 
 struct Interrupted {};

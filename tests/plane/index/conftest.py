@@ -1,4 +1,4 @@
-"""The indices that are asked."""
+"""The indices under test."""
 
 from __future__ import annotations
 

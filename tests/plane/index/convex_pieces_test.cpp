@@ -1,4 +1,4 @@
-// Convex pieces lie in the region that they are taken from: exactly.
+// Convex pieces lie exactly inside their region.
 #include "reference/plane/index/convex_pieces.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,8 @@ bool is_left_of_all(const Point& x, const std::vector<Point>& ring) {
   return true;
 }
 
-/// The fault of a piece: its corners must be inside, and no edge of the region may pass it.
+/// The fault of a piece, if any: its corners must be inside, and no region edge may pass through
+/// it.
 std::string fault(const ConvexPiece& piece, const PolygonSet& region) {
   std::vector<Point> ring;
   for (const Corner& c : piece.corners) ring.push_back(exact(c));

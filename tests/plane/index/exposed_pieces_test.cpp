@@ -1,5 +1,5 @@
-// The law by which one point of a face stands for all (docs/scale-index.md): of an exposed piece no
-// point is in the sum of the interiors.
+// The law that lets one point of a face stand for all (docs/scale-index.md): no point of an exposed
+// piece lies in the sum of the interiors.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,7 +18,7 @@ namespace {
 const std::array<Rational, 3> odd_shares{Rational(311, 997), Rational(419, 997),
                                          Rational(733, 997)};
 
-/// Three points of each piece, none in the middle of anything.
+/// Tests three points of each piece, away from all middles.
 std::string fault_of_pieces(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                             std::size_t& asked) {
   const SweptBoundary boundary = swept_boundary(P, Q, window);
@@ -42,7 +42,7 @@ std::string fault_of_pieces(const PolygonSet& P, const PolygonSet& Q, const Scal
   return "";
 }
 
-/// Holes of one cell each in a frame, some of those of a chessboard of three rows, and the same as
+/// Frames with one-cell holes, chosen from a chessboard with three rows, and the same cells as
 /// parts.
 std::vector<PolygonSet> chessboards() {
   std::vector<PolygonSet> sets;

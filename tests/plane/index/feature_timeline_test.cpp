@@ -1,5 +1,5 @@
-// Holes, components and events of the index are those of the dynamic sum, which steps through the
-// arrangement and has no patches.
+// The index has the same holes, components and events as the dynamic sum, which steps through the
+// arrangement without patches.
 #include "reference/plane/index/feature_timeline.hpp"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ std::string difference(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   return "";
 }
 
-/// The boundary events of an index that lie in a window, as text.
+/// The index's boundary events inside a window, as text.
 std::vector<std::string> boundary_events(const ScaleIndex& index, const ScaleWindow& window) {
   std::vector<std::string> lines =
       account(index.timeline(), window, [&](std::uint32_t event) { return index.event(event); });
@@ -124,7 +124,7 @@ TEST(FeatureTimeline, AnEdgeThatTurnsRoundInAPointIsATouch) {
   EXPECT_TRUE(timeline.topology.empty());
 }
 
-/// Corners of two components that slide along one line, on either side of it.
+/// Corners of two components slide along one line, on opposite sides.
 TEST(FeatureTimeline, CornersThatPassEachOtherAreATouch) {
   const PolygonSet P{{{{{10, 0}, {11, 1}, {9, 1}}, {}}, {{{-10, 0}, {-11, -1}, {-9, -1}}, {}}}};
   const PolygonSet Q{{{{{-30, 0}, {-29, 1}, {-31, 1}}, {}}, {{{0, 0}, {-1, -1}, {1, -1}}, {}}}};

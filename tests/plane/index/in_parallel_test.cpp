@@ -1,5 +1,5 @@
-// The threads of a build share its work, and one index answers several threads at once. Data races
-// are looked for by running these under the preset tsan.
+// A build's threads share its work, and one index answers several threads at once. The preset tsan
+// runs these tests to find data races.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -63,7 +63,7 @@ TEST(InParallel, WhatAnyThreadThrowsEndsAllAndIsThrown) {
   }
 }
 
-/// All that an index is asked for, at scales in and beside its intervals.
+/// All answers of an index, at scales within and beside its intervals.
 std::vector<std::string> answers(const ScaleIndex& index) {
   std::vector<std::string> found;
   for (int k = 1; k < 60; ++k) {

@@ -1,4 +1,4 @@
-// An index comes back from its file as it was; what is no such file is refused.
+// An index comes back unchanged from its file; other files are refused.
 #include <gtest/gtest.h>
 
 #include <boost/crc.hpp>
@@ -84,7 +84,7 @@ TEST_F(IndexFile, AnyBitThatChangesIsSeen) {
   EXPECT_EQ(refusal(), "damaged-index");
 }
 
-/// With the checksum of what it says.
+/// Changes a word and corrects the checksum.
 std::string forged(std::string bytes, std::size_t word, std::uint32_t value) {
   constexpr std::size_t checksum_at = 24;
   const auto put = [&](std::size_t at, std::uint32_t number) {

@@ -37,7 +37,7 @@ TEXTS = {
 }
 MODELS = {"letters": ("g1", "g2"), "right angles": ("g3", "g1")}
 NAMES = (*TEXTS, *MODELS, "huge and tiny", *(f"random {k}" for k in range(draws(3, 6))))
-# A pair whose boundary needs integers of more than one word.
+# A pair whose boundary needs integers longer than a word.
 LONG = "huge and tiny"
 
 
@@ -61,8 +61,8 @@ def window_of(name: str) -> tuple[str | None, str | None]:
 
 
 def scales(index: Index, most: int = draws(6, 12)) -> list[str]:
-    """Events, with those of the topology first, and scales between them, beyond them, at the ends
-    of the window."""
+    """Event scales, topology events first, and scales between them, beyond them, and at the
+    window's ends."""
     low, high = (None if bound is None else Fraction(bound) for bound in index.window)
     events = sorted(
         s
@@ -94,7 +94,7 @@ def exact_tracks(index: Index) -> list[tuple[Point, Point]]:
 
 
 def points(index: Index, rings: Rings) -> list[Point]:
-    """Points of the rings, in any exact form."""
+    """The rings' points, from any exact form."""
     if rings.form == "homogeneous":
         return [(Fraction(x, w), Fraction(y, w)) for x, y, w in integers(rings.homogeneous)]
     if rings.form == "rational":

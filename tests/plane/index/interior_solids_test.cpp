@@ -1,4 +1,4 @@
-// Parts of patches that pairs of convex pieces, or discs, show to be inside are inside: exactly.
+// Patch parts that convex pieces' pairs, or discs, show to be inside are exactly inside.
 #include "reference/plane/index/interior_solids.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ struct Drawn {
     cell.to = cell.from + 0.125;
   }
 
-  /// A point of the cell that is outside, if one of a few is; else nothing.
+  /// Names the first sample point of the cell that lies outside; empty if all lie inside.
   std::string outside(const InteriorTest& exact) const {
     for (const double along : {0.0, 0.5, 1.0}) {
       for (const double up : {0.0, 0.25, 1.0}) {

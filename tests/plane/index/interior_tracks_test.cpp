@@ -1,4 +1,4 @@
-// Tracks that doubles leave out are inside: against the exact test of points.
+// Tracks that doubles omit are inside, according to the exact point test.
 #include "reference/plane/index/interior_tracks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A copy of a file stays as it is, in memory and in a file of its own.
+// A file's copy stays unchanged, in memory and as a separate file.
 #include "reference/plane/index/private_copy.hpp"
 
 #include <gtest/gtest.h>

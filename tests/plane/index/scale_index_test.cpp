@@ -114,7 +114,7 @@ std::vector<Point> points(const IntegerColumn& column, std::size_t per) {
 TEST(ScaleIndex, AllFormsAreTheSameRings) {
   MINKREF_SEEDED(random, 922);
   expect_law(random, 40, [](const Case& c) -> std::string {
-    // In short numbers and in long ones: a shift by 1 / 3^60 leaves the sum as it is otherwise.
+    // Tests short numbers and long numbers: a shift by 1 / 3^60 only moves the sum.
     Case far = c;
     Rational shift = 1;
     for (int k = 0; k < 60; ++k) shift /= 3;
@@ -266,7 +266,7 @@ TEST(ScaleIndex, OfACombWithItselfInEveryPosition) {
 }
 
 TEST(ScaleIndex, ANodeThatBeginsWhereItsPatchIsCutIsNotKeptForThatScaleOnly) {
-  // Teeth of one comb, twice: nodes begin and end at 1, and there cells are cut.
+  // The same comb's teeth twice: nodes begin and end at 1, where cells are cut too.
   const PolygonSet P = {{{{{100000, -100000}, {100000, 1000000}, {0, 1000000}, {0, 908760},
                            {-586879, 881656}, {-581068, 826996}, {0, 793803},  {0, 701791},
                            {-648809, 687627}, {-642385, 610969}, {0, 604162},  {0, 503705},

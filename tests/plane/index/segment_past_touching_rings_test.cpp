@@ -1,5 +1,5 @@
-// Where rings touch, the closed sum covers what the sum of the interiors misses, and one edge shows
-// it, or none: then a tight passage runs across a face of an edge that is inside.
+// Where rings touch, the closed sum covers points that the sum of the interiors misses. One edge
+// shows this, or none: then a tight passage runs across a face of an inner edge.
 #include <gtest/gtest.h>
 
 #include "reference/plane/dynamic/dynamic_sum.hpp"
@@ -9,8 +9,8 @@
 namespace minkref::testing::of_segment_past_touching_rings {
 namespace {
 
-/// At, between and beside all events, as far as a window goes: the index and the dynamic sum are
-/// the static sum.
+/// At, between and beside all events within a window, the index and the dynamic sum equal the
+/// static sum.
 void expect_sums(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window = {}) {
   const ScaleIndex index(P, Q, window);
   DynamicSum dynamic(P, Q, window);
@@ -36,7 +36,7 @@ void expect_sums(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& wi
 }
 
 TEST(SegmentPastTouchingRings, AHoleTouchesTheMiddleOfAnOuterEdge) {
-  // Once the build of this one did not end.
+  // An earlier build of this pair never ended.
   const PolygonSet P = segment_set({0, 0}, {2, 0}),
                    Q = region({{0, 7}, {-5, -3}, {1, 0}}, {{{-3, 1}, {0, 1}, {0, 0}}});
   expect_sums(P, Q);

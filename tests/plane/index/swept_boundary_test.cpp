@@ -1,4 +1,4 @@
-// The law of the swept boundary: its slice at a scale is the sum at that scale.
+// The law of the swept boundary: its slice at a scale equals the sum at that scale.
 #include "reference/plane/index/swept_boundary.hpp"
 
 #include <gtest/gtest.h>
@@ -81,8 +81,8 @@ TEST(SweptBoundary, IsTheSameForAnyNumberOfThreads) {
   });
 }
 
-/// A hole that is there between two scales only, and never touches the outside of the sum: nothing
-/// on the boundary at either end of the window leads to it.
+/// A hole that exists only between two scales and never touches the sum's outside: nothing on the
+/// boundary at either end of the window leads to it.
 TEST(SweptBoundary, HasHolesThatAreThereForAWhileOnly) {
   const PolygonSet ring = region(rectangle(0, 0, 12, 12), {rectangle(4, 4, 8, 8)});
   const PolygonSet square = box(-1, -1, 1, 1);

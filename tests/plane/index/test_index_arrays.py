@@ -1,4 +1,4 @@
-"""The arrays of the index in Python: their forms, their life."""
+"""The index's arrays through Python: their forms and lifetimes."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def test_integers_have_as_many_words_as_they_need_and_their_signs(
         assert max(abs(number) for number in numbers) > 2**128
     assert indices["letters"].track_integers.shape[2] == 1
     assert indices[LONG].track_integers.shape[2] >= 3
-    # A word of two's complement, not of sign and magnitude: -1 is all ones.
+    # Words use two's complement, not sign and magnitude: -1 is all ones.
     whole = Index(
         _core.read_text("POLYGON((-1 -1,0 -1,0 0,-1 0,-1 -1))", "wkt"),
         _core.read_text("POINT(0 0)", "wkt"),

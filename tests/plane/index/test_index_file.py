@@ -1,4 +1,4 @@
-"""The file of the index in Python: an opened index gives the answers of the saved one."""
+"""The index's file through Python: an opened index gives the saved index's answers."""
 
 from __future__ import annotations
 

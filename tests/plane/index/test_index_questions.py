@@ -1,4 +1,4 @@
-"""Questions to the index in Python, singly, in batches and from several threads; its build."""
+"""Questions to the index through Python, singly, as batches and from several threads; its build."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from indexed_sums import FORMS, LONG, NAMES, Index, Rings, arrays, operands, sca
 from minkref import _core
 from minkref.plane.commands.scale_index import STAGES
 
-# Questions that need no rings.
+# Questions without rings.
 
 
 def test_the_area_is_within_its_error(index: Index) -> None:
@@ -89,7 +89,7 @@ def test_neighbours_are_the_events_beside_a_scale(index: Index) -> None:
 
 
 def same(one: Rings, other: Rings) -> bool:
-    """The same in all they tell."""
+    """Whether two answers agree completely."""
     heads = [(r.scale, r.form, len(r), r.features()) for r in (one, other)]
     errors = [r.error if r.form == "double" else None for r in (one, other)]
     return (

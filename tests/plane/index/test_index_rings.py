@@ -1,4 +1,4 @@
-"""The rings of the index in Python bound the sum, in all forms alike; also of drawn operands."""
+"""The index's rings through Python bound the sum, in all forms alike; drawn operands too."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def doubled_area(ring: list[Point]) -> Fraction:
 
 
 def region(index: Index, rings: Rings) -> str:
-    """The canonical JSON of the set that the rings bound, by their features."""
+    """The canonical JSON of the set bounded by the rings, according to their features."""
     polygons: dict[int, dict[str, Any]] = {}
     for ring, (is_hole, component, _) in zip(
         split(rings, points(index, rings)), rings.features(), strict=True
@@ -190,7 +190,7 @@ def test_states_of_the_rings_are_those_between_events(indices: dict[str, Index])
 
 
 def turned(ring: list[int]) -> list[int]:
-    """Beginning with its least track."""
+    """The ring, starting from its least track."""
     at = ring.index(min(ring))
     return ring[at:] + ring[:at]
 

@@ -1,5 +1,5 @@
-"""Walls that are parallel up to 1e-2 or 1e-30, where a position along an edge is a quotient of
-numbers that nearly cancel: sums and events of the index are those of the other routes."""
+"""Walls parallel up to 1e-2 or 1e-30, where positions along an edge are quotients of nearly
+cancelling numbers: the index has the other routes' sums and events."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Segments, points and regions whose rings touch, on a few points of the lattice: sums and events
-of the index are those of all other routes."""
+"""Segments, points and regions with touching rings, on a few lattice points: the index has all
+other routes' sums and events."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Cells of a grid that touch, beside segments, a point and each other: the index and the dynamic
-sum are the sums of all other routes at, between and beside all events. All of them, and more, are
-in the evidence (`touching_rings`)."""
+"""Grid cells that touch, beside segments, a point and each other: the index and the dynamic sum
+equal all other routes' sums at, between and beside all events. The evidence (`touching_rings`)
+tests all these sets and more."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def test_the_sets_are_all_and_valid() -> None:
 
 
 def test_rings_are_paired_in_each_way() -> None:
-    """Both pairings of one touch are the same set, of one ring less or more."""
+    """Both pairings at a touch describe the same set, with one ring less or more."""
     counts: dict[str, set[int]] = {}
     for case in beside_segments(3):
         if not case.name.endswith("point"):

@@ -1,4 +1,4 @@
-// Windows to index, and sums read off them beside those of the static route.
+// Windows for indexing, and index sums compared with static sums.
 #pragma once
 
 #include "reference/plane/critical/pair_events.hpp"
