@@ -1,4 +1,4 @@
-"""The audit: the check behind every entry, and the pages that are made of them."""
+"""The audit: the check behind every entry, and the pages made from the entries."""
 
 from __future__ import annotations
 
@@ -108,8 +108,8 @@ def test_all_formulas_are_typeset() -> None:
 def test_the_pages_of_docs_are_what_the_entries_say(
     tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """`python -m minkref.reports.audit.docs` writes the pages again. Results of long checks are
-    taken from the pages where the run is not thorough."""
+    """`python -m minkref.reports.audit.docs` writes the pages again. A run that is not thorough
+    copies results of long checks from the pages."""
 
     def run(entry: Entry) -> Shown:
         if THOROUGH or entry.name not in LONG:

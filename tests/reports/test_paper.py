@@ -1,5 +1,5 @@
-"""The tables and figures of the paper beside ours: the rule by which they are reproduced, what is
-drawn, and what is timed."""
+"""The paper's tables and figures beside ours: the rule for reproducing them, the drawings, and the
+timings."""
 
 from __future__ import annotations
 

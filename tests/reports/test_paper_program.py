@@ -1,4 +1,4 @@
-"""The entry on the paper's own program: its data, its claims, its plots."""
+"""The entry about the paper's own program: its data, claims and plots."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ VARIANTS = (CORRECTED, "solve as printed", "all as printed")
 
 
 def made(name: str, arithmetic: str, variant: str) -> Run:
-    """Rational numbers are right but for all as printed; others are wrong from the second on."""
+    """Rational numbers are right except with all as printed; other arithmetics err from the second
+    run on."""
     if arithmetic == RATIONAL:
         right = (variant != "all as printed",) * 3
     else:
