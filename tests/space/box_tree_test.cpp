@@ -1,4 +1,4 @@
-// A tree of boxes finds what looking at all of them finds.
+// A box tree finds the same overlaps as comparing all boxes.
 #include "reference/space/box_tree.hpp"
 
 #include <gtest/gtest.h>

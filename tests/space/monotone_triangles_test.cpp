@@ -1,4 +1,4 @@
-// Large faces of any shape are cut into triangles of positive area that add up to the face.
+// Large faces of any shape are cut into triangles with positive areas that add up to the face.
 #include "reference/space/monotone_triangles.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 using Flat = std::vector<std::pair<long, long>>;
 
-/// Seen from each side of three planes. The function itself adds areas up: here they are added
-/// again, and edges are counted.
+/// Cuts the ring in three planes, seen from both sides. The function itself adds areas up: this
+/// check adds them again, and counts edges.
 void expect_cut(const Flat& ring) {
   for (const std::size_t axis : {0U, 1U, 2U}) {
     for (const bool turned : {false, true}) {

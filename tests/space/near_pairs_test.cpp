@@ -1,5 +1,5 @@
-// Pairs of triangles that clusters leave aside never cross or cover each other; surfaces and rings
-// of slivers are judged as all pairs judge them, in near-linear time.
+// Triangle pairs that clusters omit never cross or cover each other; surfaces and rings with
+// slivers get the verdict of all pairs, in near-linear time.
 #include "reference/near/near_pairs.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ using surfaces::tetrahedron;
 using surfaces::together;
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// From the outside in: 1, and 1/2 of it, in turn.
+/// A star whose radius alternates between `radius` and half `radius`.
 std::vector<std::pair<long, long>> star(int corners, double radius) {
   std::vector<std::pair<long, long>> result;
   for (int k = 0; k < corners; ++k) {
@@ -120,7 +120,7 @@ std::size_t expect_all_contacts_found(const Polyhedron& mesh) {
   return contacts;
 }
 
-/// Corners on a small grid: most of them are shared, and many faces lie in one plane.
+/// Corners on a small grid: most corners are shared, and many faces are coplanar.
 TEST(NearPairs, LeaveNoCrossingAside) {
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE(seed);
@@ -143,7 +143,7 @@ TEST(NearPairs, LeaveNoCrossingAside) {
   EXPECT_GT(contacts, 300U);
 }
 
-/// Each spike of the second star begins in a corner of the first: crossings through shared corners.
+/// Each spike of the second star begins at a corner of the first: crossings through shared corners.
 TEST(NearPairs, StarsThroughTheCornersOfStars) {
   const Polyhedron cone = double_cone(120, 1e6);
   EXPECT_EQ(expect_all_contacts_found(cone), 0U);

@@ -1,5 +1,5 @@
-// Surfaces that cross or cover themselves, or nest wrongly, are refused, with two faces; those that
-// touch themselves are not.
+// Surfaces that cross or cover themselves, or nest wrongly, are refused with two faces; surfaces
+// that only touch themselves are not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -95,7 +95,8 @@ TEST(CrossingSurface, OneShellThroughItself) {
   expect_refused(surfaces::dented(-1), "self-intersection", ", 0)", 1);
 }
 
-/// Three faces through one segment, with inside and outside in turn: no winding number betrays it.
+/// Three faces through a common segment, alternating inside and outside: no winding number betrays
+/// them.
 TEST(CrossingSurface, ThreeFacesThroughOneSegment) {
   const std::vector<SpacePoint> points = {at(0, 0, 0),  at(0, 0, 2),  at(2, 0, 1),   at(1, 2, 1),
                                           at(-1, 2, 1), at(-2, 0, 1), at(-1, -2, 1), at(1, -2, 1)};

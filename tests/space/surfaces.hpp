@@ -53,8 +53,8 @@ inline Polyhedron dented(int height) {
 
 using Place3 = std::array<double, 3>;
 
-/// A square tube of triangles around a closed curve. `across` is a direction that is nowhere along
-/// the curve; a unit is 1/1000.
+/// A square tube of triangles around a closed curve. The direction `across` never runs along the
+/// curve; a unit is 1/1000.
 inline Polyhedron tube(const std::function<Place3(double)>& curve,
                        const std::function<Place3(double)>& across, double radius, int sections) {
   const auto cross = [](const Place3& a, const Place3& b) {
@@ -105,7 +105,7 @@ inline Polyhedron torus_knot(int p, int q, double radius, int sections) {
   return tube(curve, across, radius, sections);
 }
 
-/// A tube along an eight that crosses itself in its plane, or passes above itself.
+/// A tube along a figure eight that crosses itself at lift 0, and otherwise passes above itself.
 inline Polyhedron figure_eight(double lift) {
   const auto curve = [=](double t) {
     return Place3{2 * std::sin(t), 2 * std::sin(t) * std::cos(t), lift * std::cos(t)};

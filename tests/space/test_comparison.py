@@ -1,4 +1,4 @@
-"""Right results pass in whatever form they come; wrong ones are found, with a witness."""
+"""Right results pass whatever their form; wrong results are found, with a witness."""
 
 from __future__ import annotations
 
@@ -48,7 +48,8 @@ def total(pair: SpacePair) -> Polyhedron:
 
 @cache
 def pairs_of(family: str) -> list[SpacePair]:
-    """Three; the one whose sum has the fewest triangles, where few are drawn."""
+    """Up to three pairs of a family; only the pair whose sum has fewest triangles, if few are
+    drawn."""
     pairs: list[SpacePair] = []
     for index in (1, 13, 40):
         pair = space_pair(family, 3, index)
@@ -66,14 +67,14 @@ def in_triangles(polyhedron: Polyhedron) -> Polyhedron:
 
 
 def without_common_vertices(polyhedron: Polyhedron) -> Polyhedron:
-    """Every triangle with vertices of its own, as in STL."""
+    """Gives every triangle separate vertices, as STL does."""
     vertices = [polyhedron.vertices[k] for face in polyhedron.triangles for k in face]
     count = len(polyhedron.triangles)
     return Polyhedron(tuple(vertices), tuple((3 * k, 3 * k + 1, 3 * k + 2) for k in range(count)))
 
 
 def with_one_face_split(polyhedron: Polyhedron) -> Polyhedron:
-    """A new vertex within an edge on one of its sides only."""
+    """Splits one face at a new vertex on an edge; the face's neighbour stays whole."""
     face = polyhedron.faces[0]
     a, b = polyhedron.vertices[face[0]], polyhedron.vertices[face[1]]
     middle = tuple((a[k] + b[k]) / 2 for k in range(3))
@@ -258,7 +259,7 @@ def test_results_within_the_tolerance_pass_and_others_do_not(family: str) -> Non
 
 
 def shells(P: list[Polyhedron], Q: list[Polyhedron], scale: Fraction) -> Polyhedron:
-    """The sum of unions of convex pieces, as shells that overlap."""
+    """The sum of unions of convex pieces, as overlapping shells."""
     result = NOTHING
     for p in P:
         for q in Q:
@@ -305,7 +306,8 @@ def test_sum_of_a_torus_from_overlapping_shells_passes_and_its_hole_counts(side:
 @pytest.mark.thorough
 @pytest.mark.parametrize("index", [0, 20])
 def test_sum_of_two_stars_from_overlapping_shells_passes(index: int) -> None:
-    """As of a torus: test_sum_of_a_torus_from_overlapping_shells_passes_and_its_hole_counts."""
+    """Repeats test_sum_of_a_torus_from_overlapping_shells_passes_and_its_hole_counts for two
+    stars."""
     pair = next(
         pair
         for k in range(index, 999)
@@ -361,7 +363,7 @@ def test_a_witness_that_lies_does_not_hold() -> None:
 
 @pytest.mark.parametrize("swapped", [False, True])
 def test_a_cavity_that_is_filled_is_found_where_points_alone_are_known(swapped: bool) -> None:
-    """It takes a thousandth of the volume, and no face of the result is near."""
+    """The cavity takes a thousandth of the volume, and no face of the result comes near."""
     block = frozenset(product(range(5), repeat=3))
     hollow = surface_of(block - {(2, 2, 2)})
     half = cube((Fraction(0),) * 3, Fraction(1, 2))

@@ -1,4 +1,4 @@
-"""A result of many convex shells that overlap or abut is proven right, or found wrong."""
+"""A result made from many overlapping or abutting convex shells is proven right, or found wrong."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def together(shells: Iterable[Polyhedron]) -> Polyhedron:
 
 
 def blocks(pair: SpacePair) -> list[Polyhedron]:
-    """The sum of each cell of P and each of Q: a box."""
+    """The sum of each cell pair: a box."""
     s = pair.meeting.scale
     found = []
     for p, q in product(sorted(pair.P_cells), sorted(pair.Q_cells)):
@@ -43,7 +43,7 @@ def blocks(pair: SpacePair) -> list[Polyhedron]:
 
 
 def tetrahedra(block: Polyhedron) -> list[Polyhedron]:
-    """From a point inside that is not the middle."""
+    """Cuts a block into tetrahedra from an inner point that is not the middle."""
     (a, b, c), (x, y, z) = block.box
     apex: Point = (a + (x - a) / 3, b + 2 * (y - b) / 5, c + (z - c) / 7)
     return [
@@ -78,7 +78,7 @@ def test_a_block_too_few_or_too_many() -> None:
 
 
 def test_cavities_of_several_shells_leave_the_others_covering() -> None:
-    """Two boxes with a cavity each, apart, and two blocks elsewhere, one in the other."""
+    """Two separate boxes with a cavity each, and elsewhere two nested blocks."""
     hollow = [
         body
         for x in (0, 100)
@@ -95,8 +95,8 @@ def test_cavities_of_several_shells_leave_the_others_covering() -> None:
 
 
 def sums_of_triangles(pair: SpacePair) -> Polyhedron:
-    """Each operand at a vertex of the other, and the sum of each triangle and each other: right,
-    with most of its triangles inside."""
+    """Each operand at a vertex of the other, and the sums of all triangle pairs: right, with most
+    triangles inside."""
     P, Q = pair.P.scaled(pair.meeting.scale), pair.Q
     bodies = [P.translated(Q.vertices[0]), Q.translated(P.vertices[0])]
     for a, b in product(P.triangles, Q.triangles):
@@ -140,7 +140,7 @@ CUBES = pair_of_cells("polycube", UNIT, UNIT, Fraction(1))
 
 @pytest.mark.parametrize("shells", [HALVES, [t for half in HALVES for t in tetrahedra(half)]])
 def test_a_hole_that_one_shell_covers_is_found(shells: list[Polyhedron]) -> None:
-    """It is small, and in the midst of a cell."""
+    """The hole is small and lies amidst a cell."""
     hole = block("1/10 1/5 1/4", "1/5 1/4 1/3").turned_inside_out()
     found = compare(CUBES, together([*shells, hole]))
     assert found.verdict == "wrong" and found.reasons == (Reason.MISSING,)

@@ -1,4 +1,4 @@
-"""The sum of polyhedra of any shape, by convex pieces, as Python has it."""
+"""The sum of general polyhedra by convex pieces, through Python."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def box(low: tuple[int, int, int], high: tuple[int, int, int]) -> _core.Polyhedr
 
 
 def hollow(outer: _core.Polyhedron, inner: _core.Polyhedron) -> _core.Polyhedron:
-    """Outer without inner, which lies inside of it."""
+    """Outer without inner, which lies inside it."""
     first = outer.vertices
     faces = [[v + first for v in reversed(ring)] for ring in inner.rings()]
     return _core.Polyhedron(outer.points() + inner.points(), outer.rings() + faces)

@@ -1,4 +1,4 @@
-"""Pieces of a face: what its neighbours in a surface divide it into, whichever way it runs."""
+"""Pieces of a face: neighbours divide a face in the same way, whichever way it runs."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ PLACES = 4
 
 
 def overlapping(dice: random.Random, bodies: int, size: int) -> Polyhedron:
-    """Hulls of four to six points of a small grid: faces that cross, lie in one plane, stand on
-    each other by an edge or a vertex."""
+    """Hulls of four to six points on a small grid: faces that cross, are coplanar, or stand on each
+    other by an edge or a vertex."""
     result = Polyhedron((), ())
     for _ in range(bodies):
         while True:
@@ -39,7 +39,7 @@ def overlapping(dice: random.Random, bodies: int, size: int) -> Polyhedron:
 
 
 def area(polygon: Polygon, n: Whole) -> Fraction:
-    """Twice the area, in the length of the normal."""
+    """Twice the area, times the normal's length."""
     points: list[Point] = [
         (Fraction(x, w), Fraction(y, w), Fraction(z, w)) for x, y, z, w in polygon
     ]
@@ -54,7 +54,8 @@ def area(polygon: Polygon, n: Whole) -> Fraction:
 def test_the_winding_number_is_one_on_each_side_of_a_piece(
     seed: int, size: int, few: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Also where a step beside a face is bounded by near planes alone, as in large surfaces."""
+    """Also tests near planes alone as the bound for steps beside a face, as large surfaces use
+    them."""
     monkeypatch.setattr(membership, "FEW", few)
     dice = random.Random(seed)
     for _ in range(4):
@@ -77,8 +78,8 @@ def test_the_winding_number_is_one_on_each_side_of_a_piece(
 
 
 def test_a_triangle_divides_what_it_meets_and_no_more() -> None:
-    """A face in two parts; a short triangle through one of them leaves the other whole, one that
-    stands on it by an edge divides it, one that stands on it by a vertex does not."""
+    """A short triangle through one part of a two-part face leaves the other whole; a triangle that
+    stands on the face by an edge divides the face, and by a vertex does not."""
     n = (0, 0, 1)
     face: list[Polygon] = [
         [(0, 0, 0, 1), (8, 0, 0, 1), (8, 8, 0, 1)],

@@ -1,5 +1,5 @@
-"""Pairs in space on which libraries were found wrong: their witnesses hold, our routes agree, and
-they are cases of `verify`."""
+"""Pairs on which libraries for space were wrong: their witnesses hold, our routes agree, and
+`verify` has them as cases."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sums in space that are known by hand, and by two routes."""
+"""Sums in space known by hand, and found by two routes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Laws of sums in space: what is known of a pair stands for its transformed pairs."""
+"""Laws for sums in space: a pair's known answers hold for its transformed pairs."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_sum_of_the_transformed_pair_mapped_back_is_the_sum(family: str) -> None
             if pair.truth is Truth.HULL:
                 image = sum_of_convex(law.pair.P, law.pair.Q, law.pair.scale)
                 assert compare(pair, law.back(image)).proven, law.name
-            # The other way: the map takes a point of one sum to a point of the other.
+            # Backwards: the map takes points of each sum to points of the other.
             there = law.pair.meeting
             here = pair.meeting
             dice = random.Random(index)
@@ -102,8 +102,8 @@ def test_hull_of_a_hull_is_the_hull_and_takes_collinear_coplanar_and_repeated_po
 
 @pytest.mark.parametrize("family", SPACE_FAMILIES)
 def test_a_solid_in_smaller_faces_is_the_same_solid(family: str) -> None:
-    """Faces with straight corners are cut into fewer triangles than they have sides: pairs of
-    them, refined, were open meshes."""
+    """Cuts faces with straight corners into fewer triangles than sides: refined pairs of such faces
+    used to be open meshes."""
     for index in range(3 if family == "space-found" else draws(3, 12)):
         pair = drawn_pair(family, 77, index)
         for solid in (pair.P, pair.Q):

@@ -1,4 +1,4 @@
-"""Steps that make a case of solids of any shape smaller, and where they end."""
+"""Steps that shrink a case of general solids, and their ends."""
 
 from __future__ import annotations
 
@@ -89,8 +89,8 @@ def test_a_segment_stays_valid() -> None:
 
 
 def test_a_surface_that_touches_itself_is_no_candidate_and_needs_a_target_that_takes_it() -> None:
-    """An edge of a notch lies along the diagonal of a side: how that side is cut in triangles
-    decides whether the mesh is a manifold."""
+    """A notch's edge lies along a side's diagonal: the side's triangulation decides whether the
+    mesh is a manifold."""
     vertices = ((2, 2, 0), (0, 2, 0), (2, 0, 1), (2, 2, 1), (0, 2, 1), (1, 1, 1))
     faces = ((1, 0, 2), (0, 3, 2), (5, 1, 3), (2, 3, 1), (0, 1, 4, 3), (4, 1, 5), (4, 5, 3))
     solid = Polyhedron(tuple(point(*vertex) for vertex in vertices), faces)

@@ -1,8 +1,7 @@
-"""Two solids in one mesh: legal iff they are apart or touch without a common area, or one is a
-cavity of the other.
+"""Two solids in one mesh: legal iff they are apart, touch without a common area, or one forms a
+cavity inside the other.
 
-By their convex pieces, every two of which are separated or not, in integers: nothing of it is the
-reference's.
+Judged by convex pieces, whose pairs are separated or not, with integers and without the reference.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ REFUSED = {"self-intersection", "overlapping-faces", "shell-nesting", "wrong-ori
 
 @dataclass(frozen=True)
 class Solid:
-    """`pieces`: the corners of convex parts that make it up; `walls`: its boundary in triangles."""
+    """A solid; `pieces`: corners of convex parts; `walls`: boundary triangles."""
 
     vertices: tuple[Whole, ...]
     faces: tuple[tuple[int, ...], ...]
@@ -93,7 +92,7 @@ def apart(one: Sequence[Whole], other: Sequence[Whole], axes: Iterable[Whole]) -
 
 
 def directions(points: Sequence[Whole]) -> list[Whole]:
-    """Those of all edges, and of more."""
+    """The directions of all edges and diagonals."""
     return [minus(b, a) for a, b in combinations(points, 2)]
 
 

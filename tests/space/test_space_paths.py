@@ -18,7 +18,7 @@ ZERO = Fraction(0)
 
 @pytest.mark.parametrize("index", [3, 11, 12, 0, 6, 9, 21, 33][: draws(3, 8)])
 def test_a_random_path_is_as_static_sums_say(index: int) -> None:
-    """Kinds of paths in turn; 11 and 25 have a thin operand, and 12 is a corridor."""
+    """Takes kinds of paths in turn; 11 and 25 have a thin operand, and 12 is a corridor."""
     found = judge((index, True))
     assert not found["faults"], f"seed {SEED}: {found['faults']}"
     assert found["tally"]["scales"] > 3 and not found["tally"]["refused"]
@@ -30,7 +30,7 @@ def unit_at(x: int, y: int, z: int) -> Polyhedron:
 
 @pytest.mark.parametrize("contact", CONTACTS)
 def test_judges_know_a_touch(contact: str) -> None:
-    """Cubes side by side touch at scale 1, are apart below it and overlap above it."""
+    """Cubes side by side touch at scale 1, are apart below 1 and overlap above."""
     case = SpacePathCase("touch", unit_at(0, 0, 0), unit_at(1, 0, 0), [(ZERO, ZERO, ZERO)], "")
     for scale, expected in (("1/2", False), ("1", contact == "forbidden"), ("3/2", True)):
         s = Fraction(scale)
@@ -39,7 +39,7 @@ def test_judges_know_a_touch(contact: str) -> None:
 
 
 def test_judges_know_a_passage() -> None:
-    """A cube in a slot of its width: the sum has it inside, and contact is allowed."""
+    """A cube fits a slot exactly: its path lies inside the sum, and contact is allowed."""
     slot = unit_at(-1, 0, 0).with_faces_of(unit_at(1, 0, 0))
     way = [(ZERO, Fraction(-2), ZERO), (ZERO, Fraction(2), ZERO)]
     case = SpacePathCase("slot", unit_at(0, 0, 0), slot, way, "")

@@ -1,5 +1,5 @@
-"""An exact sum of polyhedra of any shape as the truth: right results pass however they are cut,
-every kind of wrong one is found, with a witness."""
+"""An exact sum of general polyhedra as the truth: right results pass however they are cut, every
+kind of wrong result is found, with a witness."""
 
 from __future__ import annotations
 
@@ -42,13 +42,13 @@ def drawn(number: int) -> SpacePair:
 
 
 def triangles(solid: Polyhedron) -> Polyhedron:
-    """Each with vertices of its own."""
+    """The solid's triangles, each with separate vertices."""
     points = [solid.vertices[k] for triple in solid.triangles for k in triple]
     return Polyhedron(tuple(points), tuple((k, k + 1, k + 2) for k in range(0, len(points), 3)))
 
 
 def fans(solid: Polyhedron) -> Polyhedron:
-    """Every face from a place inside of it."""
+    """Cuts every face into a fan from an inner point."""
     vertices = list(solid.vertices)
     faces = []
     for face in solid.faces:
@@ -128,14 +128,14 @@ def test_wrong_results_are_found(number: int, tolerance: Fraction | None) -> Non
 
 
 def with_moved_vertex(solid: Polyhedron, by: Fraction) -> Polyhedron:
-    """The highest, in triangles; those where faces go on beside it move too."""
+    """Moves the highest vertex of the triangulated solid, and its copies on adjoining faces."""
     top = max(solid.vertices)
     vertices = [(x + by, y, z) if (x, y, z) == top else (x, y, z) for x, y, z in solid.vertices]
     return Polyhedron(tuple(vertices), solid.triangles)
 
 
 def hollow() -> tuple[SpacePair, Polyhedron, Polyhedron]:
-    """A pair whose sum has a cavity, and the sum in its two shells."""
+    """A pair whose sum has a cavity, and the sum's two shells."""
     outer = box(point(0, 0, 0), point(6, 5, 7))
     inner = box(point(2, 1, 2), point(5, 4, 4))
     hollowed = outer.with_faces_of(inner.turned_inside_out())

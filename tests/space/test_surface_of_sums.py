@@ -1,4 +1,4 @@
-"""The boundary of a sum in space, as Python has it: shells, meshes, areas, parents."""
+"""The boundary of a sum in space, through Python: shells, meshes, areas, parents."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def test_parents_of_a_sum_of_cubes() -> None:
     boundary = _core.edge_sum_in_space(CUBE, CUBE, ONE).surface()
     parents = boundary.parents(CUBE, CUBE, ONE)
     assert len(parents) == boundary.facets == 6
-    # A face of each cube at the corners of the other, and parallelograms of edges beside them.
+    # A face of each cube at the other's corners, and edge parallelograms beside them.
     faces = {tuple(ring) for ring in CUBE.rings()}
     for pairs in parents:
         assert {(min(len(p), 3), min(len(q), 3)) for p, q in pairs} >= {(3, 1), (1, 3)}

@@ -1,4 +1,4 @@
-"""Right results in space, spelled in ways that few programs choose, pass."""
+"""Right results in space pass, however unusual their spelling."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ EPS = Fraction(1, 10**9)
 
 
 def with_unused_vertices(*places: Fraction) -> Callable[[Polyhedron], Polyhedron]:
-    """Vertices that no face names, before and after the others."""
+    """Adds vertices without a face, before and after the others."""
     points: tuple[Point, ...] = tuple((place, place, -place) for place in places)
 
     def change(solid: Polyhedron) -> Polyhedron:
@@ -34,7 +34,7 @@ def with_unused_vertices(*places: Fraction) -> Callable[[Polyhedron], Polyhedron
 
 
 def with_repeated_corners(solid: Polyhedron) -> Polyhedron:
-    """Each corner of each face twice in a row."""
+    """Repeats each corner of each face."""
     faces = tuple(tuple(k for k in face for _ in (0, 1)) for face in solid.faces)
     return Polyhedron(solid.vertices, faces)
 
@@ -91,14 +91,14 @@ def test_right_results_pass_however_they_are_spelled(family: str, form: str) -> 
 
 
 def only_points(form: str) -> None:
-    """Only single points of torus + cube are known: the operand itself is no sum."""
+    """For torus + cube, single points alone are known: the operand itself is no sum."""
     pair = space_pair("torus", 3, 13)
     answer = compare(pair, FORMS[form](pair.P))
     assert answer.verdict == "wrong" and Reason.MISSING in answer.reasons
 
 
 def test_unused_vertices_of_an_operand_are_no_points_of_it() -> None:
-    """A cube with a vertex that no face names is convex, and its sum known."""
+    """A cube with a vertex that no face names is convex, with a known sum."""
     name = CaseName("space-offset:1:0", "test")
     case = naming.load(name)
     assert isinstance(case, SpaceCase)

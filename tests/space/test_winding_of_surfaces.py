@@ -1,7 +1,7 @@
-"""Around a surface that is taken every winding number is 0 or 1; where one is refused for crossing
-itself there is another.
+"""Around an accepted surface every winding number is 0 or 1; a surface refused for self-crossing
+has another winding number somewhere.
 
-Winding numbers by rays, in fractions, at points near the surface: nothing of it is the reference's.
+Winding numbers come from rays, in fractions, at points near the surface, without the reference.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def determinant(a: Point, b: Point, c: Point) -> Fraction:
 
 
 def winding(triangles: Sequence[Triangle], x: Point, dice: Random) -> int | None:
-    """Winding number of a closed surface around a point off the surface, by a ray that meets no
+    """A closed surface's winding number around a point off the surface, by a ray that meets no
     edge; None in the plane of a triangle."""
     if any(dot(normal(a, b, c), minus(x, a)) == 0 for a, b, c in triangles):
         return None

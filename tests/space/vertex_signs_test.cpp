@@ -1,4 +1,4 @@
-// The signs of words, of doubles with a bound and of integers are one.
+// Signs from words, from doubles with a bound and from integers agree.
 #include "reference/space/vertex_signs.hpp"
 
 #include <gtest/gtest.h>

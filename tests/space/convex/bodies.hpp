@@ -12,8 +12,8 @@
 
 namespace minkref::bodies {
 
-/// Checks with dice of the seeds 1, 2, ..., up to the repetitions of `count`; a failure names the
-/// seed, a fatal one ends it.
+/// Runs a check with dice of seeds 1, 2, ..., up to the repetitions of `count`; a failure names the
+/// seed, and a fatal failure ends the run.
 template <typename Check>
 void for_each_seed(unsigned count, Check&& check) {
   const unsigned last = testing::repetitions(count);
@@ -37,7 +37,7 @@ inline Polyhedron box(int x, int y, int z) {
           {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 }
 
-/// A box whose top is four triangles that meet in an apex.
+/// A box whose top consists of four triangles with a common apex.
 inline Polyhedron with_apex(Polyhedron box, const SpacePoint& apex) {
   box.vertices.push_back(apex);
   box.faces.erase(box.faces.begin() + 1);

@@ -1,4 +1,4 @@
-// Sums that can be checked by hand, and degenerate contacts.
+// Sums that people can check by hand, and degenerate contacts.
 #include <gtest/gtest.h>
 
 #include "reference/error.hpp"
@@ -14,7 +14,7 @@ using bodies::box;
 using bodies::canonical;
 using bodies::sum;
 
-/// Every facet of one box is parallel to one of the other, for all scalings.
+/// Each facet of a box has a parallel facet on the other box, for all scalings.
 TEST(ConvexSumExample, BoxAndBoxIsABox) {
   for (const Scaling& s : {bodies::unit, Scaling{3, Rational(1, 7), 2}}) {
     const ConvexSum result = sum(box(1, 2, 3), box(4, 1, 5), s);
@@ -34,7 +34,7 @@ TEST(ConvexSumExample, CubeAndOctahedronHas26Facets) {
   EXPECT_EQ(result.surface.vertices.size(), 24U);
 }
 
-/// One operand has a facet where the other has an edge.
+/// One operand has a facet parallel to an edge of the other.
 TEST(ConvexSumExample, FacetAndParallelEdgeMakeOneFacet) {
   const Polyhedron wedge{
       {at(0, 0, 0), at(2, 0, 0), at(2, 2, 0), at(0, 2, 0), at(0, 1, 1), at(2, 1, 1)},
@@ -47,8 +47,8 @@ TEST(ConvexSumExample, FacetAndParallelEdgeMakeOneFacet) {
   EXPECT_TRUE(found);
 }
 
-/// Only a facet of Q changes its vertex of P, and an ee-pair is lost: the facets of P alone do not
-/// show all errors, as Theorem 1 is printed (Sec. 6).
+/// Only a facet of Q changes its vertex of P, and an ee-pair is lost: facets of P alone do not show
+/// all errors, contrary to Theorem 1 as printed (Sec. 6).
 TEST(ConvexSumExample, AnEeErrorWithoutAnErrorOfAFacetOfP) {
   const ConvexPolyhedron P(
       bodies::tetrahedron(at(0, -3, 5), at(-1, -1, 4), at(-2, 4, -5), at(5, 4, -3)));
@@ -61,8 +61,8 @@ TEST(ConvexSumExample, AnEeErrorWithoutAnErrorOfAFacetOfP) {
   EXPECT_GT(counts.ee_errors, 0U);
 }
 
-/// All facets exchange two vertices, and all pairs of edges stay: the second half of Theorem 1 does
-/// not hold either. The chains run the other way round.
+/// All facets exchange two vertices, but all edge pairs stay: the second half of Theorem 1 fails
+/// too. The chains run the other way round.
 TEST(ConvexSumExample, ErrorsOfAllFacetsWithoutAnEeError) {
   const ConvexPolyhedron P(
       bodies::tetrahedron(at(1, -5, 5), at(-2, -5, 3), at(2, 4, 1), at(-2, 2, -4)));
@@ -77,7 +77,7 @@ TEST(ConvexSumExample, ErrorsOfAllFacetsWithoutAnEeError) {
 }
 
 TEST(ConvexSumExample, CoplanarTrianglesAndFlatVerticesChangeNothing) {
-  // A cube in twelve triangles, one edge of it cut, and the middle of its bottom a vertex.
+  // A cube of twelve triangles, with a cut edge and an extra vertex at the bottom's middle.
   const Polyhedron cut{{at(0, 0, 0), at(2, 0, 0), at(2, 2, 0), at(0, 2, 0), at(0, 0, 2),
                         at(2, 0, 2), at(2, 2, 2), at(0, 2, 2), at(1, 1, 0), at(1, 0, 0)},
                        {{8, 9, 0},
@@ -124,7 +124,7 @@ TEST(ConvexSumExample, BoxAndDiagonalSegmentIsARhombicDodecahedron) {
   EXPECT_EQ(sextuple_volume(result.surface), 6 * 4);
 }
 
-/// Far beyond the range of doubles, and ratios that doubles cannot tell from one.
+/// Factors far beyond the range of doubles, and ratios that doubles cannot tell from 1.
 TEST(ConvexSumExample, HugeAndTinyFactorsAreExact) {
   const ConvexPolyhedron P(bodies::octahedron()), Q(box(1, 2, 3));
   DynamicConvexSum moving(P, Q, bodies::unit);
@@ -137,7 +137,8 @@ TEST(ConvexSumExample, HugeAndTinyFactorsAreExact) {
   }
 }
 
-/// Coordinates that vanish beside others in doubles are no zeros: a check may not be left out.
+/// Doubles round tiny coordinates beside huge ones to 0, but they are nonzero: no check may be
+/// skipped.
 TEST(ConvexSumExample, CoordinatesOfHugeRatioAreExact) {
   const Rational tiny = parse_rational("1e-400");
   const Polyhedron thin = scaled(bodies::octahedron(), {1, tiny, 1});

@@ -1,4 +1,4 @@
-// Laws of every sum of convex bodies.
+// Laws for all sums of convex bodies.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -100,7 +100,7 @@ TEST(ConvexSum, ManySmallUpdatesGiveWhatIsFoundFromScratch) {
   });
 }
 
-/// A scaling at which a facet of Q is parallel to an edge of P, and at others near it is not.
+/// A scaling that makes a facet of Q parallel to an edge of P, unlike scalings nearby.
 std::optional<Scaling> tie(std::mt19937& dice, const ConvexPolyhedron& P,
                            const ConvexPolyhedron& Q) {
   for (int attempt = 0; attempt < 100; ++attempt) {

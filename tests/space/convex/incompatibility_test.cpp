@@ -24,7 +24,7 @@ std::uint32_t vertex_at(const ConvexPolyhedron& body, int x, int y, int z) {
   throw std::logic_error("no such vertex");
 }
 
-/// Over a horizontal facet the apex is the compatible vertex, and its edges are one below.
+/// Over a horizontal facet the apex is the compatible vertex, and the apex's edges descend by 1.
 TEST(Incompatibility, PrintedIsNotZeroAtACompatibleVertex) {
   const ConvexPolyhedron P(bodies::box(1, 1, 1)), Q(bodies::octahedron());
   const std::uint32_t top = facet_with_normal(P, 0, 0, 1), apex = vertex_at(Q, 0, 0, 1);

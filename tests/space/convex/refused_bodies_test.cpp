@@ -1,4 +1,4 @@
-// Each mesh that is no convex polyhedron is refused, with the face and the vertices at fault.
+// Each mesh that is no convex polyhedron is refused, with the faulty face and vertices.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -136,7 +136,7 @@ TEST(RefusedBody, TwoBodiesThatShareAVertex) {
   EXPECT_EQ(fault->place().vertices, std::vector<std::size_t>{0});
 }
 TEST(RefusedBody, Dent) {
-  // The apex of a pyramid pushed in.
+  // A pyramid with a dented apex.
   const auto fault = refusal(bodies::with_apex(box(4, 4, 4), at(2, 2, 3)));
   ASSERT_TRUE(fault.has_value());
   EXPECT_EQ(fault->code(), "not-convex");
@@ -146,7 +146,7 @@ TEST(RefusedBody, Dent) {
 TEST(RefusedBody, TwoBodiesApart) {
   expect_code("not-convex", both(cube, translated(cube, at(5, 0, 0))));
 }
-/// Convex at every edge, but one body lies in the other: the surface runs around twice.
+/// Convex at every edge, but with a body inside the other: the surface runs around twice.
 TEST(RefusedBody, OneBodyInAnother) {
   expect_code("shell-nesting", both(box(9, 9, 9), translated(cube, at(4, 4, 4))));
 }

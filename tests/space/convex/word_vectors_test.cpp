@@ -18,7 +18,8 @@ using bodies::random_scaling;
 
 constexpr std::int64_t most = (std::int64_t{1} << most_word_bits) - 1;
 
-/// Short, long, or at the limits: products that tie, and such that doubles cannot settle.
+/// Short points, long points, or points at the limits: their products tie, or doubles cannot
+/// decide.
 WordVector random_point(std::mt19937_64& dice) {
   const std::int64_t size = std::array<std::int64_t, 3>{2, 1 << 20, most}[dice() % 3];
   std::uniform_int_distribution<std::int64_t> coordinate(-size, size);
@@ -44,7 +45,7 @@ TEST(WordVectors, HaveTheSignsOfIntegers) {
     const WideVector a = area_vector(points, {0, 1, 2});
     const IntegerVector exact_a = area_vector(integers, {0, 1, 2});
     ASSERT_EQ(to_integers(a), exact_a);
-    // Nearly in a plane, in it, or anywhere.
+    // Vectors nearly parallel to a, parallel to a, or arbitrary.
     WideVector b = area_vector(points, {0, 1, 3});
     if (dice() % 3 == 0) {
       b = a;
@@ -121,7 +122,8 @@ TEST(ConvexSum, OfAPrismWithAThousandSidesAndABoxHasAFacetForEachDirection) {
   prism.faces.push_back(bottom);
   prism.faces.push_back(top);
   const ConvexSum sum = bodies::sum(prism, box(1, 2, 3));
-  // All of the prism's, and of the box's those across x: the others are parallel to some.
+  // All walls of the prism, and the box's two walls across x: the box's other walls are parallel to
+  // prism walls.
   EXPECT_EQ(sum.surface.faces.size(), sides + 2U + 2U);
   const Polyhedron canonical = ConvexPolyhedron(sum.surface).surface();
   EXPECT_EQ(canonical, sum.surface);

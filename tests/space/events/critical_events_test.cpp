@@ -1,4 +1,4 @@
-// The list of events of a pair of polyhedra: by boxes as by all pairs, and what holds of it.
+// The event list of a pair of polyhedra: boxes find the same events as all pairs, and laws hold.
 #include "reference/space/critical/critical_events.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(CriticalEvents, AreThoseOfAllPairsOfFacets) {
   EXPECT_GE(events, testing::repetitions(1000U));
 }
 
-/// Up and down, to any scale: the pairs that meet are those from scratch.
+/// Moves up and down, to any scale: the meeting pairs equal the pairs from scratch.
 TEST(CriticalEvents, LeadFromOneScaleToAnother) {
   std::uint64_t events = 0;
   for_each_seed(10, [&](std::mt19937& dice) {
@@ -94,7 +94,7 @@ TEST(CriticalEvents, OfConvexOperandsThereAreNone) {
   });
 }
 
-/// A triangle of one operand at a vertex of the other.
+/// A triangle of an operand at a vertex of the other operand.
 MovingFacet triangle(const SpaceOperand& body, std::array<std::uint32_t, 3> corners, bool of_P,
                      std::uint32_t vertex) {
   MovingFacet facet{of_P ? FacetKind::fv : FacetKind::vf, 3, 0, 0, {}, {}, {}};
@@ -108,7 +108,7 @@ MovingFacet triangle(const SpaceOperand& body, std::array<std::uint32_t, 3> corn
   return facet;
 }
 
-/// Fig. 4: two long triangles across each other come to lie in one plane, at one scale.
+/// Fig. 4: at one scale, two long triangles across each other share a plane.
 TEST(CriticalEvents, ParallelFacetsWithoutAVertexInTheOther) {
   const Polyhedron P = bodies::tetrahedron({-9, 0, 1}, {9, -1, 1}, {9, 1, 1}, {0, 0, 0}),
                    Q = bodies::tetrahedron({0, -9, 3}, {1, 9, 3}, {-1, 9, 3}, {0, 0, 2});

@@ -45,8 +45,8 @@ bool has_a_side_along(const MovingFacet& a, const MovingFacet& b) {
   return along(a, b) || along(b, a);
 }
 
-/// With exact numbers the three equations agree. As printed nothing is found where a side is along
-/// the other plane: at the one scale at which it is in it, it may cross sides.
+/// With exact numbers the three equations agree. The printed form finds nothing if a side is
+/// parallel to the other plane: at the scale that puts the side into the plane, it may cross sides.
 TEST(FacetContacts, HaveTheScalesOfTheExactEvents) {
   std::size_t events = 0, missed = 0;
   bodies::for_each_seed(2, [&](std::mt19937& dice) {

@@ -1,4 +1,4 @@
-// Events of pairs of facets: between two of them nothing changes, and at each something does.
+// Events of facet pairs: nothing changes between events, and each event changes something.
 #include "reference/space/critical/facet_event.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ struct FixedFacet {
   }
 };
 
-/// The common part of two facets: the sides that bound it at either end of the planes' common line.
+/// The common part of two facets: the sides that bound its two ends on the planes' common line.
 struct Shared {
   bool empty = false, is_point = false;
   std::set<std::size_t> first, last;

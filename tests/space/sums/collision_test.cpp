@@ -33,7 +33,8 @@ Cells moved(const Cells& cells, int by) {
   return result;
 }
 
-/// In the middle of cells, of which it knows nothing, it says which of them are in the sum.
+/// Checks at cells' midpoints that the collision test, which does not know cells, finds the sum's
+/// cells.
 void expect_cells_of_sum(const Cells& a, const Cells& b, std::mt19937& dice) {
   const Scaling twice{2, 2, 2};
   const SpaceOperands operands =
@@ -62,7 +63,7 @@ void expect_cells_of_sum(const Cells& a, const Cells& b, std::mt19937& dice) {
   }
 }
 
-/// One operand may hold the other wholly, or one of its parts, or have it in its cavity.
+/// An operand may contain the other operand, or a part, or have it inside its cavity.
 TEST(Collision, TellsWhichCellsAreInTheSum) {
   const Cells hollow = without(block({0, 0, 0}, {4, 4, 4}), block({1, 1, 1}, {3, 3, 3}));
   for_each_seed(12, [&](std::mt19937& dice) {

@@ -19,7 +19,8 @@ using polycubes::solid;
 using polycubes::with;
 using polycubes::without;
 
-/// Convex pieces, each in the form that is promised, with the volume of the whole. How many.
+/// Checks that the pieces are convex, have the promised form and add up to the whole volume;
+/// returns their count.
 std::size_t checked_count(const Polyhedron& surface) {
   Rational rest = sextuple_volume(surface);
   const std::vector<Polyhedron> pieces = convex_pieces(surface);
@@ -54,7 +55,7 @@ TEST(ConvexPieces, OfPlainSolids) {
 }
 
 TEST(ConvexPieces, OfASolidWithANotchAcrossAFaceThatIsNotConvex) {
-  // A prism over a non-convex polygon: its two ends are faces of six corners.
+  // A prism over a non-convex polygon: both ends have six corners.
   const Polyhedron prism{{at(0, 0, 0), at(4, 0, 0), at(4, 3, 0), at(2, 1, 0), at(0, 3, 0),
                           at(0, 0, 2), at(4, 0, 2), at(4, 3, 2), at(2, 1, 2), at(0, 3, 2)},
                          {{0, 4, 3, 2, 1},

@@ -1,4 +1,4 @@
-// The sum by its definition: against the sums of convex bodies, and what holds of every sum.
+// The sum by definition: compared with sums of convex bodies, and laws for all sums.
 #include "reference/space/definition/definition_sum.hpp"
 
 #include <gtest/gtest.h>

@@ -31,7 +31,7 @@ std::string text(const Polyhedron& P, const Polyhedron& Q, const Scaling& s = un
   return canonical_json(edge_sum(P, Q, s).set);
 }
 
-/// Cells whose surface is a manifold.
+/// Random cells whose surface is a manifold.
 Cells manifold_cells(std::mt19937& dice, std::size_t count, int size) {
   for (;;) {
     Cells cells = polycubes::random_cells(dice, count, size);
@@ -65,7 +65,7 @@ TEST(EdgeSum, OfRandomCellsInTheGrid) {
   });
 }
 
-/// Winding numbers are 0 in the inside of these sums.
+/// These sums' interiors have winding number 0.
 TEST(EdgeSum, OfACupAndAPlate) {
   const Cells cup = without(block({0, 0, 0}, {5, 5, 5}), block({1, 1, 1}, {4, 4, 5}));
   expect_sum_of_cells(cup, block({0, 0, 0}, {7, 7, 1}));
@@ -86,7 +86,7 @@ TEST(EdgeSum, OfFramesAndSeveralComponents) {
   expect_sum_of_cells(frame, two);
 }
 
-/// The inside of one operand is wholly within the other: their surfaces do not meet.
+/// An operand's interior lies wholly within the other operand: their surfaces do not meet.
 TEST(EdgeSum, HoldsWhatOneOperandHoldsWholly) {
   const Cells big = block({0, 0, 0}, {20, 20, 20});
   const Cells shell = without(block({0, 0, 0}, {5, 5, 5}), block({1, 1, 1}, {4, 4, 4}));
@@ -120,7 +120,7 @@ Polyhedron slab_and_wedge(int height, const Matrix& m) {
   return polycubes::mapped(result, m);
 }
 
-/// Within the face of a sum an edge of another part of it stands, from border to border.
+/// Across a face of the sum, from border to border, runs an edge of another part.
 TEST(EdgeSum, OfPartsThatComeToTouchAlongALine) {
   for_each_seed(10, [&](std::mt19937& dice) {
     const Matrix m = polycubes::random_matrix(dice, 4);
@@ -173,7 +173,7 @@ TEST(EdgeSum, IsTheSameOnTwoThreads) {
   });
 }
 
-/// Over a comb: its caps are cut into triangles that are as long as the comb.
+/// A prism over a comb: its caps are cut into triangles as long as the comb.
 Polyhedron comb_prism(int teeth) {
   std::vector<std::pair<int, int>> ring{{0, 0}, {2 * teeth, 0}};
   for (int k = teeth; k > 0; --k) {
@@ -202,7 +202,7 @@ TEST(EdgeSum, OfManyFacetsInOnePlane) {
   const Polyhedron cube = box(1, 1, 1);
   const Polyhedron small = comb_prism(9);
   EXPECT_EQ(text(small, cube), canonical_json(definition_sum(small, cube, unit)));
-  // Boxes of half of all pairs meet: that was all that told facets of one plane apart.
+  // The boxes of half of all pairs meet: boxes alone used to separate coplanar facets.
   for (const int teeth : {40, 160}) {
     const EdgeSum sum = edge_sum(comb_prism(teeth), cube, unit);
     EXPECT_LT(sum.near_pairs, 6 * sum.facets) << teeth;

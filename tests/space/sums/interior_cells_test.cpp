@@ -1,4 +1,4 @@
-// Points covered by cells of a grid lie in the interior of the sum.
+// Points covered by grid cells lie in the sum's interior.
 #include "reference/space/edges/interior_cells.hpp"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST(CellGrid, CubesOfTwoHaveEightCells) {
   });
 }
 
-/// In whichever direction one leaves the point, one is in the sum.
+/// Whether leaving the point in any direction stays inside the sum.
 bool is_interior(Collision& collision, const IntegerVector& point) {
   for (int k = 0; k < 8; ++k) {
     const IntegerVector along{k & 1 ? 7 : -7, k & 2 ? 3 : -3, k & 4 ? 2 : -2};
@@ -199,7 +199,7 @@ TEST(InteriorCells, NothingIsContainedInASumOfThinParts) {
   EXPECT_FALSE(cells.contain({&corner.rounded, 1}));
 }
 
-/// Facets that are covered are left out, and the sum is the same.
+/// Omitting covered facets leaves the sum unchanged.
 TEST(InteriorCells, TheSumIsTheSameWithoutCoveredFacets) {
   std::uint64_t covered = 0;
   for_each_seed(12, [&](std::mt19937& dice) {

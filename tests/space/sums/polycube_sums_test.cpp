@@ -1,4 +1,4 @@
-// Sums of solids of unit cells, whose sums are found by counting cells.
+// Sums of solids of unit cells, compared with counted cells.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// Solids of unit cells, and their sums by counting cells.
+// Solids of unit cells, and their sums by counted cells.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ inline int determinant(const Matrix& m) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/// The cells of a box of cells.
+/// All cells of a box.
 inline Cells block(Cell from, Cell to) {
   Cells cells;
   for (int x = from[0]; x < to[0]; ++x) {
@@ -46,7 +46,7 @@ inline Cells with(Cells cells, const Cells& more) {
   return cells;
 }
 
-/// The image of a body under a matrix of positive determinant.
+/// A body's image under a matrix with positive determinant.
 inline Polyhedron mapped(Polyhedron body, const Matrix& m) {
   for (SpacePoint& v : body.vertices) {
     const auto image = [&v = v, &m](std::size_t row) -> Rational {
@@ -57,8 +57,8 @@ inline Polyhedron mapped(Polyhedron body, const Matrix& m) {
   return body;
 }
 
-/// The union of the cells under a matrix of positive determinant, a face for each square of its
-/// boundary.
+/// The union of cells under a matrix with positive determinant, with one face for each boundary
+/// square.
 inline Polyhedron solid(const Cells& cells, const Matrix& m = identity) {
   Polyhedron result;
   std::map<Cell, std::uint32_t> numbers;
@@ -114,7 +114,7 @@ inline Cells sum_of_cells(const Cells& a, const Cells& b) {
   return result;
 }
 
-/// Cells that hang together by faces.
+/// Random cells connected through faces.
 inline Cells random_cells(std::mt19937& dice, std::size_t count, int size) {
   std::uniform_int_distribution<int> coordinate(0, size - 1), way(0, 5);
   Cells cells{{coordinate(dice), coordinate(dice), coordinate(dice)}};

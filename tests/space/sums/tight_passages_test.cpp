@@ -35,8 +35,8 @@ int dimension(const Element& e) {
   return static_cast<int>(std::count_if(e.begin(), e.end(), [](int c) { return c % 2 != 0; }));
 }
 
-/// Calls look for each element whose coordinates are within 1 of those of `e`, where `open` says
-/// of each coordinate whether it varies.
+/// Calls `look` for each element whose coordinates differ from e's by at most 1, and differ only if
+/// `varies` accepts the coordinate.
 template <class Vary, class Look>
 void around(const Element& e, Vary&& varies, Look&& look) {
   Element near;
@@ -50,7 +50,7 @@ void around(const Element& e, Vary&& varies, Look&& look) {
 bool is_even(int c) { return c % 2 == 0; }
 bool is_odd(int c) { return c % 2 != 0; }
 
-/// The elements in the interior of the union of cells: all cells about them are there.
+/// The elements inside the union of cells: all cells about them belong to the union.
 Elements interior(const Cells& cells) {
   Elements found;
   for (const Cell& cell : cells) {
@@ -67,7 +67,8 @@ Elements interior(const Cells& cells) {
   return found;
 }
 
-/// The sum of two open sets: two open intervals give one of length 2, with the point in its middle.
+/// The sum of two open sets: two open intervals add up to an interval of length 2, with its
+/// midpoint.
 Elements sum_of(const Elements& A, const Elements& B) {
   Elements sum;
   for (const Element& a : A) {
@@ -121,7 +122,7 @@ std::vector<Segment> at_grid(std::vector<Segment> segments) {
   return segments;
 }
 
-/// Segments that follow each other on a line are one.
+/// Joins segments that follow each other on a line.
 std::vector<Segment> joined(std::vector<Segment> segments) {
   segments = at_grid(std::move(segments));
   for (std::size_t k = 0; k < segments.size(); ++k) {
@@ -206,8 +207,8 @@ TEST(TightPassages, ThereAreNoneOfConvexOperands) {
   EXPECT_TRUE(expect_passages(block({0, 0, 0}, {2, 3, 1}), block({0, 0, 0}, {1, 1, 4})).empty());
 }
 
-/// Each point of the interior of P is a point of the sum of interiors: int P + {0}. No seam of
-/// convex pieces is a passage.
+/// With a point as Q, each point inside P is inside the sum of interiors: int P + {0}. No seam
+/// between convex pieces is a passage.
 TEST(TightPassages, ThereAreNoneOfAPoint) {
   const Polyhedron point{{{0, 0, 0}}, {}};
   for_each_seed(20, [&](std::mt19937& dice) {

@@ -58,8 +58,8 @@ TEST(Parents, CoverEachFaceOfASum) {
   ASSERT_EQ(found.size(), sum.set.faces.size());
   for (std::size_t r = 0; r < found.size(); ++r) {
     EXPECT_FALSE(found[r].empty());
-    // Every facet in the plane that is not named has to lie beside the region: with it taken out,
-    // those named still have at least the area of the region.
+    // Every unnamed facet of the plane has to lie beside the region: without it, the named facets
+    // still cover at least the region's area.
     Rational covered = 0;
     for (const std::uint32_t f : found[r]) {
       const ConvolutionFacet& facet = sum.facets[f];

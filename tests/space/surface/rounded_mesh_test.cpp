@@ -52,13 +52,14 @@ TEST(RoundedMesh, FlatVerticesMerge) {
   const Rational tiny(Integer(1), Integer(10) * boost::multiprecision::pow(Integer(10), 400U));
   const RoundedMesh rounded = rounded_mesh(tetrahedron(1, tiny));
   EXPECT_EQ(rounded.report.merged_vertices, 1U);
-  // The face at the bottom stays, the one over it lies on it, and two are edges.
+  // The bottom face stays, the face over it coincides with the bottom, and two faces shrink to
+  // edges.
   EXPECT_EQ(rounded.report.degenerate_faces, 2U);
   EXPECT_EQ(rounded.report.largest_displacement, tiny);
 }
 
 TEST(RoundedMesh, TrianglesTurnOver) {
-  // A sliver whose tip is to the right of its base by less than half a unit of the last place.
+  // A sliver whose tip lies right of its base by less than half a unit in the last place.
   const Rational big(Integer(1) << 54);
   const auto sliver = [&](const Rational& tip) {
     return Polyhedron{{{0, 0, 0}, {big, big, 0}, {big - tip, big + tip, 0}}, {{0, 1, 2}}};

@@ -67,7 +67,7 @@ void expect_closed(const Polyhedron& mesh) {
   for (const auto& [edge, balance] : runs) EXPECT_EQ(balance, 0);
 }
 
-/// No vertex lies in the inside of an edge.
+/// Checks that no vertex lies inside an edge.
 void expect_conforming(const Polyhedron& mesh) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const Face& face : mesh.faces) {
@@ -147,19 +147,19 @@ TEST(Shells, CubesThatTouch) {
   expect_cubes({{1, 1, 1}, {2, 2, 2}}, {2, 0, 0});
   // A chain that closes at an edge: no tunnel, since the interior does not close.
   expect_cubes(without(block(3, 3, 1), {{2, 2, 1}, {1, 1, 1}}), {1, 0, 0});
-  // Cavities pinched along an edge, and at a vertex, are two; the interior is one in both.
+  // Two cavities, pinched along an edge or at a vertex; both interiors are connected.
   expect_cubes(without(block(4, 4, 3), {{2, 2, 2}, {3, 3, 2}}), {1, 2, 0});
   expect_cubes(without(block(4, 4, 4), {{2, 2, 2}, {3, 3, 3}}), {1, 2, 0});
-  // A cavity that reaches an edge of the outside.
+  // A cavity that reaches an outside edge.
   expect_cubes(without(block(3, 3, 3), {{2, 2, 2}, {1, 1, 2}}), {1, 1, 0});
-  // A cube in a cavity.
+  // A cube inside a cavity.
   Boxes nested = block(5, 5, 5);
   for (const auto& b : block(3, 3, 3)) nested = without(nested, {{b[0] + 1, b[1] + 1, b[2] + 1}});
   nested.push_back({3, 3, 3});
   expect_cubes(nested, {2, 1, 0});
 }
 
-/// The faces of boxes and prisms, as they stand.
+/// The faces of boxes and prisms, unjoined.
 class Soup {
  public:
   void add(const std::vector<std::array<int, 3>>& face) {
@@ -212,7 +212,7 @@ TEST(Shells, WedgesThatStandOnAPlane) {
   // From the outside one surface, cut along the slit: open at its ends or not.
   EXPECT_EQ(shells(surface_edges(within.set()), Pairing::outside).size(), 1U);
   EXPECT_EQ(shells(surface_edges(flush.set()), Pairing::outside).size(), 1U);
-  // Where the border of the slab crosses the edge of the wedge, no region has a vertex.
+  // No region has a vertex where the slab's border crosses the wedge's edge.
   const auto points = surface_edges(jutting.set()).points;
   EXPECT_TRUE(std::any_of(points.begin(), points.end(),
                           [](const SpaceVertex& v) { return v.exact == SpacePoint{4, 2, 1}; }));
@@ -272,7 +272,7 @@ TEST(Shells, TunnelsThatTouchTheOuterFaceAlongALine) {
 }
 
 TEST(Shells, ThreePlanesThatCrossInALineWithoutABorder) {
-  // About the diagonal of a cube three of six tetrahedra, every other one.
+  // About a cube's diagonal, three of six tetrahedra, alternating.
   for (const LinearMap& map : {straight(), slanted()}) {
     TetrahedraGrid grid(3);
     std::size_t filled = 0;
@@ -353,7 +353,7 @@ TEST(Shells, RandomCubesAsCountedCellByCell) {
 TEST(ProjectedAreas, OfABoxAndOfASlantedOne) {
   EXPECT_EQ(projected_areas(cubes(block(2, 3, 4), straight())),
             (std::array<Rational, 3>{24, 16, 12}));
-  // Two faces of each kind, each with the cofactors of the map as its normal.
+  // Two faces of each kind, with the map's cofactors as normals.
   const LinearMap m = slanted();
   std::array<Rational, 3> expected{0, 0, 0};
   for (std::size_t c = 0; c < 3; ++c) {

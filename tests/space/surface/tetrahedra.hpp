@@ -1,4 +1,4 @@
-// Sets of tetrahedra out of a grid, and their topology counted cell by cell.
+// Sets of grid tetrahedra, and their topology counted cell by cell.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace minkref::surface_test {
 
-/// Each cube of an n x n x n grid in six tetrahedra, as Freudenthal has it. Cells at the rim of the
-/// grid have to stay empty.
+/// Each cube of an n x n x n grid, cut into Freudenthal's six tetrahedra. Cells at the grid's rim
+/// have to stay empty.
 class TetrahedraGrid {
  public:
   explicit TetrahedraGrid(int n) : n_(n) {
@@ -45,8 +45,7 @@ class TetrahedraGrid {
     const int c = x + n_ * (y + n_ * z);
     for (int k = 0; k < 6; ++k) full[static_cast<std::size_t>(6 * c + k)] = value;
   }
-  /// Whether the steps from corner to corner are along x, y, z, or in the order of a rotation of
-  /// these.
+  /// Whether the steps from corner to corner run along x, y, z, or along a rotation of this order.
   static bool is_even(std::size_t cell) { return cell % 6 == 0 || cell % 6 == 3 || cell % 6 == 4; }
   bool at_rim(std::size_t cell) const {
     const int c = static_cast<int>(cell / 6);
@@ -99,7 +98,7 @@ class TetrahedraGrid {
   int n_;
 };
 
-/// Counts on one side: of the full cells, or of the empty cells.
+/// Counts for one side: for the full cells, or for the empty cells.
 struct CellCount {
   std::size_t components = 0;
   std::size_t shells = 0;
@@ -125,9 +124,9 @@ inline std::size_t shared_corners(const TetrahedraGrid::Cell& a, const Tetrahedr
   return count;
 }
 
-/// Faces, edges and vertices of the border of one side, moved a little into it: an edge counts once
-/// for each run of cells of that side about it, a vertex once for each closed curve that bounds a
-/// region of that side in a small sphere about it: as often as what is left of the sphere has
+/// Faces, edges and vertices of a side's border, moved a little into that side: an edge counts once
+/// for each run of the side's cells about the edge, a vertex once for each closed curve that bounds
+/// the side's regions on a small sphere about the vertex: as often as the rest of the sphere has
 /// parts.
 inline CellCount count_cells(const TetrahedraGrid& grid, bool side) {
   const auto& cells = grid.cells;
@@ -156,7 +155,7 @@ inline CellCount count_cells(const TetrahedraGrid& grid, bool side) {
   }
   result.characteristic = static_cast<long>(border.size());
   UnionFind shells(border.size());
-  /// The parts of a list of cells, of those chosen, joined where they share enough corners.
+  /// The parts of a cell list, restricted to chosen cells and joined if cells share enough corners.
   const auto parts = [&](const std::vector<std::size_t>& about, std::size_t corners,
                          const std::function<bool(std::size_t)>& chosen) {
     std::vector<std::vector<std::size_t>> lists;
