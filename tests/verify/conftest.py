@@ -67,7 +67,7 @@ def verify(faulty_sums: None) -> Callable[..., Run]:
 
 @pytest.fixture
 def outcomes(faulty_sums: None) -> Callable[..., list[Outcome]]:
-    """Outcomes of one target on named cases, without a run and its workers."""
+    """A target's outcomes on named cases, without a run and its workers."""
 
     def call(name: str, *cases: str, limits: Limits | None = None) -> list[Outcome]:
         sys.set_int_max_str_digits(0)  # as in a worker
@@ -96,14 +96,14 @@ def _validator(name: str) -> Any:
 
 @pytest.fixture(scope="session")
 def follows_schema() -> Callable[[Any, str], None]:
-    """Raises where a document does not follow the schema of its command."""
+    """Raises if a document breaks its command's schema."""
     return lambda value, name: _validator(name).validate(value)
 
 
 @pytest.fixture(autouse=True)
 def light_workers(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Forks the workers of runs in this process, which has imported what they need. In runs that
-    are processes, and where the tests are thorough, they begin as they do for a user."""
+    """Forks the workers of runs from this process, which has imported all modules. Runs as
+    processes, and thorough tests, start workers as users do."""
     if not THOROUGH:
         forking = SimpleNamespace(get_context=lambda _: multiprocessing.get_context("fork"))
         monkeypatch.setattr(pool, "multiprocessing", forking)
@@ -111,5 +111,5 @@ def light_workers(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(autouse=True)
 def own_state(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The key of ledgers is not that of the user who runs the tests."""
+    """Separates the ledger key from the key of the user who runs the tests."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path_factory.getbasetemp() / "state"))

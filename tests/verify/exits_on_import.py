@@ -1,4 +1,4 @@
-"""A module that ends the process that imports it."""
+"""A module that ends every importing process."""
 
 import sys
 

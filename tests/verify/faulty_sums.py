@@ -79,14 +79,14 @@ def hangs(P: Set, Q: Set) -> Set:
 
 
 def slow_if_small(P: Set, Q: Set) -> Set:
-    """Hangs on the first case of the family `random`, and is slow on smaller ones."""
+    """Hangs on the first case of the family `random`, and is slow on smaller cases."""
     vertices = sum(len(polygon["outer"]) for each in (P, Q) for polygon in each["polygons"])
     time.sleep(3600 if vertices > 7 else 1)
     return right(P, Q)
 
 
 def hangs_once(P: Set, Q: Set) -> Set:
-    """Out of time at its first call only, as on a machine that stood still."""
+    """Runs out of time at the first call only, as on a stalled machine."""
     mark = Path(os.environ["MINKREF_TEST_MARK"])
     if not mark.exists():
         mark.touch()

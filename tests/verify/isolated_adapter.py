@@ -1,5 +1,5 @@
-"""`isolated_adapter.py WHAT [ARGUMENT]`: an adapter that tries WHAT when it is greeted, and tells
-as its version what came of it. All else is right."""
+"""`isolated_adapter.py WHAT [ARGUMENT]`: an adapter that tries WHAT at `hello`, and tells the
+outcome as its version. Everything else is right."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FOREVER = 600
 
 
 def child(seconds: float = FOREVER) -> None:
-    """A grandchild in a session of its own, without our pipes."""
+    """A grandchild in a separate session, without our pipes."""
     if os.fork() == 0:
         os.setsid()
         if os.fork():
@@ -65,7 +65,7 @@ def own_folders(_: str) -> str:
 
 
 def forty(_: str) -> str:
-    """Forty processes by double forks; then the end of who would end them."""
+    """Starts forty processes by double forks, then kills the parent that would end them."""
     for _ in range(40):
         child()
     os.kill(os.getppid(), signal.SIGKILL)

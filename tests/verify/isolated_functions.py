@@ -1,4 +1,4 @@
-"""Functions that tell, as the text of an exception, what they saw, or what came of a try of
+"""Functions that tell in an exception's text their observations, or the outcome of a try of
 `isolated_adapter.py`; as targets `py:isolated_functions:NAME`."""
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ doubles.minkref = {"numbers": "double"}  # type: ignore[attr-defined]
 
 
 def modules(P: Set, Q: Set) -> NoReturn:
-    """Those of ours that its process has, but for what it imports itself."""
+    """Names the process's minkref modules."""
     raise Told(" ".join(name for name in sys.modules if name.startswith("minkref")) or "none")
 
 

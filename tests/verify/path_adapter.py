@@ -41,7 +41,7 @@ Place = tuple[Fraction, Fraction]
 
 
 def shape(value: Any) -> minkref.PolygonSet:
-    """Numbers are texts or doubles, each the number that it is."""
+    """The exact set from numbers as texts or doubles."""
     return minkref.PolygonSet.from_json(json.dumps(texts(value)))
 
 
@@ -64,7 +64,7 @@ def between(a: Place, b: Place, t: Fraction) -> Place:
 
 
 def paths(way: str, path: list[Place]) -> Iterator[list[Place]]:
-    """Paths that are looked at in place of the path."""
+    """Paths that a way checks instead of the given path."""
     segments = list(pairwise(path))
     if way == "first-segment":
         yield path[:2]
@@ -94,7 +94,7 @@ def operands(way: str, part: Any, obstacles: Any) -> tuple[minkref.PolygonSet, m
 def valid(
     way: str, part: Any, obstacles: Any, request: dict[str, Any]
 ) -> tuple[list[tuple[ScaleRange, ...]], bool]:
-    """Ranges, of which all have to hold a valid scale; whether nothing is."""
+    """Ranges that must all hold a valid scale, and whether no scale is valid."""
     contact = {"touching": "forbidden", "careless": "allowed"}.get(way, request["contact"])
     path = [(Fraction(x), Fraction(y)) for x, y in request["path"]]
     moved, fixed = operands(way, part, obstacles)

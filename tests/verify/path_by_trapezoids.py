@@ -1,6 +1,6 @@
 """Whether a part passes along a path at one scale, in plain fractions: both sets are cut into
-trapezoids, and of each pair a segment of the path is held against the directions across their
-sides. It uses nothing of minkref."""
+trapezoids, and for each pair a path segment is tested against the directions across their sides.
+Uses nothing from minkref."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ def height(edge: tuple[Point, Point], x: Fraction) -> Fraction:
 
 
 def collides(a: Point, b: Point, moved: Piece, piece: Piece, may_touch: bool) -> bool:
-    """Whether some place of the segment is in the sum of both, without its boundary if they may
-    touch: no direction separates them."""
+    """Whether some place on the segment lies in the sum of both pieces (without its boundary if
+    they may touch): no direction separates them."""
     u, v = b[1] - a[1], a[0] - b[0]
     directions = [*across(moved), *across(piece), (u, v), (-u, -v)]
     for x, y in directions:
@@ -68,7 +68,7 @@ def collides(a: Point, b: Point, moved: Piece, piece: Piece, may_touch: bool) ->
 
 
 def across(piece: Piece) -> list[Point]:
-    """Outward directions across its sides."""
+    """Outward directions across a piece's sides."""
     sides = zip(piece, [*piece[1:], piece[0]], strict=True)
     middle = (sum(x for x, _ in piece) / len(piece), sum(y for _, y in piece) / len(piece))
     found = []

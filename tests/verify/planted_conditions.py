@@ -1,4 +1,5 @@
-"""Sums that are wrong under one planted condition each, as targets `py:planted_conditions:NAME`."""
+"""Sums with one planted condition each that makes them wrong, as targets
+`py:planted_conditions:NAME`."""
 
 from __future__ import annotations
 
@@ -51,7 +52,7 @@ def large(P: Set, Q: Set) -> Set:
 
 
 def fractions(P: Set, Q: Set) -> Set:
-    """Wrong iff a coordinate of sP is no integer."""
+    """Wrong iff sP has a non-integer coordinate."""
     value = right(P, Q)
     odd = any(Fraction(n).denominator > 1 for r in rings(P) for p in r for n in p)
     return shifted(value) if odd else value
@@ -64,6 +65,6 @@ def dies_of_two_holes(P: Set, Q: Set) -> Set:
 
 
 def two_faults(P: Set, Q: Set) -> Set:
-    """Dies of two holes, and is wrong iff there is one."""
+    """Dies of two holes, and is wrong iff a hole exists."""
     value = dies_of_two_holes(P, Q)
     return shifted(value) if holes(P) + holes(Q) else value

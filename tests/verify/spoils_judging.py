@@ -1,4 +1,4 @@
-"""Workers whose judge takes them down at an answer of `py:faulty_sums:right`; each stands in for
+"""Workers whose judge takes them down at an answer of `py:faulty_sums:right`; each replaces
 `pool.work`."""
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def exhausts_memory(*given: Any) -> None:
 
 
 def exhausts_memory_beside_the_judge(*given: Any) -> None:
-    """As the one above, where the judge has nothing to catch it."""
+    """Runs out of memory outside the judge, which cannot catch this."""
 
     def spoilt(case: Any, answers: Any, names: list[str], judging: Callable[[str], None]) -> Any:
         if SPOILT in answers and answers[SPOILT].region:

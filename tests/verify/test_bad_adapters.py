@@ -53,9 +53,9 @@ def verify(
     capfd: pytest.CaptureFixture[str],
     follows_schema: Callable[[Any, str], None],
 ) -> Callable[..., tuple[int, Any]]:
-    """Gives the document of a run in a folder of its own, which follows its schema, and leaves
-    nothing running. The limit of time is far away unless a test is about it, so that a slow machine
-    tells no lie."""
+    """Gives the document of a run in a separate folder; the document follows its schema, and the
+    run leaves no process. The time limit is generous unless a test is about time, so that slow
+    machines give true results."""
 
     def call(
         targets: list[str], *options: str | Path, seconds: int = 60, megabytes: int = 1024

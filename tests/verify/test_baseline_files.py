@@ -1,4 +1,4 @@
-"""Baselines that are none are refused: a fault that a typing error hides would be no fault."""
+"""Malformed baselines are refused: otherwise a typing error could hide a fault."""
 
 from __future__ import annotations
 

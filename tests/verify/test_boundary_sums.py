@@ -1,4 +1,4 @@
-"""Targets that declare the sum of the boundaries."""
+"""Targets that declare boundary sums."""
 
 from __future__ import annotations
 

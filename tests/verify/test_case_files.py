@@ -1,5 +1,5 @@
-"""`minkref verify --suite corpus`: case files in the plane and in space, each before the targets
-that take it; what is left out is said, and what cannot be read is refused."""
+"""`minkref verify --suite corpus`: each target gets the case files in the plane and in space that
+it takes; the run names omitted cases, and refuses unreadable ones."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def minkref(capsys: pytest.CaptureFixture[str], follows_schema: Callable[[Any, s
 
 
 def corpus(folder: Path, *families: str) -> tuple[str | Path, ...]:
-    """The options for a corpus of these families, and of nothing else."""
+    """Options for a corpus that holds exactly these families."""
     for family in families:
         shutil.copytree(lint.CORPUS / family, folder / family)
     return ("--suite", "corpus", "--corpus", folder, "--jobs", "1")
@@ -57,7 +57,7 @@ def verdicts(value: Any) -> dict[str, dict[str, int]]:
 
 
 def test_polycubes_at_a_fine_scale_are_judged_by_the_exact_sum() -> None:
-    """Cells of the sum of two polycubes are as many as the scale has digits, cubed."""
+    """At scale n/d, the cell count of a polycube sum grows with the cube of n + d."""
     slot = lint.CORPUS / "solids-slot-closes"
     for path in lint.case_paths(slot):
         value = json.loads(path.read_text(encoding="utf-8"))
@@ -72,7 +72,7 @@ def test_polycubes_at_a_fine_scale_are_judged_by_the_exact_sum() -> None:
 
 @pytest.mark.thorough
 def test_targets_in_space_have_the_cases_in_space_of_the_corpus(minkref: Any) -> None:
-    """Takes the shipped corpus as `test_targets_in_space_have_those_in_space` does a part of it."""
+    """Repeats `test_targets_in_space_have_those_in_space` with the whole shipped corpus."""
     space = [p for p in lint.CORPUS.iterdir() if '"dimension": 3' in first(p)]
     plane = sum(len(lint.case_paths(p)) for p in lint.CORPUS.iterdir() if p not in space)
     convex = [p.name for p in space if p.name not in SOLID_FAMILIES]
@@ -81,8 +81,8 @@ def test_targets_in_space_have_the_cases_in_space_of_the_corpus(minkref: Any) ->
 
 
 def test_targets_in_space_have_those_in_space(minkref: Any, tmp_path: Path) -> None:
-    """Takes all cases in space, at all of their scalings, but polyhedra that are not convex. The
-    run says how many cases in the plane it leaves out."""
+    """Takes all cases in space, at all scalings, except polyhedra that are not convex. The run
+    tells how many cases in the plane it omits."""
     convex, solids = ["with-itself", "facets-parallel-always"], [next(iter(SOLID_FAMILIES))]
     options = corpus(tmp_path / "cases", *convex, *solids, "euler-zero")
     plane = len(lint.case_paths(lint.CORPUS / "euler-zero"))
@@ -111,7 +111,8 @@ def test_targets_in_the_plane_have_those_in_the_plane(minkref: Any, tmp_path: Pa
 
 
 def test_targets_of_both_kinds_have_all(minkref: Any, tmp_path: Path) -> None:
-    """Nothing is left out; what a target does not take it skips, and that is counted."""
+    """The run omits nothing; targets skip the cases that they do not take, and the skips are
+    counted."""
     options = corpus(tmp_path / "cases", "euler-zero", "with-itself")
     code, value = minkref("verify", "minkref:paper", "minkref:convex", *options)
     plane, space = cases_in("euler-zero"), cases_in("with-itself")
@@ -169,7 +170,7 @@ def changed(folder: Path, change: Change) -> Path:
 def test_a_bad_case_in_space_is_refused(
     minkref: Any, tmp_path: Path, change: Change, code: str, target: str
 ) -> None:
-    """Before the run, by the name of its file, be the case left out or not."""
+    """The case is refused before the run, by file name, whether or not the run would omit it."""
     path = changed(tmp_path / "cases", change)
     options = corpus(tmp_path / "cases", "euler-zero", "facets-parallel-always")
     ran, value = minkref("verify", target, *options)
@@ -179,7 +180,7 @@ def test_a_bad_case_in_space_is_refused(
 
 
 def test_a_case_in_space_may_have_decimals_and_whole_numbers(minkref: Any, tmp_path: Path) -> None:
-    """As its schema has it: they are what they say."""
+    """Exact numbers in the spellings that the schema allows."""
 
     def change(value: Any) -> None:
         value["scales"] = [["0.5", 2, "3e-1"]]
@@ -196,8 +197,8 @@ def test_a_case_in_space_may_have_decimals_and_whole_numbers(minkref: Any, tmp_p
 def test_a_fault_on_a_case_file_in_space_is_found_and_made_small(
     minkref: Any, tmp_path: Path
 ) -> None:
-    """An adapter that answers with a cube whatever it is asked. The shrunk case is a case file in
-    space, and shows the fault again."""
+    """Every answer of the adapter is a cube. The shrunk case is a case file in space, and shows the
+    fault again."""
     path = changed(tmp_path / "cases", lambda v: v.__setitem__("scales", [["2", "2", "2"]]))
     code, value = minkref("verify", CUBE, *corpus(tmp_path / "cases"), "--shrink-calls", "0")
     (finding,) = value["findings"]

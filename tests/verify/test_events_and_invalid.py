@@ -1,4 +1,4 @@
-"""Targets that list events, that update, and that reject invalid input."""
+"""Targets that list events, update, or reject invalid input."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def test_a_scale_rounded_to_a_double_up_or_down_is_right_without_a_tolerance() -
 
 
 def test_an_event_at_the_end_of_the_window_may_be_rounded_past_it() -> None:
-    """And one just behind the end may be rounded into it."""
+    """And an event just behind the end may be rounded into the window."""
     text = FRAME.replace('"scale":"1"', '"scale":"{}"')
     at_end = named(text.replace("{}", str(CLOSES / 2)))
     assert window(at_end)[1] == str(CLOSES)
@@ -188,7 +188,7 @@ def test_a_scale_rounded_over_the_end_of_the_window_is_right() -> None:
 
 
 def test_a_tolerance_as_large_as_the_window_says_nothing() -> None:
-    """Within it any scale would do: such a list is not called right."""
+    """Any scale would do within the tolerance: such a list is not called right."""
     wide = Declaration("wide", arithmetic="integer-grid", absolute=Fraction(4))
     for claimed in ([], [Fraction(1)]):
         outcome = judge_events(named(FRAME), "t", claimed, wide)

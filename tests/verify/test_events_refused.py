@@ -50,7 +50,7 @@ def case_of(P: Any, Q: Any) -> Case:
 
 @pytest.fixture
 def told(tmp_path: Path) -> Iterator[Callable[..., Outcome]]:
-    """Outcome for an adapter that gives these answers by verb, about the events of a case."""
+    """The outcome about a case's events for an adapter that gives these answers by verb."""
     program, made = tmp_path / "adapter.py", []
     program.write_text(PROGRAM, encoding="utf-8")
 
@@ -119,7 +119,7 @@ def test_an_invented_scale_of_an_empty_sum_has_a_witness() -> None:
 
 
 def test_two_operands_without_area_are_not_asked_about(told: Callable[..., Outcome]) -> None:
-    """The reference has no events of them."""
+    """The reference has no events for such operands."""
     answers = {"load": LOADED, "events": {"status": "result", "scales": []}}
     outcome = told(answers, case_of(SEGMENT, SEGMENT))
     assert outcome.verdict is Verdict.SKIPPED and "without area" in outcome.message
@@ -129,14 +129,15 @@ def test_two_operands_without_area_are_not_asked_about(told: Callable[..., Outco
 def test_events_of_the_sum_of_the_boundaries_are_not_asked_about(
     told: Callable[..., Outcome],
 ) -> None:
-    """They are others than those of the regions, and the reference has none of them."""
+    """The boundaries' events differ from the regions' events, and the reference has none."""
     answers = {"load": LOADED, "events": {"status": "result", "scales": []}}
     outcome = told(answers, case_of(SQUARE, SQUARE), sum="boundary")
     assert outcome.verdict is Verdict.SKIPPED and "boundaries" in outcome.message
 
 
 def test_rejected_operands_whose_sum_is_empty_have_a_witness(told: Callable[..., Outcome]) -> None:
-    """By `at` as well: the document of a run wants a witness for whatever is wrong."""
+    """Rejection by `at` has a witness too: a run's document needs a witness for every wrong
+    answer."""
     case = case_of(SQUARE, {"polygons": []})
     plain = naming.load(CaseName(case.literal, "test"))
     assert isinstance(plain, Case)

@@ -1,4 +1,4 @@
-"""A program that ends as soon as it has answered is judged by its answer: no fault of ours."""
+"""A program may end right after its answer: the answer is judged, and no fault of ours reported."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ PLANE = ["plane", "non-convex", "holes", "components", "touching", "empty", "poi
 
 
 class SlowToLook(AdapterTarget):
-    """By the time that its answer is looked at, the program has ended."""
+    """Reads the answer only after the program has ended."""
 
     def asked(self, *about: Any) -> Any:
         found = super().asked(*about)

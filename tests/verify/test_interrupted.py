@@ -1,4 +1,4 @@
-"""A run that a signal or a fault of ours ends writes what it has judged, whole."""
+"""A run ended by a signal or by our own fault writes all its judgements, whole."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def environment() -> dict[str, str]:
 
 
 def ended(folder: Path, number: int, seconds: float) -> tuple[int, Any, str]:
-    """Ended so long after its first result is in the ledger."""
+    """Ends a run a given time after its first result in the ledger."""
     folder.mkdir()
     files = ["--ledger", "run.jsonl", "--report", "report", "--junit", "junit.xml"]
     files += ["--sarif", "verify.sarif", "--markdown", "verify.md", "--lines", "lines.jsonl"]
@@ -58,8 +58,8 @@ def ended(folder: Path, number: int, seconds: float) -> tuple[int, Any, str]:
 
 
 def lines_of(ledger: Path) -> list[Any]:
-    """The results in it, without those that only say that there is no such case, and without a last
-    line that is not yet whole."""
+    """The ledger's results, without lines that only say that a case does not exist, and without an
+    unfinished last line."""
     if not ledger.is_file():
         return []
     rows = [json.loads(line) for line in ledger.read_text().split("\n")[1:-1]]
@@ -67,7 +67,7 @@ def lines_of(ledger: Path) -> list[Any]:
 
 
 def same_as_the_ledger(folder: Path, value: Any) -> None:
-    """Everything that was judged, and nothing else, is in all that was written."""
+    """Checks that every output holds exactly the judged cases."""
     rows = lines_of(folder / "run.jsonl")
     assert sum(group["cases"] for group in value["groups"]) == len(rows)
     judged: Counter[tuple[str, str]] = Counter()
@@ -106,7 +106,7 @@ def test_a_run_that_is_interrupted_writes_all_that_it_has_judged_and_goes_on(
 
 
 def goes_on(folder: Path) -> None:
-    """The ledger of an interrupted run, with a run that is interrupted, too."""
+    """Continues the ledger of an interrupted run, and interrupts the second run too."""
     ledger = folder / "run.jsonl"
     before = ledger.read_text().splitlines()
     words = program("verify", *WORDS, "--ledger", "run.jsonl", "--json")

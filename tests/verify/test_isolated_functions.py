@@ -239,7 +239,7 @@ def test_modules_of_the_current_folder_and_of_the_path_are_found_whatever_their_
 def test_processes_that_a_function_starts_find_its_modules(
     walls: Isolation, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """`surfaces` is a name of ours as well."""
+    """Our tests also have a module `surfaces`."""
     (tmp_path / "surfaces.py").write_text(
         "import multiprocessing\n"
         "def g(n): return n + 1\n"

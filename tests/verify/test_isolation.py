@@ -1,5 +1,5 @@
-"""The walls around the programs of others: what they may see, reach, write and use up, and that
-nothing of them is left, in the sandbox and without it, as docs/security.md says."""
+"""The walls around other people's programs: sight, reach, writing and resources are limited, and
+nothing remains afterwards, with the sandbox and without, as docs/security.md says."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def walls(request: pytest.FixtureRequest) -> Isolation:
 def said(
     walls: Isolation, what: str, argument: object = "", megabytes: int = 512, processes: int = 99
 ) -> str:
-    """The adapter's account of its try; nothing of the adapter runs afterwards."""
+    """The adapter's account of its try; afterwards no part of the adapter runs."""
     limits = Limits(60, megabytes * MIB, processes=processes, isolation=walls)
     process = AdapterProcess("it", [sys.executable, str(PROGRAM), what, str(argument)], limits)
     try:
@@ -66,7 +66,7 @@ def test_of_the_environment_it_is_given_a_list(
 def test_what_a_user_installed_in_the_home_folder_is_still_found(
     walls: Isolation, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """HOME is another one, and Python would look for packages of the user there."""
+    """HOME differs, and Python would look there for the user's packages."""
     packages = tmp_path / ".local" / "lib" / "python3" / "site-packages"
     packages.mkdir(parents=True)
     monkeypatch.setenv("HOME", str(tmp_path))
@@ -93,7 +93,7 @@ def test_sockets_of_the_system_are_out_of_reach_in_the_sandbox(tmp_path: Path) -
 def test_it_writes_in_its_own_folders_only(
     walls: Isolation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
-    """Without a sandbox that holds where each program has a user of its own."""
+    """Without a sandbox this holds if each program has a separate user."""
     if walls.kind == "none" and not walls.own_user:
         pytest.skip("without a sandbox, and not root: documented")
     monkeypatch.chdir(tmp_path)
@@ -234,7 +234,8 @@ def test_nothing_is_left_where_the_one_that_started_it_is_killed(walls: Isolatio
 def test_an_adapter_below_the_folder_for_temporary_files_begins(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
-    """By a relative path, with a module beside it, run by whatever its first line names."""
+    """Starts the program by a relative path, with a module beside it, through its first line's
+    interpreter."""
     folder = tmp_path if place == "beside" else tmp_path / "deep"
     folder.mkdir(exist_ok=True)
     for name in ("adapter.py", "isolated_adapter.py"):
@@ -267,7 +268,7 @@ DIFFER = {
 def test_a_program_is_found_behind_a_link_in_a_folder_that_is_shown_whole(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As the package is, in a checkout that lies in the folder for temporary files."""
+    """Imitates the package of a checkout inside the folder for temporary files."""
     real = tmp_path / "room" / "programs"
     real.mkdir(parents=True)
     for source in (PROGRAM, PROGRAM.parent / "bad_adapters" / "adapter.py"):

@@ -1,4 +1,4 @@
-"""The reference before judges that share no code with it: they agree, and they see a lie."""
+"""The reference before judges that share no code: they agree, and they detect a lie."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_a_judge_agrees_where_the_reference_is_right(name: str, P: str, Q: str) 
 @pytest.mark.parametrize("name", ["sums", "topology", "events"])
 @pytest.mark.parametrize(("P", "Q"), [(DIAMOND, ISLAND), (BLADES, KITE)])
 def test_a_judge_agrees_on_what_was_once_amiss(name: str, P: str, Q: str) -> None:
-    """An island that fills its hole at one scale; three edges of one line that end in one point."""
+    """An island that fills its hole at one scale; three collinear edges with a common end."""
     ruling = JUDGES[name][1](case_of(P, Q))
     assert ruling.messages == [] and ruling.compared > 0
 
@@ -101,7 +101,7 @@ def test_both_routes_list_the_scale_at_which_an_edge_shrinks_and_grows_again_rev
 
 
 def test_vertices_of_rings_that_touch_for_a_while_are_those_of_the_canonical_form() -> None:
-    """They are counted after rings that pass a point twice are split."""
+    """Vertices are counted after rings that pass a point twice are split."""
     for P, Q in ((TOUCHING, "POINT(4 3)"), (UNIT, TOUCHING)):
         assert sampled(case_of(P, Q)).messages == []
 
@@ -126,7 +126,7 @@ def other_count(P: Any, Q: Any, scale: str, route: str = "paper") -> Any:
 
 
 class WithoutEvents:
-    """A dynamic sum that keeps its events to itself."""
+    """A dynamic sum that hides its events."""
 
     def __init__(self, *arguments: Any) -> None:
         self._right = _core.DynamicSum(*arguments)
@@ -211,7 +211,7 @@ def drifting(part: int) -> type[WithoutEvents]:
 
 
 class DriftingSum(WithoutEvents):
-    """The set is not updated."""
+    """A dynamic sum whose set is not updated."""
 
     def sum(self) -> Any:
         self._right.move_to("1/7")

@@ -1,4 +1,4 @@
-"""The laws of the sum as tests of a target: each is kept by the reference, and each breach is
+"""The laws of the sum as tests for a target: the reference keeps each law, and each breach is
 found."""
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ FAMILIES = ("random", "holes", "comb", "touching", "degenerate", "rational", "of
 
 
 def shifted(case: Case, by: int = 1) -> Answer:
-    """The sum of a target that moves it where P is not at the origin: it breaks translation."""
+    """A target's sum, moved if P is not at the origin: this breaks translation."""
     answer = SOUND.sum(case)
     assert answer.region is not None
     return answered(shape_text(moved(read_shape(answer.region.json), by, 0)), 0.0)

@@ -1,4 +1,4 @@
-"""`--ledger`: a run that is killed goes on; what is no ledger of the run is refused, and kept."""
+"""`--ledger`: a killed run goes on; a file that is no ledger of the run is refused, and kept."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def verify(faulty_sums: None, capsys: pytest.CaptureFixture[str]) -> Verify:
 
 
 def begun(*words: str | Path) -> AbstractContextManager[subprocess.Popen[Any]]:
-    """The same as a process of its own, which can be killed."""
+    """Begins the run as a separate process, which tests can kill."""
     quiet: Any = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     return started(program("verify", *words, "--json"), start_new_session=True, **quiet)
 
@@ -52,7 +52,7 @@ def lines_of(ledger: Path) -> list[str]:
 
 
 def wait_for_lines(process: subprocess.Popen[bytes], ledger: Path, count: int) -> bool:
-    """Whether it still runs when there are so many."""
+    """Whether the process still runs when the ledger has `count` lines."""
     end = time.monotonic() + 300
     while process.poll() is None and len(lines_of(ledger)) < count:
         assert time.monotonic() < end, f"no {count} lines in five minutes"

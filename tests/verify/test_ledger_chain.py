@@ -1,5 +1,5 @@
-"""A ledger is believed only as it was written: what is changed, added, moved or forged is refused,
-with its line, and the file is kept."""
+"""A ledger is believed only as written: changed, added, moved or forged lines are refused with
+their number, and the file is kept."""
 
 from __future__ import annotations
 
@@ -114,7 +114,8 @@ def test_a_line_that_is_not_as_it_was_written_is_refused_by_its_number(
 
 
 def test_lines_that_a_program_forges_without_the_key_are_refused(path: Path) -> None:
-    """By the plain hash chain, by a key of its own, and by the codes of lines that it has seen."""
+    """Forges lines with the plain hash chain, with another key, and with codes copied from other
+    lines."""
     lines = path.read_bytes().splitlines(keepends=True)
     plain = json.dumps({"number": 9, "spent": 0.0}, separators=(",", ":")).encode()
     seen = lines[-1][-35:-3]
@@ -144,7 +145,7 @@ def test_lines_of_another_ledger_are_refused(path: Path, tmp_path: Path) -> None
 
 
 def test_a_ledger_that_is_cut_off_anywhere_goes_on_from_its_whole_lines(path: Path) -> None:
-    """As after a kill at any moment; what is cut off is asked again."""
+    """Cuts the ledger as a kill at any moment would; the lost cases are asked again."""
     data = path.read_bytes()
     ends = [k for k, byte in enumerate(data) if byte == ord("\n")]
     near = {end + step for end in ends for step in (-1, 0, 1)}

@@ -1,5 +1,5 @@
-"""Numbers that others write are read by one grammar, in every place where one may stand: ASCII
-digits, no underscores, exponents of four digits at most. Any other text is refused at once."""
+"""One grammar reads other programs' numbers in every place: ASCII digits, no underscores, exponents
+of four digits at most. Any other text is refused at once."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def answer_of_a_function(text: Any) -> Fraction:
 
 
 def segment_of_a_function(text: Any) -> Fraction:
-    """A ring that is no region is looked at, too."""
+    """The function also looks at a ring that is no region."""
     region = region_of_rings({"polygons": [{"outer": [[text, "0"], ["9", "0"]], "holes": []}]})
     assert region.degenerate is not None
     return Fraction(region.degenerate[0])

@@ -217,7 +217,7 @@ def test_a_double_next_to_the_end_of_a_range_stands_for_it() -> None:
 
 
 def test_a_tolerance_is_of_the_obstacles() -> None:
-    """Within a tenth of the size all that is near a bound may be said; not what is far from it."""
+    """Within the tolerance of a bound a target may say either; farther away it must be right."""
     rough = Declaration("rough", arithmetic="float64", absolute=Fraction(1, 10))
     case = asked(literal(scales=["1/3", "1", "2", "9/2", "6"]))
     for near in (True, False):
@@ -269,7 +269,7 @@ def test_steps_are_smaller_and_cases() -> None:
 
 
 def test_there_are_cases_for_many_numbers() -> None:
-    """A drawn outline that is none is drawn again."""
+    """A drawn invalid outline is drawn again."""
     for index in range(3, 400, 4):
         assert case_in_a_hole(3170, index).obstacles.rings()
 

@@ -1,4 +1,4 @@
-"""The project's own baseline, and the known fault of CGAL 5.5 that it is there for."""
+"""The project's own baseline, and the known fault of CGAL 5.5 behind it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from thoroughness import draws
 
 BASELINE = Path(fuzz.__file__).parent / "baseline.json"
 
-# CGAL issue 5830: right is area 438.125 with one hole; CGAL 5.5 answers 440.5 without.
+# CGAL issue 5830: the right area is 438.125 with one hole; CGAL 5.5 answers 440.5 without a hole.
 P = "POLYGON((0 0,20 0,20 20,0 20,0 0),(6 12,7 16,11 16,9 14,8 14,7 12,6 12))"
 Q = "POLYGON((1 1,0 1,0 0,1 1))"
 

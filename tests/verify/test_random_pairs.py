@@ -1,4 +1,4 @@
-"""The generator of random pairs: deterministic, within its bounds, valid, varied."""
+"""The generator of random pairs: deterministic, within bounds, valid, varied."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Two runs into one report folder: the second is refused before it does anything, and the report is
-that of the first."""
+"""Two runs into one report folder: the second is refused before any work, and the first run's
+report stays."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A target that does not answer is asked no more, whatever the number of workers."""
+"""A target that stops answering is asked no more, whatever the number of workers."""
 
 from __future__ import annotations
 

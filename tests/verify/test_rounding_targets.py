@@ -1,5 +1,5 @@
-"""Targets of ours without exactness take any number, as the nearest that they hold, and are judged
-by the sandwich: no case is kept from them for its numbers."""
+"""Our inexact targets take any number, as the nearest one they can hold, and the sandwich judges
+them: numbers exclude no case."""
 
 from __future__ import annotations
 

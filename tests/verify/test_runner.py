@@ -169,7 +169,7 @@ def test_baseline_turns_a_wrong_into_known_and_the_exit_code_into_0(verify: Veri
 
 
 def test_baseline_of_another_target_version_or_fault_excuses_nothing(verify: Verify) -> None:
-    """Nor does one that lists one of two reasons."""
+    """Neither does a baseline with one of a fault's two reasons."""
     target, two_reasons = "py:faulty_sums:nothing", "py:faulty_sums:shifted"
     entries = (
         Entry("py:faulty_sums:other", "1.2.3", "component", "r"),

@@ -1,5 +1,5 @@
-"""A target that is asked the same again has to answer the same again, in the plane and in space:
-one that breaks the second time, or is wrong, is not let pass."""
+"""A target asked the same question again has to answer the same, in the plane and in space: a
+target that breaks or errs the second time does not pass."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ REJECTED = Answer(verdict=Verdict.WRONG, message="crosses itself")
 
 
 def asked_twice(family: str, seed: int) -> Case | SpaceCase:
-    """A case of those whose right answers are looked at again."""
+    """A case whose right answers are checked again."""
     names = (f"{family}:{seed}:{index}" for index in range(99))
     text = next(name for name in names if zlib.crc32(name.encode()) % ASKED_TWICE == 0)
     case = naming.load(CaseName(text, "test"))

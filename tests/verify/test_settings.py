@@ -17,7 +17,7 @@ BASE = 'targets = ["minkref:paper"]\npairs = 2\nmodels = false\njobs = 1\n'
 
 @pytest.fixture
 def library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with a folder in it, which is the current one."""
+    """A folder whose subfolder is the current folder."""
     (tmp_path / "tests").mkdir()
     monkeypatch.chdir(tmp_path / "tests")
     return tmp_path

@@ -48,7 +48,7 @@ FAR = {"outer": [[500, 700], [510, 700], [511, 707], [505, 711], [500, 705]]}
 
 
 def counts(finding: Any) -> tuple[int, int, int]:
-    """Vertices of P and Q, and holes of both."""
+    """Vertices of P and of Q, and both operands' holes."""
     found = []
     hole_count = 0
     for name in "PQ":
@@ -150,7 +150,7 @@ def test_a_time_out_is_made_small_by_few_and_short_calls(minkref: Any) -> None:
 
 
 def test_a_case_that_is_slow_but_answered_is_no_smaller_time_out(minkref: Any) -> None:
-    """With a quarter of a second it would be one."""
+    """A quarter of a second would make the case a time-out."""
     arguments = ("--pairs", "1", "--family", "random", "--no-models", "--call-seconds", "2")
     code, value, _ = minkref("verify", "py:faulty_sums:slow_if_small", *arguments)
     assert code == 3 and value["shrunk"] == []

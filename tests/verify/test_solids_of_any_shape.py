@@ -60,7 +60,7 @@ def test_a_fault_is_made_small(verify: Verify) -> None:
 
 
 def test_a_pass_by_single_points_is_in_the_notes(verify: Verify) -> None:
-    """An operand crosses itself: there is no exact sum. The answer is right."""
+    """A self-crossing operand has no exact sum. The answer is right."""
     one = cube((Fraction(1, 3), Fraction(0), Fraction(0)), Fraction(2))
     crossing = one.with_faces_of(one.translated((Fraction(1), Fraction(1), Fraction(1))))
     value = {"P": crossing.document(), "Q": one.document(), "scale": "1"}

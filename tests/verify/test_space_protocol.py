@@ -48,7 +48,7 @@ def verified(
 
 
 def test_three_factors_are_sent_as_a_list_and_one_as_a_text(outcomes: Outcomes) -> None:
-    """The adapter ends where they are not."""
+    """The adapter ends if the factors come otherwise."""
     said = outcomes(target_named("right"), literal(LARGE), literal("3/2"))
     assert [outcome.verdict for outcome in said] == [Verdict.PASS] * 2, said
 

@@ -55,7 +55,7 @@ def cases(value: Any) -> int:
 
 
 def test_as_many_cases_are_judged_as_asked_in_no_order(verify: Verify) -> None:
-    """Those that do not exist, or that no target takes, do not count."""
+    """Cases that do not exist, or that no target takes, do not count."""
     values = []
     for pairs, jobs in ((1, 1), (PAIRS, 1), (PAIRS, 2)):
         words = ("py:sums:convex", "--pairs", str(pairs), "--jobs", str(jobs), "--json")
@@ -101,7 +101,7 @@ def test_findings_come_first_and_each_once(verify: Verify, tmp_path: Path) -> No
 
 
 def test_places_of_code_scanning(verify: Verify, tmp_path: Path) -> None:
-    """A file of the current folder where there is one; else the name of the target."""
+    """Names a file of the current folder if possible, otherwise the target."""
     (tmp_path / "my_sums.py").write_text("from faulty_sums import loses_holes\n")
     for target, place in (
         ("py:my_sums:loses_holes", "my_sums.py"),

@@ -1,4 +1,4 @@
-"""The check of a witness in plain fractions: what holds, and every lie."""
+"""The check of witnesses in plain fractions: right witnesses hold, and no lie does."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def test_scale_belongs_to_the_first_operand() -> None:
 
 
 def test_operand_that_lies_inside_the_other_meets_it() -> None:
-    """No edges cross: one set holds the other whole."""
+    """No edges cross: one set contains the other."""
     big, small = box(-10, -10, 10, 10), box(-1, -1, 1, 1)
     assert not holds(big, small, "1", Witness(("0", "0"), False))
     assert not holds(small, big, "1", Witness(("0", "0"), False))

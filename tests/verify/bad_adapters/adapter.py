@@ -1,4 +1,4 @@
-"""A right adapter, each step of which a deliberately bad one may replace."""
+"""A right adapter; deliberately bad adapters replace single steps."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ CAPABILITIES = "plane non-convex holes components touching empty point segment r
 
 
 class Adapter:
-    """Right in all it does: exact, in the plane, with `at` and `update`."""
+    """A right, exact adapter for the plane, with `at` and `update`."""
 
     argument = ""
     arithmetic: Any = "exact"

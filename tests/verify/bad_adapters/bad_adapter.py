@@ -1,6 +1,7 @@
-"""An adapter that misbehaves in one way: `bad_adapter.py WAY [ARGUMENT]`.
+"""An adapter with one misbehaviour: `bad_adapter.py WAY [ARGUMENT]`.
 
-All but the named way is right: `right` alone answers with the exact sum. The ways are in `ways.py`.
+Everything except the named way is right: `right` alone answers with the exact sum. `ways.py` holds
+the ways.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""An adapter that is right, in one of many forms: `right_adapter.py FORM`."""
+"""A right adapter with a choice of forms: `right_adapter.py FORM`."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ form("grid-rings", lambda value: {"rings": [on_grid(r) for r in flat(value)["rin
 
 
 class Boundary(Adapter):
-    """The sum of the boundaries: the parallelograms of all pairs of edges."""
+    """The sum of the boundaries: the parallelograms of all edge pairs."""
 
     def hello(self) -> Set:
         return {**super().hello(), "name": "boundary", "sum": "boundary"}

@@ -1,4 +1,4 @@
-"""Ways in which an adapter may misbehave, each a class that changes one step of a right one."""
+"""Ways to misbehave, each a class that changes one step of a right adapter."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def way(name: str) -> Callable[[type[Adapter]], type[Adapter]]:
 
 
 def instead(verb: str, act: Callable[[Adapter, Set], Any]) -> Callable[[], Adapter]:
-    """At this verb, something else is done; nothing more is answered to it."""
+    """Does something else at this verb, and answers nothing more."""
     return _acting(verb, act, answers=False)
 
 
@@ -89,7 +89,7 @@ def hang(*_: Any) -> None:
     time.sleep(FOREVER)
 
 
-# --- it ends, or never answers
+# --- the adapter ends, or never answers
 for verb in ("hello", "load", "at"):
     WAYS[f"hangs-at-{verb}"] = instead(verb, hang)
     WAYS[f"segv-at-{verb}"] = instead(verb, lambda a, r: die(signal.SIGSEGV))
@@ -124,7 +124,7 @@ WAYS["answers-and-dies"] = instead("at", lambda a, r: (a.write(a.line(r) + "\n")
 WAYS["no-newline-and-dies"] = instead("at", lambda a, r: (a.write(a.line(r)), os._exit(0)))
 
 
-# --- a line that is no answer
+# --- lines that are no answers
 def with_numbers(text: str) -> Callable[[Adapter, Set], str]:
     ring = f"[[0, 0], [{text}, 0], [0, 1]]"
     return lambda a, r: (
@@ -186,7 +186,7 @@ WAYS["says-10-to-400"] = says("at", with_numbers("1" + "0" * 400))
 WAYS["says-exponent"] = says("at", with_numbers('"1e999999999"'))
 WAYS["says-exponent-number"] = says("at", with_numbers("1e999999999"))
 
-# --- lines that nobody asked for
+# --- unrequested lines
 WAYS["answers-twice"] = also("at", lambda a, r: a.write(a.line(r) + "\n"))
 
 
@@ -431,7 +431,7 @@ def parabola(count: int) -> list[list[int]]:
     return [[x, x * x] for x in range(count)]
 
 
-# Coordinates within the limit of digits, whose crossings are beyond it.
+# Coordinates within the digit limit, whose crossings exceed the limit.
 LONG = "9" * 9000
 WAYS["long-numbers-that-cross"] = results(
     lambda v, a: {
