@@ -1,4 +1,4 @@
-"""One browser for all pages."""
+"""A shared browser for all pages."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from minkref.reports.evidence.framework import browser as framework
 
 @pytest.fixture(scope="session")
 def started() -> Iterator[framework.Browser]:
-    """Which draws in space without a graphics card."""
+    """The browser, which draws in space without a graphics card."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(framework, "OPTIONS", (*framework.OPTIONS, "--enable-unsafe-swiftshader"))
         with framework.browser(1200, 1000) as browser:
@@ -19,7 +19,7 @@ def started() -> Iterator[framework.Browser]:
 
 @pytest.fixture
 def page_kept(started: framework.Browser) -> Iterator[framework.Browser]:
-    """The browser, with the page of the test before it, for tests that share one."""
+    """The browser with the previous test's page, for tests that share a page."""
     started.prefer("light")
     started.messages()
     yield started

@@ -1,4 +1,4 @@
-"""A reader of the data of the page with a disc of its own: what docs/command-line.md says of it."""
+"""An independent reader of the data of the page with a disc, written from docs/command-line.md."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from minkref.reports.evidence.pages.disc_rings import Piece, Point
 
 
 class DiscDecoder:
-    """Corners are those of halves with one end below the radius; from one that starts a part of the
-    boundary to the next along the walk, then on behind the twin of that."""
+    """Corners belong to halves with one end below the radius; walks from a half that starts a
+    boundary part to the next, then on behind that half's twin."""
 
     def __init__(self, data: dict[str, Any]) -> None:
         self.data = data

@@ -1,4 +1,4 @@
-"""A reader of the page's data of its own: what docs/command-line.md says of it, and no more."""
+"""An independent reader of the page's data, written from docs/command-line.md alone."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MADE: dict[tuple[str, ...], str] = {}  # pages of models and texts, which tests 
 
 
 def data_of(page: str) -> dict[str, Any]:
-    """The data in the text of a page."""
+    """The data inside a page's text."""
     found = re.search(r'<script id="data" type="application/json">(.*?)</script>', page, re.S)
     assert found
     value: dict[str, Any] = json.loads(found[1])
@@ -30,7 +30,7 @@ class Decoder:
         self.data = data
 
     def rings(self, state: int) -> dict[int, tuple[bool, int, int, list[int]]]:
-        """By slot: whether it is a hole's, component, hole, vertices as tracks."""
+        """Rings by slot: whether the ring bounds a hole, component, hole, vertices as tracks."""
         rings: dict[int, tuple[bool, int, int, list[int]]] = {}
         for change in self.data["states"][: state + 1]:
             if not change:
@@ -58,7 +58,7 @@ class Decoder:
         return coordinate(0), coordinate(1)
 
     def polygons(self, scale: float) -> Polygons:
-        """The sum in canonical order."""
+        """The sum, canonically ordered."""
         outer: dict[int, list[Point]] = {}
         holes: dict[int, list[list[Point]]] = {}
         for is_hole, component, _, vertices in self.rings(self.state_at(scale)).values():

@@ -1,4 +1,4 @@
-"""The page in headless Chromium: its rings against `minkref sum`, its controls, its marks."""
+"""The page with headless Chromium: its rings against `minkref sum`, its controls and marks."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ TEXT = "return document.getElementById(arguments[0]).textContent"
 
 
 def opened(window: Browser, page: Path) -> dict[str, Any]:
-    """Opens the page; its data."""
+    """Opens the page and returns its data."""
     window.prefer("light")
     window.open(page)
     window.run(DRAWN)

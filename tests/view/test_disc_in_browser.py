@@ -1,4 +1,5 @@
-"""The page with a disc in headless Chromium: its arcs against the sum, its controls, its marks."""
+"""The page with a disc, with headless Chromium: its arcs against the sum, its controls and
+marks."""
 
 from __future__ import annotations
 
@@ -28,7 +29,7 @@ L = "POLYGON ((0 0, 8 0, 8 1, 1 1, 1 5, 0 5, 0 0))"
 
 
 def opened(window: Browser, folder: Path, P: str) -> dict[str, Any]:
-    """Opens the page of P and a disc; its data."""
+    """Opens the page of P and a disc, and returns its data."""
     page = page_of(folder, P, "disc")
     window.prefer("light")
     window.open(page)
@@ -165,7 +166,7 @@ def test_places_of_the_diagram_have_two_nearest_points(
 
 
 def _on_part(part: dict[str, Any], share: float) -> list[float]:
-    """A line, or a curve with three points that tell it."""
+    """A point of a line, or of a curve given by three points."""
     start, end = part["from"], part["to"]
     rest = 1 - share
     if part["bend"] is None:
@@ -175,7 +176,7 @@ def _on_part(part: dict[str, Any], share: float) -> list[float]:
 
 
 def _foot(at: list[float], p: list[float], q: list[float]) -> list[float]:
-    """The point of a segment that is nearest."""
+    """The nearest point on a segment."""
     way = [q[k] - p[k] for k in (0, 1)]
     along = sum((at[k] - p[k]) * way[k] for k in (0, 1)) / sum(w * w for w in way)
     return [p[k] + min(max(along, 0.0), 1.0) * way[k] for k in (0, 1)]

@@ -1,4 +1,4 @@
-"""The data of the page, decoded by a reader of its own, against `minkref sum`."""
+"""The page's data, decoded by an independent reader, against `minkref sum`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tight passages are in the pages and pictures: they have no area, so nothing else shows them."""
+"""Pages and pictures show tight passages: passages have no area, so nothing else shows them."""
 
 from __future__ import annotations
 

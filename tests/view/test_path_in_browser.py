@@ -54,8 +54,8 @@ def press(window: Browser, key: str) -> None:
 
 
 def agrees(window: Browser, data: dict[str, Any], shapes: tuple[Any, Any], way: Any) -> None:
-    """Random places and scales of the page, against the valid scales of the place alone, which are
-    those of no polygon of the path."""
+    """Compares random places and scales on the page with each place's own valid scales, which do
+    not come from the path's polygons."""
     part, obstacles = shapes
     dice = random.Random("2012")
     low, high = (about for _, about in data["window"])

@@ -1,4 +1,4 @@
-"""Changes between states of rings: exact, and no larger than what is new."""
+"""Changes between states of rings: exact, and no larger than the new content."""
 
 from __future__ import annotations
 

@@ -130,7 +130,7 @@ def test_each_frame_is_the_sum_found_from_scratch(
 
 
 def drawn_off(operands: Any, frame: Any, true: _core.ConvexSum) -> float:
-    """How far from its place a vertex is drawn, in sizes of the sum."""
+    """The largest distance of a drawn vertex from its place, relative to the sum's size."""
     pairs = zip(frame["pairs"][::2], frame["pairs"][1::2], strict=True)
     far = 0.0
     for (p, q), point in zip(pairs, true.surface.points(), strict=True):
@@ -294,7 +294,7 @@ def test_people_are_told_what_is_in_the_page(
         assert word in told
 
 
-# The page in a browser.
+# The page, with a browser.
 
 in_browser = pytest.mark.skipif(
     framework.absent() is not None, reason=f"no browser: {framework.absent()}"
@@ -318,7 +318,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def made_once(folder: Path, name: str, *words: str) -> tuple[Path, dict[str, Any]]:
-    """The page of solids of the folder or models, and the document of the command."""
+    """The page for solids from the folder or for models, and the command's document."""
     page, kept = folder / f"{name}.html", folder / f"{name}.json"
     if not kept.exists():
         said = io.StringIO()
@@ -333,7 +333,7 @@ CUBES = ("cubes", "cube.off", "octahedron.off")
 
 
 def opened(window: framework.Browser, page: Path) -> None:
-    """Where it is not open already: to load it costs most."""
+    """Opens the page unless it is open already: loading costs most."""
     if window.current_url == page.resolve().as_uri():
         return
     window.open(page)
@@ -352,7 +352,7 @@ def slide(window: framework.Browser, frame: int) -> None:
 
 
 def coloured(window: framework.Browser, plot: str, shot: Path) -> dict[str, float]:
-    """Shares of a picture's pixels that are blue, orange, red, and other than its ground."""
+    """Shares of a picture's pixels that are blue, orange, red, and different from the ground."""
     from matplotlib.image import imread
 
     SHOTS.mkdir(parents=True, exist_ok=True)
@@ -494,7 +494,7 @@ def test_exact_coordinates_and_parents_are_those_of_the_sum(
 
 @in_browser
 def test_the_page_is_not_wider_than_the_window(page_kept: framework.Browser, folder: Path) -> None:
-    """Which is made narrow and wide; in a thorough run the page is opened in each."""
+    """Makes the window narrow and wide; a thorough run opens the page at each width."""
     window = page_kept
     opened(window, made_once(folder, *WALK)[0])
     for width in (400, 1280):

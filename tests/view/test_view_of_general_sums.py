@@ -1,5 +1,5 @@
-"""`minkref view` of polyhedra of any shape: what the page holds against `minkref sum`, and the cut
-in headless Chromium."""
+"""`minkref view` with general polyhedra: the page's content against `minkref sum`, and the cut with
+headless Chromium."""
 
 from __future__ import annotations
 
@@ -220,7 +220,7 @@ SECTION = """const data = document.getElementById('plot-sum').data;
 def test_the_axis_follows_the_frame_and_a_cut_lays_the_cavity_open(
     window: framework.Browser, view: View, files: dict[str, str]
 ) -> None:
-    """On one page: to load it costs most."""
+    """Uses a single page: loading costs most."""
     page, value = view(files["hollow"], files["cube"], *WINDOW)
     last = len(value["frames"]) - 1
     assert value["frames"][last]["cavities"] == 1
