@@ -31,8 +31,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leaves out what only a thorough run takes: each of these has a smaller sibling that stays.
-    Puts first what waits for processes and clocks: what computes fills the time beside it."""
+    """Omits tests marked thorough: each of them has a smaller sibling that stays. Puts tests that
+    wait for processes and clocks first: other tests fill the time beside them."""
     items.sort(key=lambda item: item.path.parent.name not in WAITING)
     if THOROUGH:
         return
@@ -42,7 +42,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_collection_finish() -> None:
-    """Thousands of tests stay to the end: no collection of garbage looks at them again."""
+    """Thousands of tests live to the end: spares them from further garbage collections."""
     gc.collect()
     gc.freeze()
 
@@ -52,7 +52,7 @@ def pytest_report_header() -> str:
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Prints the seconds of each room, all processes together, and keeps them where asked to."""
+    """Prints the seconds of each room, all processes together, and stores them on request."""
     reports = [r for kind in terminalreporter.stats.values() for r in kind]
     seconds: Counter[str] = Counter()
     for report in reports:
@@ -67,7 +67,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 
 def _of_ctest() -> Counter[str]:
-    """Seconds of the C++ tests by room, as ctest has kept them."""
+    """Seconds of the C++ tests by room, according to ctest."""
     seconds: Counter[str] = Counter()
     for line in COSTS.read_text(encoding="utf-8").splitlines():
         name, _, cost = line.rpartition(" ")
@@ -93,14 +93,14 @@ def _with_seconds(text: str, python: Counter[str], cpp: Counter[str]) -> str:
 
 
 def pytest_configure() -> None:
-    """A process that a shell began in the background ignores interrupts, and so would all that it
-    starts: tests of Ctrl-C would wait for the end of works that have none."""
+    """Restores interrupts: background processes of a shell ignore them, and so would all their
+    children, so that tests of Ctrl-C would wait for endless work."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_make_parametrize_id(val: object) -> str | None:
-    """The name of a parameter without a name of its own: the text of a lambda, the `repr` of a
-    value of `minkref._core`."""
+    """The name of a parameter without a given name: a lambda's text, or the `repr` of a
+    `minkref._core` value."""
     if isinstance(val, FunctionType) and val.__name__ == "<lambda>":
         return _text_of(val)
     if type(val).__module__ == "minkref._core":
@@ -109,7 +109,7 @@ def pytest_make_parametrize_id(val: object) -> str | None:
 
 
 def _text_of(function: FunctionType) -> str | None:
-    """The body of a lambda as it is written, and what it was made with, cut short."""
+    """A lambda's body as written, and its captured values, cut short."""
     code = function.__code__
     places = [(a, b, c, d) for a, b, c, d in code.co_positions() if a and b and c and d]
     if not places:
