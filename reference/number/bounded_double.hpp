@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/fault.hpp"
 #include "reference/number/rational.hpp"
 
 namespace minkref {
@@ -76,9 +75,7 @@ struct BoundedDouble {
   }
   static BoundedDouble rounded(double value, double inherited, bool exact) {
     const double magnitude = std::abs(value);
-    if (planted(Fault::underflow_taken_for_exact)) exact = inherited == 0;
     if (exact && magnitude < most_exact) return {value, 0};
-    if (planted(Fault::own_rounding_unbounded)) return {value, enlarged(inherited)};
     return {value, enlarged(inherited + magnitude * unit)};
   }
 };

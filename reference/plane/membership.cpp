@@ -2,7 +2,6 @@
 #include <array>
 
 #include "reference/error.hpp"
-#include "reference/fault.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/location.hpp"
@@ -167,7 +166,6 @@ struct Membership::Impl {
         q_tree, [&](const Box& a, const Box& b) { return a.overlaps(minkref::reflected(b, box)); },
         [&](std::uint32_t i, std::uint32_t j) {
           const Contact contact = meet(p[i], reflected(q[j], x));
-          if (contact == Contact::touching && planted(Fault::touching_is_apart)) return false;
           if (contact > result.contact) {
             result.contact = contact;
             found = {i, j};

@@ -8,7 +8,6 @@
 
 #include "reference/disc/convolution/arc_winding.hpp"
 #include "reference/disc/region/disjoint_sets.hpp"
-#include "reference/fault.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -40,8 +39,7 @@ class ConvolutionBoundary {
   }
   /// The sum on the left, its complement on the right.
   bool is_boundary(std::uint32_t half_edge) const {
-    const int outside = planted(Fault::winding_off_by_one) ? 1 : 0;
-    return winding(half_edge) > outside && winding(half_edge ^ 1U) == outside;
+    return winding(half_edge) > 0 && winding(half_edge ^ 1U) == 0;
   }
 
   void find_components() {

@@ -7,7 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "reference/fault.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
 
 namespace minkref::inline disc {
@@ -170,7 +169,7 @@ class ConvolutionCurves {
     if (turn >= 0) {
       arcs.push_back({from, to, 1});
     } else {
-      arcs.push_back({to, from, planted(Fault::reflex_arc_forwards) ? 1 : -1});
+      arcs.push_back({to, from, -1});
     }
   }
 

@@ -6,8 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "reference/fault.hpp"
-
 namespace minkref::inline disc {
 namespace {
 
@@ -81,8 +79,7 @@ class Builder {
 
   void add_edge(const Corner& from, const Corner& to, std::uint32_t polygon) {
     const Direction along = from_to(from.at, to.at);
-    Direction normal{along.y, -along.x};
-    if (planted(Fault::edges_moved_inwards)) normal = reversed(normal);
+    const Direction normal{along.y, -along.x};
     const std::uint32_t start = circle_about(from.at), end = circle_about(to.at);
     const auto number = static_cast<std::uint32_t>(curves_.edges.size());
     const std::uint32_t feature = line_of(from.at, along, number);

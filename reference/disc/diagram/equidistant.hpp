@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "reference/disc/curves/patch_numbers.hpp"
-#include "reference/fault.hpp"
 
 namespace minkref::inline disc {
 
@@ -118,7 +117,7 @@ class EquidistantPoints {
     if (discriminant < 0) return found;
     const N root = sqrt(N(discriminant));
     add((N(B) + root) / N(A));
-    if (!planted(Fault::second_place_missed)) add((N(B) - root) / N(A));
+    add((N(B) - root) / N(A));
     return found;
   }
 

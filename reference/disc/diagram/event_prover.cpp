@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "reference/fault.hpp"
-
 namespace minkref::inline disc {
 namespace {
 
@@ -100,11 +98,7 @@ bool EventProver::are_one(const DiagramEvent& a, const DiagramEvent& b) const {
 }
 
 const Equidistant<RootNumber>& EventProver::exact(const DiagramEvent& event) {
-  if (!exact_) {
-    const auto places = equidistant_places<RootNumber>(curves_, event.of);
-    const bool is_other = planted(Fault::event_on_other_branch);
-    exact_ = places.at(is_other ? places.size() - 1 - event.branch : event.branch);
-  }
+  if (!exact_) exact_ = equidistant_places<RootNumber>(curves_, event.of).at(event.branch);
   return *exact_;
 }
 
@@ -152,8 +146,7 @@ bool EventProver::add(std::uint32_t number, DiagramEvent& event, std::set<std::u
     const std::uint32_t feature = at_start ? edge.start_feature : edge.end_feature;
     if (!is_of(feature)) order = distance_order(at_start ? edge.start : edge.end, event);
     if (order == 0) found.insert(feature);
-    if (order == 0 && (after_start == 0 || after_end == 0) && !planted(Fault::joint_missed) &&
-        is_in_front(number, event)) {
+    if (order == 0 && (after_start == 0 || after_end == 0) && is_in_front(number, event)) {
       found.insert(edge.feature);
       if (after_end == 0) edge_of_line_[edge.feature] = number;
       edge_of_line_.try_emplace(edge.feature, number);

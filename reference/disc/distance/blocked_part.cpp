@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "reference/error.hpp"
-#include "reference/fault.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -16,7 +15,7 @@ Interval near(const Interval& value) { return value; }
 Interval near(const RootNumber& value) { return value.enclosure(); }
 
 std::vector<BlockedPart> touch(const PatchPlace& place) {
-  if (place.at != At::inside || planted(Fault::touch_not_cut)) return {};
+  if (place.at != At::inside) return {};
   return {{place, place}};
 }
 
@@ -212,7 +211,7 @@ bool PatchesAt::may_be_ridge(std::uint32_t patch, std::uint32_t by) const {
 /// The part where another edge's offset line coincides, run the other way: the sum lies on both
 /// sides.
 std::optional<BlockedPart> PatchesAt::ridge(std::uint32_t patch, std::uint32_t number) const {
-  if (planted(Fault::ridge_left_free) || !may_be_ridge(patch, number)) return std::nullopt;
+  if (!may_be_ridge(patch, number)) return std::nullopt;
   const OffsetEdge &own = curves_.edges[curves_.patches[patch].edge], &by = curves_.edges[number];
   const Rational way = dot(by.along, own.along);
   const Direction across = from_to(by.start, own.start);
@@ -292,7 +291,6 @@ std::vector<BlockedPart> PatchesAt::blocked_of_arc(std::uint32_t patch, std::uin
   if (!low) return {{At::before, *high}};
   if (!high) return {{*low, At::beyond}};
   if (order(*low_key, *high_key) < 0) return {{*low, *high}};
-  if (planted(Fault::arc_blocked_once)) return {{*low, At::beyond}};
   return {{At::before, *high}, {*low, At::beyond}};
 }
 

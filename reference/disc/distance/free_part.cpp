@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/fault.hpp"
-
 namespace minkref::inline disc {
 
 std::vector<FreePart> free_parts(const PatchesAt& at, std::uint32_t patch,
@@ -18,7 +16,7 @@ std::vector<FreePart> free_parts(const PatchesAt& at, std::uint32_t patch,
   PatchPlace reach = PatchPlace::At::start;
   for (const BlockedPart& part : blocked) {
     if (comes_before(reach, part.low)) found.push_back({patch, reach, part.low});
-    if (planted(Fault::blocked_end_dropped) || comes_before(reach, part.high)) reach = part.high;
+    if (comes_before(reach, part.high)) reach = part.high;
   }
   if (reach.at < PatchPlace::At::end) found.push_back({patch, reach, PatchPlace::At::end});
   return found;

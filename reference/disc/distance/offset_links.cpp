@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "reference/fault.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 
 namespace minkref::inline disc {
@@ -30,9 +29,7 @@ std::vector<std::uint32_t> offset_links(const PatchesAt& at, const std::vector<F
         const auto turns_before = [&](std::uint32_t a, std::uint32_t b) {
           return at.turns_before(part.patch, x, parts[a].patch, parts[b].patch);
         };
-        near = {planted(Fault::other_wedge_at_corner)
-                    ? *std::max_element(near.begin(), near.end(), turns_before)
-                    : *std::min_element(near.begin(), near.end(), turns_before)};
+        near = {*std::min_element(near.begin(), near.end(), turns_before)};
       }
     }
     if (near.empty()) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "reference/fault.hpp"
-
 namespace minkref::inline disc {
 namespace {
 
@@ -129,7 +127,7 @@ bool FeaturePair::is_on(const PairContact& contact, std::size_t which) {
 /// Finds the side: along the edge from the centre's foot, or on the left from one centre to the
 /// other. Nonparallel edges have a single branch.
 void FeaturePair::find_branch(PairContact& contact) {
-  if (kind_ == Kind::edges || planted(Fault::branches_alike)) {
+  if (kind_ == Kind::edges) {
     contact.branch = 1;
   } else if (kind_ != Kind::parallel_edges && contact.slot != ContactSlot::tangent) {
     const bool are_arcs = kind_ == Kind::arcs;

@@ -4,7 +4,6 @@
 
 #include "reference/disc/region/disjoint_sets.hpp"
 #include "reference/error.hpp"
-#include "reference/fault.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 
 namespace minkref::inline disc {
@@ -52,8 +51,7 @@ std::vector<std::uint32_t> joined_polygons(const PatchesAt& at, std::size_t poly
       tree.query(grown(boxes[k], reach), [&](std::uint32_t l) {
         if (l <= k || joined.root(edges[k].polygon) == joined.root(edges[l].polygon)) return false;
         const int found = order(k, l);
-        if (found < 0 || (found == 0 && are_facing(edges[k], edges[l]) &&
-                          !planted(Fault::facing_polygons_apart))) {
+        if (found < 0 || (found == 0 && are_facing(edges[k], edges[l]))) {
           joined.join(edges[k].polygon, edges[l].polygon);
         }
         return false;

@@ -7,7 +7,6 @@
 #include "reference/build/stage.hpp"
 #include "reference/disc/distance/near_edges.hpp"
 #include "reference/error.hpp"
-#include "reference/fault.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 
@@ -99,8 +98,7 @@ class PatchLeft {
       if (order(low, high) > 0) continue;
       found_.marked.push_back({patch_, low});
       found_.marked.push_back({patch_, high});
-      if (order(low, high) < 0 && !planted(Fault::tight_segment_missed))
-        found_.ridges.push_back({patch_, by, low, high});
+      if (order(low, high) < 0) found_.ridges.push_back({patch_, by, low, high});
     }
   }
 
@@ -204,8 +202,7 @@ class PassagesOfDisc {
           marks.query(box_of(at_.position(lone.patch, lone.place)), [&](std::uint32_t k) {
             return are_same(x, at_.point(found_.marked[k].patch, found_.marked[k].place));
           });
-      if (!goes_on || planted(Fault::corner_taken_for_tight))
-        points.push_back({{x}, contacts(lone, x)});
+      if (!goes_on) points.push_back({{x}, contacts(lone, x)});
     }
     sort_and_unite(points);
     return points;

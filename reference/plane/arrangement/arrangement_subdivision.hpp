@@ -2,7 +2,6 @@
 // nodes.
 #pragma once
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 
@@ -54,7 +53,6 @@ void Arrangement<K>::subdivide(const Meet& meet) {
     for (auto c = begin; c != end && c + 1 != end; ++c) {
       if (find(contacts[c[0]].point) == find(contacts[c[1]].point)) continue;
       if (kernel_.compare(contacts[c[0]].position, contacts[c[1]].position) != 0) continue;
-      if (planted(Fault::concurrent_crossings_apart)) continue;
       const std::uint32_t a = find(contacts[c[0]].point), b = find(contacts[c[1]].point);
       parent_[std::max(a, b)] = std::min(a, b);  // a vertex represents before a crossing does
     }

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <vector>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/kernel/direction_order.hpp"
@@ -95,7 +94,6 @@ class SegmentContacts {
       return;
     }
     // One end lies on the other segment's line, and the lines differ.
-    if (planted(Fault::end_on_segment_missed)) return;
     if (b0 == 0 && a0 * a1 < 0) on_segment(b.from, i);
     if (b1 == 0 && a0 * a1 < 0) on_segment(b.to, i);
     if (a0 == 0 && b0 * b1 < 0) on_segment(a.from, j);
@@ -127,7 +125,6 @@ class SegmentContacts {
     for (const std::uint32_t end : {segments_[j].from, segments_[j].to}) {
       if (strictly_inside(end, i)) on_segment(end, i);
     }
-    if (planted(Fault::overlap_cut_on_one_side)) return;
     for (const std::uint32_t end : {segments_[i].from, segments_[i].to}) {
       if (strictly_inside(end, j)) on_segment(end, j);
     }

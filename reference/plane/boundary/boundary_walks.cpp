@@ -3,7 +3,6 @@
 #include <functional>
 #include <numeric>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/no_entry.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
@@ -22,7 +21,7 @@ class WalkFinder {
 
   Walks find() {
     Walks result;
-    const Cycles interior = cycles(!planted(Fault::pinch_paired_across));
+    const Cycles interior = cycles(true);
     std::vector<std::uint32_t> walk_of(graph_.edges.size());
     for (std::uint32_t w = 0; w < interior.first.size(); ++w) {
       Walk& walk = result.walks.emplace_back();
@@ -39,7 +38,6 @@ class WalkFinder {
     for (std::uint32_t w = 0; w < exterior.first.size(); ++w) {
       result.holes += !opens_to_the_left(exterior, w, false);
     }
-    if (planted(Fault::holes_as_rings)) result.holes = result.walks.size() - result.components;
     return result;
   }
 
@@ -160,9 +158,7 @@ class WalkFinder {
         continue;
       }
       const std::uint32_t edge = nearest_to_the_left(interior.least[w]);
-      walk.component = edge == no_entry || planted(Fault::hole_in_first_polygon)
-                           ? 0
-                           : result.walks[walk_of[edge]].component;
+      walk.component = edge == no_entry ? 0 : result.walks[walk_of[edge]].component;
     }
   }
 

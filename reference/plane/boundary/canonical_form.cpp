@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
@@ -18,7 +17,7 @@ std::vector<std::vector<std::uint32_t>> simple_rings(const std::vector<std::uint
   for (const std::uint32_t point : walk) {
     look_for_interrupt();
     const auto found = position.find(point);
-    if (found != position.end() && !planted(Fault::pinch_not_split)) {
+    if (found != position.end()) {
       auto& ring =
           rings.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(found->second), open.end());
       for (const std::uint32_t p : ring) position.erase(p);
@@ -56,8 +55,7 @@ class RingBuilder {
       look_for_interrupt();
       // The rings are simple, so a vertex on the line of its neighbours lies between the two.
       if (orientation(points_[indices[(i + n - 1) % n]], points_[indices[i]],
-                      points_[indices[(i + 1) % n]]) != 0 ||
-          planted(Fault::collinear_vertex_kept)) {
+                      points_[indices[(i + 1) % n]]) != 0) {
         kept.push_back(indices[i]);
       }
     }

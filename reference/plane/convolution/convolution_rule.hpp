@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/convolution/between.hpp"
 #include "reference/plane/convolution/convolution.hpp"
@@ -27,7 +26,7 @@ inline TurnEnds ends_for_s_edges(Between between) {
 }
 inline TurnEnds ends_for_t_edges(Between between) {
   if (between != Between::half_open) return ends_for_s_edges(between);
-  return planted(Fault::turn_ends_alike) ? TurnEnds::first_included : TurnEnds::last_included;
+  return TurnEnds::last_included;
 }
 
 namespace detail {
@@ -46,7 +45,7 @@ std::vector<DirectedEdge<K>> edges_by_angle(const K& kernel,
   for (std::uint32_t r = 0; r < operand.rings.size(); ++r) {
     const auto& ring = operand.rings[r];
     if (ring.size() < 2) continue;  // a point has no edges
-    for (std::uint32_t i = planted(Fault::last_edge_forgotten) ? 1 : 0; i < ring.size(); ++i) {
+    for (std::uint32_t i = 0; i < ring.size(); ++i) {
       edges.push_back({typename K::Vector(ring[(i + 1) % ring.size()] - ring[i]), {r, i}});
     }
   }
@@ -110,15 +109,9 @@ void compatible_pairs(const K& kernel, const std::vector<detail::DirectedEdge<K>
       if (turn > 0 || reversal) {
         detail::edges_in_turn(kernel, edges_of_x, in, out, ends,
                               [&](const auto& edge) { report(edge.start, vertex, 1); });
-      } else if (turn < 0 && (full || planted(Fault::reflex_vertices_kept))) {
+      } else if (turn < 0 && full) {
         detail::edges_in_turn(kernel, edges_of_x, out, in, ends,
                               [&](const auto& edge) { report(edge.start, vertex, -1); });
-      } else if (turn == 0 && planted(Fault::straight_vertices_kept)) {
-        for (const auto& edge : edges_of_x) {
-          if (kernel.turn(in, edge.direction) == 0 && same_way(kernel, in, edge.direction)) {
-            report(edge.start, vertex, 1);
-          }
-        }
       }
     }
   }

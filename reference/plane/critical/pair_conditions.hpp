@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 
-#include "reference/fault.hpp"
 #include "reference/plane/moving/moving_edge.hpp"
 
 namespace minkref::inline plane {
@@ -47,9 +46,7 @@ PairConditions<typename K::Wide> pair_conditions(const K& kernel,
     return s_edge ? HalfLine<W>{W(c - along.slope), W(-along.value)}
                   : HalfLine<W>{W(-along.slope), W(c - along.value)};
   };
-  const bool exchanged = planted(Fault::length_of_other_edge);
-  result.half_lines = {A, rest(A, (exchanged ? b : a).is_s()), B,
-                       rest(B, (exchanged ? a : b).is_s())};
+  result.half_lines = {A, rest(A, a.is_s()), B, rest(B, b.is_s())};
   return result;
 }
 

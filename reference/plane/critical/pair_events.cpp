@@ -4,7 +4,6 @@
 #include <limits>
 #include <tuple>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
@@ -124,13 +123,12 @@ class PairSearch {
   void pair(std::uint32_t a, std::uint32_t b) {
     const auto conditions = pair_conditions(kernel_, edges_[a], edges_[b]);
     if (conditions.turn == 0) return parallel(a, b);
-    const auto interval = form_ == Form::corrected && !planted(Fault::printed_interval)
+    const auto interval = form_ == Form::corrected
                               ? intersection_of_half_lines<K>(kernel_, conditions.half_lines)
                               : printed_rule(kernel_, conditions.half_lines);
     if (!meets_window(interval)) return;
     keep(a, b, MeetingPair::Kind::crossing);
     if (interval.is_point(kernel_)) {
-      if (planted(Fault::touching_pairs_dropped)) return;
       ++result_.touching_pairs;
       add(a, b, *interval.lower, Change::touch, false);
       return;
@@ -145,7 +143,6 @@ class PairSearch {
     const ParallelPair<K> pair = parallel_pair(kernel_, edges_[a], edges_[b]);
     if (pair.lines == Lines::one_line_at_one_scale) {
       if (pair.meeting == Meeting::never || outside(pair.scale)) return;
-      if (planted(Fault::parallel_overlap_dropped)) return;
       ++result_.parallel_pairs;
       keep(a, b, MeetingPair::Kind::one_line_at_a_scale);
       add(a, b, {0, pair.scale},

@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "reference/fault.hpp"
 #include "reference/plane/critical/scale_interval.hpp"
 
 namespace minkref::inline plane {
@@ -69,15 +68,7 @@ ParallelPair<K> parallel_pair(const K& kernel, const MovingEdge<typename K::Vect
                            : K::parameter(distance.value, W(-distance.slope));
   const int first = kernel.sign_of_linear(reached.slope, reached.value, result.scale);
   const int second = kernel.sign_of_linear(left.slope, left.value, result.scale);
-  const auto within = [&] {  // b, seen along a
-    const W shorter = spans.a_length.slope - spans.b_to.slope,
-            by = spans.a_length.value - spans.b_to.value;
-    return kernel.sign_of_linear(spans.b_from.slope, spans.b_from.value, result.scale) >= 0 &&
-           kernel.sign_of_linear(shorter, by, result.scale) >= 0;
-  };
-  if (planted(Fault::containment_on_line_missed) && within()) {
-    result.meeting = Meeting::never;
-  } else if (first < 0 || second < 0) {
+  if (first < 0 || second < 0) {
     result.meeting = Meeting::never;
   } else {
     result.meeting = first == 0 || second == 0 ? Meeting::touching : Meeting::overlapping;

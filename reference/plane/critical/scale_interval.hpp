@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 
-#include "reference/fault.hpp"
 #include "reference/plane/critical/pair_conditions.hpp"
 
 namespace minkref::inline plane {
@@ -42,7 +41,6 @@ ScaleInterval<K> intersection_of_half_lines(const K& kernel,
     if (rises > 0) {
       if (at_zero >= 0) continue;  // holds for all s > 0
       const auto root = K::parameter(W(-value), slope);
-      if (result.lower && planted(Fault::first_lower_bound_only)) continue;
       if (!result.lower || kernel.compare(root, result.lower->scale) > 0) result.lower = {i, root};
     } else {
       if (at_zero <= 0) return {};

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/critical/event_scale.hpp"
 #include "reference/plane/critical/parallel_pair.hpp"
@@ -204,10 +203,7 @@ void ArrangementEvents::order() {
         return x.first < y.first;
       });
       for (std::size_t i = 0; i < run.size(); ++i) {
-        const bool equal =
-            !planted(Fault::equal_scales_apart) &&
-            (planted(Fault::near_scales_together) || (i > 0 && run[i - 1].first == run[i].first));
-        if (i == 0 || !equal) open(run[i].second);
+        if (i == 0 || run[i - 1].first != run[i].first) open(run[i].second);
         assign(run[i].second);
       }
     }

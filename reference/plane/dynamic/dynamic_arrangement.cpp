@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "reference/error.hpp"
-#include "reference/fault.hpp"
 #include "reference/no_entry.hpp"
 #include "reference/number/float_environment.hpp"
 
@@ -38,7 +37,7 @@ StepReport DynamicArrangement::move_to(const Rational& scale) {
   const std::uint32_t target = 2 * location.before + (location.at ? 1 : 0);
   const std::size_t before = lists_.size();
   const ChangeCounts counts = lists_.move_to(target);
-  if (place != target || !planted(Fault::stale_position)) scale_ = scale;
+  scale_ = scale;
   StepReport report;
   report.insertions = counts.insertions;
   report.deletions = counts.deletions;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <span>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/dynamic/edge_happenings.hpp"
 #include "reference/plane/dynamic/sub_edge_status.hpp"
@@ -257,7 +256,6 @@ struct EdgeSweep::Impl {
   }
 
   Status decided(std::size_t j, const Group& g) {
-    if (planted(Fault::status_guessed) && j > 0) return status[j - 1];
     return decide.between(list[j], list[j + 1], g.group, g.next);
   }
 
@@ -284,7 +282,7 @@ struct EdgeSweep::Impl {
                                        {events.exact(g.group), events.approximate(g.group)},
                                        g.overlaps) == Status::boundary
                            : was && is;
-      if (!now || planted(Fault::boundary_piece_at_event_lost)) continue;
+      if (!now) continue;
       out->at_groups.push_back({g.group, edge.edge(), edge.name(stretch.from),
                                 edge.name(stretch.to), g.old_sub_edge[stretch.before],
                                 sub_edge[stretch.after]});

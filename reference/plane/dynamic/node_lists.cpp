@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "reference/fault.hpp"
-
 namespace minkref::inline plane {
 
 NodeLists::NodeLists(const ArrangementTimeline& timeline)
@@ -129,7 +127,6 @@ void NodeLists::walk(std::uint32_t place) {
   const auto apply = [&](const PackedChange& change) {
     const Kind kind = change.kind();
     if (kind == Kind::swap || kind == Kind::settling) {
-      if (!up && planted(Fault::order_not_updated)) return;
       std::uint32_t* at =
           slots_.data() + first_slot_[timeline_.edge_of_node[change.node]] + change.rank();
       std::swap(at[0], at[1]);

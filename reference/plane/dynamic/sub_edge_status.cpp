@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "reference/fault.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 #include "reference/plane/moving/double_range.hpp"
@@ -130,7 +129,7 @@ Status SubEdgeStatus::at(std::uint32_t x, std::uint32_t y, const SampleScale& sa
       std::any_of(one_line.begin(), one_line.end(), against) ||
       std::any_of(overlaps.begin(), overlaps.end(), against) ||
       (may_hide_passages_ && sum_on_the_right(swept_.moving(), point, sample.scale, interior_));
-  return tight && !planted(Fault::tight_taken_for_boundary) ? Status::tight : Status::boundary;
+  return tight ? Status::tight : Status::boundary;
 }
 
 Status SubEdgeStatus::between(std::uint32_t x, std::uint32_t y, std::uint32_t low,

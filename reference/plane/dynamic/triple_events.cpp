@@ -5,7 +5,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/convolution/convolution_segments.hpp"
@@ -138,12 +137,6 @@ class Search {
 
   void decide(std::uint32_t edge, std::size_t i, std::size_t j) {
     if (change_places_at_ends(edge, i, j)) return;
-    const auto is_s = [&](std::size_t k) {
-      return edges_[table_.nodes[columns_.node[k]].other].is_s();
-    };
-    if (planted(Fault::triple_of_s_edges_skipped) && edges_[edge].is_s() && is_s(i) && is_s(j)) {
-      return;
-    }
     const auto [slope, value] = position_difference<K>(positions_[i], positions_[j]);
     const int rises = wide_sign(slope);
     if (rises == 0 || wide_sign(value) * rises >= 0) return;
@@ -202,7 +195,7 @@ class Search {
       auto known = result.rbegin();
       while (known != result.rend() && same_triple(*known) && !same_scale(*known, event)) ++known;
       if (known != result.rend() && same_triple(*known)) {
-        if (!planted(Fault::swap_on_one_edge_only)) known->swaps |= event.swaps;
+        known->swaps |= event.swaps;
       } else {
         result.push_back(event);
       }

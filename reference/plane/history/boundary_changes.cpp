@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "reference/fault.hpp"
-
 namespace minkref::inline plane {
 namespace {
 
@@ -100,12 +98,11 @@ bool BoundaryChanges::is_place(std::span<const std::uint32_t> tracks, std::uint3
     const Sides below = between(track, group), above = between(track, group + 1);
     if (below != above) return true;
     if (below.empty()) continue;
-    if (is_met && !planted(Fault::only_both_sides_compared)) return true;
+    if (is_met) return true;
     is_met = true;
     corner = below;
   }
-  return at_scale(tracks, point, group, here) != corner &&
-         !planted(Fault::only_both_sides_compared);
+  return at_scale(tracks, point, group, here) != corner;
 }
 
 /// Whether a link surely has no point near a place at a scale, which doubles tell of most links.
@@ -171,9 +168,7 @@ std::optional<BoundaryChange> BoundaryChanges::at(std::uint32_t group, const Bou
     if (!is_place(tracks, point, group, here)) continue;
     const Point place = history_.tracks()[point].at(scale);
     if (!change) change.emplace(BoundaryChange{place, {}});
-    if (is_before(place, change->place) || planted(Fault::place_as_it_comes)) {
-      change->place = place;
-    }
+    if (is_before(place, change->place)) change->place = place;
     for (const std::uint32_t track : tracks) {
       for (const std::uint32_t sub_edge : of_track(track)) {
         const MovingLink& link = history_.sub_edges()[sub_edge];

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/fault.hpp"
-
 namespace minkref::inline plane {
 namespace {
 
@@ -67,7 +65,7 @@ void EdgesOnLines::along(const MovingLink& link, const std::vector<Track>& track
                          const Rational& scale, bool above, const Point& point,
                          std::vector<std::uint32_t>& to) {
   const std::span<const std::uint32_t> edges = with(link.edge);
-  if (edges.size() == 1 || planted(Fault::parents_of_one_edge)) {
+  if (edges.size() == 1) {
     to.push_back(link.edge);
     return;
   }

@@ -8,7 +8,6 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/no_entry.hpp"
 #include "reference/number/float_environment.hpp"
@@ -356,7 +355,7 @@ class TimelineBuilder {
       Members& members = *one;
       if (members.before.size() == 1 && members.after.size() == 1) {
         names[members.after[0]] = old[members.before[0]];
-        if (members.at.size() == 1 || planted(Fault::touch_overlooked)) continue;
+        if (members.at.size() == 1) continue;
         changed = true;
         result_.topology.push_back({group,
                                     kind,
@@ -418,7 +417,6 @@ class TimelineBuilder {
     std::stable_sort(after.begin(), after.end(), [&](std::uint32_t x, std::uint32_t y) {
       const bool outside_x = kind == FeatureKind::hole && x == 0;
       const bool outside_y = kind == FeatureKind::hole && y == 0;
-      if (planted(Fault::smallest_part_goes_on)) std::swap(x, y);
       if (outside_x != outside_y) return outside_x;
       return size[x] > size[y];
     });

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <type_traits>
 
-#include "reference/fault.hpp"
 #include "reference/plane/kernel/frame.hpp"
 
 namespace minkref::inline plane {
@@ -55,7 +54,7 @@ auto on_exact_frame(const PolygonSet& P, const PolygonSet& Q, Use&& use) {
                           grid_operand<Grid>(Q, fit.denominator), fit.denominator};
     return use(frame);
   };
-  if (fit.bits < Grid64::bits + (planted(Fault::grid_too_narrow) ? 3 : 0)) return grid(Grid64{});
+  if (fit.bits < Grid64::bits) return grid(Grid64{});
   if (fit.bits < Grid256::bits) return grid(Grid256{});
   ScalarFrame<Rational> frame{
       {}, scalar_operand<Rational>(P, {}), scalar_operand<Rational>(Q, {}), {}};

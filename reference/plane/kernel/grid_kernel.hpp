@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "reference/fault.hpp"
 #include "reference/number/int128.hpp"
 #include "reference/number/rational.hpp"
 #include "reference/plane/kernel/kernel.hpp"
@@ -103,7 +102,6 @@ class GridKernel {
     const double bound = (std::abs(left) + std::abs(right)) * filter_bound;
     if (difference > bound) return ++counts.by_float, 1;
     if (difference < -bound) return ++counts.by_float, -1;
-    if (planted(Fault::filter_bound_too_small)) return (difference > 0) - (difference < 0);
     ++counts.by_integer;
     return sign_of(cross(u, v));
   }

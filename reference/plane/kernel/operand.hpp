@@ -1,10 +1,8 @@
 // Both operands within a common frame of a kernel's coordinates: the scaled P and Q, ring by ring.
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
-#include "reference/fault.hpp"
 #include "reference/plane/polygon_set.hpp"
 
 namespace minkref::inline plane {
@@ -30,9 +28,6 @@ Operand<V> operand(const PolygonSet& set, Convert&& convert) {
     auto& vertices = result.rings.emplace_back();
     vertices.reserve(ring.size());
     for (const Point& point : ring) vertices.push_back(convert(point));
-    if (planted(Fault::hole_orientation_ignored) && !outer) {
-      std::reverse(vertices.begin(), vertices.end());
-    }
     result.is_outer.push_back(outer);
   };
   for (const Polygon& polygon : set.polygons) {

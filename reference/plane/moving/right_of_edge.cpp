@@ -1,6 +1,5 @@
 #include "reference/plane/moving/right_of_edge.hpp"
 
-#include "reference/fault.hpp"
 #include "reference/plane/passages/wedge_walks.hpp"
 
 namespace minkref::inline plane {
@@ -14,7 +13,6 @@ bool may_hide_passages(const PolygonSet& P, const PolygonSet& Q) {
 
 bool sum_on_the_right(const RationalEdge& edge, const Point& x, const Rational& scale,
                       const InteriorTest& interior) {
-  if (planted(Fault::right_side_forgotten)) return false;
   return interior.in_sum_beside(x, {edge.d.y(), -edge.d.x()}, scale);
 }
 

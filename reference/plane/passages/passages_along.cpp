@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "reference/fault.hpp"
 #include "reference/plane/passages/tight_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
@@ -83,9 +82,7 @@ class Chains {
   }
 
  private:
-  bool passed(std::uint32_t point) const {
-    return edges_at_[point].size() == 2 && !planted(Fault::polylines_cut);
-  }
+  bool passed(std::uint32_t point) const { return edges_at_[point].size() == 2; }
 
   void follow_all(std::uint32_t start) {
     for (const std::uint32_t e : edges_at_[start]) {

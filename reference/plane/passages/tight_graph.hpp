@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 #include "reference/plane/tight_passages.hpp"
@@ -103,10 +102,7 @@ TightGraph tight_graph(const K& kernel, const Arrangement<K>& arrangement,
     look_for_interrupt();
     if (!detail::runs_both_ways(arrangement, h)) continue;
     const Point a = position(arrangement.origin(h)), b = position(arrangement.target(h));
-    if (!planted(Fault::tight_unproved) &&
-        !touching(Point{Rational((a.x + b.x) / 2), Rational((a.y + b.y) / 2)})) {
-      continue;
-    }
+    if (!touching(Point{Rational((a.x + b.x) / 2), Rational((a.y + b.y) / 2)})) continue;
     const std::uint32_t from = add_point(arrangement.origin(h), a);
     TightGraph::Edge edge{from, add_point(arrangement.target(h), b), {}};
     for (auto cover = arrangement.covers_begin(h); cover != arrangement.covers_end(h); ++cover) {
@@ -116,7 +112,6 @@ TightGraph tight_graph(const K& kernel, const Arrangement<K>& arrangement,
   }
   for (std::uint32_t n = 0; n < arrangement.node_count(); ++n) {
     look_for_interrupt();
-    if (planted(Fault::tight_points_missed)) break;
     if (number[n] != Arrangement<K>::none || !detail::surrounded(kernel, arrangement, n) ||
         !detail::all_faces_at(arrangement, n, inside)) {
       continue;

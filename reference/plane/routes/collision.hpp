@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "reference/fault.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/kernel/operand.hpp"
 
@@ -38,7 +37,6 @@ class Collision {
     }
     // The boundaries do not meet: each polygon of one side lies wholly inside or outside the other.
     for (std::size_t r = 0; r < P_.rings.size(); ++r) {
-      if (planted(Fault::containment_forgotten)) break;
       if (P_.is_outer[r] && holds(edges_q_, P_.rings[r][0], x)) return true;
     }
     for (std::size_t r = 0; r < Q_.rings.size(); ++r) {

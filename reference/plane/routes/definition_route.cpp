@@ -2,7 +2,6 @@
 
 #include <map>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 #include "reference/plane/point_predicates.hpp"
@@ -23,7 +22,6 @@ PolygonSet as_triangles(const PolygonSet& set) {
   PolygonSet result;
   for (const Triangle& t : triangulate(set))
     result.polygons.push_back({Ring(t.begin(), t.end()), {}});
-  if (planted(Fault::triangle_forgotten) && result.polygons.size() > 1) result.polygons.pop_back();
   return result;
 }
 

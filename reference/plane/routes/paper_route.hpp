@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 #include "reference/plane/arrangement/exact_arrangement.hpp"
@@ -98,12 +97,9 @@ template <class K, class Meets>
 bool face_in_sum(const Arrangement<K>& arrangement, std::uint32_t face, bool connected,
                  Meets&& meets, std::size_t& asked) {
   if (face == 0) return false;
-  connected = connected || planted(Fault::nesting_of_disconnected);
   if (connected && arrangement.cycles(face).size() > 1) return true;
   if (!orientable(arrangement, face)) return true;
-  if (planted(Fault::orientability_ignored)) return true;
   ++asked;
-  if (planted(Fault::collision_skipped)) return false;
   return meets(arrangement, face);
 }
 

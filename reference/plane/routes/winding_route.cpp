@@ -1,6 +1,5 @@
 // The sum from the full signed convolution: faces with a winding number other than zero (Behar &
 // Lien 2012, Sec. 3, after Wein), for operands cut to be simply connected.
-#include "reference/fault.hpp"
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 #include "reference/plane/arrangement/winding_numbers.hpp"
 #include "reference/plane/boundary/face_boundary.hpp"
@@ -11,14 +10,12 @@
 namespace minkref::inline plane {
 
 BoundaryGraph winding_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics) {
-  const bool cut = !planted(Fault::slits_forgotten);
-  const PolygonSet p = cut ? cut_to_simply_connected(P) : P;
-  const PolygonSet q = cut ? cut_to_simply_connected(Q) : Q;
+  const PolygonSet p = cut_to_simply_connected(P);
+  const PolygonSet q = cut_to_simply_connected(Q);
   return on_exact_frame(p, q, [&](const auto& frame) {
     statistics.kernel = frame.name();
     const auto built = convolution_arrangement(frame.kernel, frame.P, frame.Q, true, statistics);
     const auto winding = winding_numbers(built.arrangement, [&](std::uint32_t segment) {
-      if (planted(Fault::winding_unsigned)) return 1;
       return static_cast<int>(built.convolution.edges[segment].sign);
     });
     std::vector<bool> inside;

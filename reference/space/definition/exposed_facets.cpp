@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/space/definition/body_search.hpp"
@@ -41,10 +40,7 @@ Cover cover_of(const CornerRing& ring, const OrientedPlane& plane, const SumBody
     if (above) cover = Cover::some;
     const bool same_plane = !above && !below;
     const bool faces_alike = facet.plane.plane().normal == plane.normal;
-    if (same_plane && faces_alike && !comes_before && !planted(Fault::covered_by_each_other)) {
-      return Cover::none;
-    }
-    if (same_plane && !faces_alike && planted(Fault::opposite_facet_kept)) return Cover::none;
+    if (same_plane && faces_alike && !comes_before) return Cover::none;
   }
   return cover;
 }

@@ -4,7 +4,6 @@
 #include <map>
 #include <utility>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/space/definition/convex_cell.hpp"
 #include "reference/space/definition/face_walls.hpp"
@@ -74,7 +73,7 @@ class PieceMerger {
         const std::size_t back = place_of_plane(pieces_[j], beyond->first);
         if (back == pieces_[j].planes.size()) continue;
         if (!pieces_[i].within(pieces_[j], back)) continue;
-        if (!pieces_[j].within(pieces_[i], k) && !planted(Fault::merged_by_one_side)) continue;
+        if (!pieces_[j].within(pieces_[i], k)) continue;
         join(i, k, j, back);
         return true;
       }

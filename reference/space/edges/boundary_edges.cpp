@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "reference/fault.hpp"
-
 namespace minkref::inline space {
 namespace {
 
@@ -91,9 +89,7 @@ void BoundaryEdgeSearch::look_along(const std::vector<CarrierPiece>& pieces) {
       const int angle = turn(first, second);
       if (angle == 0) continue;  // flat: no edge
       ++candidates_;
-      if (!planted(Fault::sectors_untested) && !is_outside(piece, first, second, angle > 0)) {
-        continue;
-      }
+      if (!is_outside(piece, first, second, angle > 0)) continue;
       edges.push_back({point_at(piece.from), point_at(piece.to), first.facet, second.facet});
     }
   }
@@ -110,10 +106,8 @@ bool BoundaryEdgeSearch::is_outside(const CarrierPiece& piece, const Ray& first,
     const IntegerVector& direction = cutting_.line().as<Integer>().direction;
     const IntegerVector &n = facets_[first.facet].normal.exact,
                         &m = facets_[second.facet].normal.exact;
-    const bool back = at_end && !planted(Fault::looked_beyond_the_end);
-    const bool between = narrow && !planted(Fault::narrow_sector_by_normals);
-    return {point, weight, back ? IntegerVector{} - direction : direction,
-            between ? cross(direction, m - n) : n + m};
+    return {point, weight, at_end ? IntegerVector{} - direction : direction,
+            narrow ? cross(direction, m - n) : n + m};
   });
   return !collision_.contains(x);
 }

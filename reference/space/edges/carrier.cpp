@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 
 namespace minkref::inline space {
@@ -106,9 +105,7 @@ const std::vector<CarrierPiece>& CarrierCutting::cut_side(std::uint32_t number) 
       if (along.ahead && along.behind) continue;
       const ConvolutionFacet& facet = facets_[along.facet];
       for (std::size_t k = 0; k < facet.size; ++k) {
-        const bool is_lesser =
-            planted(Fault::shared_piece_lost) ? facet.sides[k] != number : facet.sides[k] < number;
-        if (!is_lesser) continue;
+        if (facet.sides[k] >= number) continue;
         const CutterPlane plane{&facet, static_cast<int>(k)};
         const bool holds = filtered_sign(signs,
                                          [&]<class T>(std::type_identity<T>) {
@@ -182,7 +179,7 @@ void CarrierCutting::look_at(std::uint32_t number) {
   const int depth = filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
     return line_->parameter<T>(CutterPlane{&facet, CutterPlane::own}).first;
   });
-  if (depth == 0 && !planted(Fault::facet_along_line_missed)) add_flat(number);
+  if (depth == 0) add_flat(number);
 }
 
 /// Returns 1, 0 or -1 as the line meets the facet's plane inside the facet, on the border or
@@ -197,7 +194,7 @@ int CarrierCutting::within(const ConvolutionFacet& facet, int slope) {
       return dot(line.direction, cross(along, line.origin - line.weight * corner));
     });
     if (turn * slope < 0) return -1;
-    if (turn == 0 && !planted(Fault::border_taken_for_inside)) result = 0;
+    if (turn == 0) result = 0;
   }
   return result;
 }
@@ -211,8 +208,7 @@ void CarrierCutting::add_transversal(std::uint32_t number, int slope) {
   if (after_end > 0) return;
   const int inside = within(facet, slope);
   if (inside < 0) return;
-  const int below = planted(Fault::upper_side_dropped) ? -slope : slope;
-  const bool covers_before = inside > 0 && below > 0, covers_after = inside > 0 && below < 0;
+  const bool covers_before = inside > 0 && slope > 0, covers_after = inside > 0 && slope < 0;
   if (after_start == 0) {
     start_covered_ = start_covered_ || covers_after;
   } else if (after_end == 0) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "reference/fault.hpp"
-
 namespace minkref::inline space {
 namespace {
 
@@ -61,8 +59,7 @@ bool Collision::contains(const NearPoint& x) {
     return true;
   }
   return surfaces_cross(x) || vertex_inside(x, P_, trees_.tree_P, trees_.box_P, Q_) ||
-         (!planted(Fault::contained_one_way) &&
-          vertex_inside(x, Q_, trees_.tree_Q, trees_.box_Q, P_));
+         vertex_inside(x, Q_, trees_.tree_Q, trees_.box_Q, P_);
 }
 
 bool Collision::surfaces_cross(const NearPoint& x) {
@@ -134,7 +131,7 @@ bool Collision::meet(const NearPoint& x, std::uint32_t of_P, std::uint32_t of_Q)
       }
     }
   }
-  if (p.is_triangle() && !planted(Fault::edges_of_Q_untested)) {
+  if (p.is_triangle()) {
     for (std::size_t j = 0; j < q.edges(); ++j) {
       if (height_of_Q[j] != height_of_Q[(j + 1) % q.size()] && turn(0, j) == turn(1, j) &&
           turn(1, j) == turn(2, j)) {
@@ -153,7 +150,6 @@ bool Collision::vertex_inside(const NearPoint& x, const SpaceOperand& body,
   for (const std::uint32_t v : other.shell_vertices) {
     const SpaceBox at = box_around(x.rounded() - other.points[v].rounded);
     if (at.overlaps(box) && inside(x, body, triangles, other.points[v])) return true;
-    if (planted(Fault::first_shell_only)) break;
   }
   return false;
 }

@@ -4,7 +4,6 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 
 namespace minkref::inline space {
@@ -37,7 +36,7 @@ class ConvolutionBuild {
       for (const Integer& d : direction.exact) {
         const int tie = n.sign() * d.sign();
         if (tie == 0) continue;
-        return normal_of_P || planted(Fault::ties_in_space_alike) ? -tie : tie;
+        return normal_of_P ? -tie : tie;
       }
     }
     return 0;
@@ -108,7 +107,7 @@ class ConvolutionBuild {
     facet.of_Q = f;
     const IntegerVector across = cross(p.direction.exact, q.direction.exact);
     if (is_zero(across)) return;
-    const bool along_cross = side > 0 || planted(Fault::parallelogram_upside_down);
+    const bool along_cross = side > 0;
     facet.normal = FilteredVector(along_cross ? across : IntegerVector{} - across, 2 * P_.shift);
     const Corner start{p.from, q.from}, end{p.to, q.to};
     const Corner along_P{p.to, q.from}, along_Q{p.from, q.to};

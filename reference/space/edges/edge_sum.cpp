@@ -6,7 +6,6 @@
 
 #include "reference/build/stage.hpp"
 #include "reference/error.hpp"
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/space/edges/faces_from_edges.hpp"
@@ -55,7 +54,6 @@ class Separation {
     for (std::size_t k = 0; k < other.size; ++k) {
       const int at =
           (dot(flat.normal.rounded, other.corners[k].rounded) - flat.offset.rounded).certain_sign();
-      if (at == 0 && planted(Fault::touching_facets_apart)) continue;
       if (at == 0 || at == BoundedDouble::undecided || (side != 0 && at != side)) return false;
       side = at;
     }

@@ -5,7 +5,6 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 
@@ -27,7 +26,6 @@ OrientedPlane plane_of(const ConvolutionFacet& facet, const Integer& denominator
 
 /// Cancels opposite edges, which merely touching parts of the boundary leave within a face.
 std::vector<PlaneEdge> without_opposites(std::vector<PlaneEdge> edges) {
-  if (planted(Fault::there_and_back_kept)) return edges;
   const auto key = [](const PlaneEdge& e) {
     const bool forward = less(e.from, e.to);
     return std::pair<const Point&, const Point&>(forward ? e.from : e.to, forward ? e.to : e.from);

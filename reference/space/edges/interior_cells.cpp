@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/space/edges/halved.hpp"
 
@@ -124,27 +123,20 @@ class OperandCells {
     const SpaceBox box = box_of(corners);
     const bool is_small = box.high[0] - box.low[0] <= size_ && box.high[1] - box.low[1] <= size_ &&
                           box.high[2] - box.low[2] <= size_;
-    const bool corners_only = planted(Fault::cells_of_corners_only);
-    if (!is_small && halvings > 0 && !corners_only) {
+    if (!is_small && halvings > 0) {
       const std::size_t k = longest_side(corners);
       const BoundedVector &a = corners[k], &b = corners[(k + 1) % 3], &c = corners[(k + 2) % 3];
       const BoundedVector half = middle(a, b);
       return touch({a, half, c}, halvings - 1) && touch({half, b, c}, halvings - 1);
     }
-    for (const BoundedVector& corner : corners) {
-      reach(corner);
-      if (corners_only) touch_box(box_around(corner));
-    }
-    if (!corners_only) touch_box(box);
+    for (const BoundedVector& corner : corners) reach(corner);
+    touch_box(box);
     return true;
   }
 
   void touch_box(const SpaceBox& box) {
     const auto [first, last] = cells_about(box, inverse_size_);
-    for_cells(first, last, [&](const Cell& cell) {
-      touched_.add(cell);
-      if (planted(Fault::cells_reached_by_boxes)) reached.add(cell);
-    });
+    for_cells(first, last, [&](const Cell& cell) { touched_.add(cell); });
   }
 
   /// Untouched cells connected by faces lie all inside or all outside.
@@ -240,10 +232,8 @@ InteriorCells::InteriorCells(const SpaceOperand& P, const SpaceOperand& Q, std::
   }
   cells_ = CellGrid(low, size);
   // A cube two cells wide, moved by any point of a cell, covers its middle cell.
-  const long middle = planted(Fault::middle_cell_misplaced) ? 0 : 1;
   const auto add = [&](const CellGrid& moved, const CellGrid& inside) {
-    add_sums(cells_, moved, planted(Fault::cubes_of_one_cell) ? inside : cubes_of_two(inside),
-             {middle, middle, middle});
+    add_sums(cells_, moved, cubes_of_two(inside), {1, 1, 1});
   };
   add(first.reached, second.inside);
   add(second.reached, first.inside);

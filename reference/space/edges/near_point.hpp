@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 
-#include "reference/fault.hpp"
 #include "reference/space/edges/line.hpp"
 
 namespace minkref::inline space {
@@ -42,11 +41,8 @@ class NearPoint {
     if (!exact_) exact_ = make_exact_();
     const int sign = Integer(dot(form.normal, exact_->point) - form.offset * exact_->weight).sign();
     if (sign != 0) return sign;
-    const bool into_first = planted(Fault::into_before_along);
-    const IntegerVector &first = into_first ? exact_->into : exact_->along,
-                        &second = into_first ? exact_->along : exact_->into;
-    if (const int step = dot(form.normal, first).sign(); step != 0) return step;
-    if (const int step = dot(form.normal, second).sign(); step != 0) return step;
+    if (const int step = dot(form.normal, exact_->along).sign(); step != 0) return step;
+    if (const int step = dot(form.normal, exact_->into).sign(); step != 0) return step;
     return dot(form.normal, cross(exact_->along, exact_->into)).sign();
   }
 

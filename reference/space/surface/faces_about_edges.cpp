@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 
 namespace minkref::inline space {
@@ -89,8 +88,8 @@ class EdgePairing {
       if (a.forward == b.forward) {
         throw std::logic_error("the faces about an edge do not bound interior and outside in turn");
       }
-      const bool outside = a.forward != planted(Fault::sectors_exchanged);
-      const auto sector = static_cast<std::size_t>(outside ? Pairing::outside : Pairing::interior);
+      const auto sector =
+          static_cast<std::size_t>(a.forward ? Pairing::outside : Pairing::interior);
       surface_.half_edges[a.half_edge].mates[sector] = b.half_edge;
       surface_.half_edges[b.half_edge].mates[sector] = a.half_edge;
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 
 namespace minkref::inline space {
@@ -37,9 +36,7 @@ class SlitSearch {
         const bool on_border = std::any_of(first, at, [&](const auto& use) {
           return use.second == r || is_reverse(use.second, r);
         });
-        if (!on_border && !planted(Fault::slits_missed) && lies_inside(p, u, v)) {
-          result[r].push_back(segment);
-        }
+        if (!on_border && lies_inside(p, u, v)) result[r].push_back(segment);
         return false;
       });
     }

@@ -1,7 +1,7 @@
 """Plants faults into the reference, and finds the judge, law or test that catches each fault.
 
-The preset `faults` builds the reference with faults that the environment variable MINKREF_FAULT
-switches on (reference/fault.hpp). Plane faults face the reference's laws and tests, its own routes
+The patches of tests/planted/ put the faults into a copy of the reference; the environment variable
+MINKREF_FAULT switches one on. Plane faults face the reference's laws and tests, its own routes
 against each other, and the judges of `minkref verify minkref`; space faults face the laws and tests
 of space, disc faults the disc's laws and tests.
 
@@ -21,30 +21,34 @@ import tempfile
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 from minkref.fuzz.plane.judgement import TRUTHS
+from minkref.reports.evidence.framework.of_tests import module
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.framework.places import ROOM, ROOT
 
 MINUTES = Minutes(None, 13, 50)  # it builds
 
-BUILD = ROOT / "build" / "faults"
+planted = module("planted", ROOT / "tools" / "scripts")
+SOURCES = ROOT / "build" / "faults" / "source"  # kept, and only what changed is written again
+BUILD = SOURCES.with_name("release")
 TABLE = ROOM / "planted_faults.md"
 SUITES = ("plane", "plane/critical", "plane/dynamic", "plane/index")
 SPACE_SUITES = ("number", "space", "space/sums", "space/surface")
 DISC_SUITES = ("disc",)
 EVERY_SUITE = (*SUITES, *SPACE_SUITES, *DISC_SUITES)
 RESTS_ON = (
-    "CMakeLists.txt", "CMakePresets.json", "tools/cmake/", "formats/", "reference/",
-    "tests/CMakeLists.txt", *(f"tests/{suite}/" for suite in EVERY_SUITE),
+    "CMakeLists.txt", "tools/cmake/", "tools/scripts/planted.py", "formats/", "reference/",
+    "tests/CMakeLists.txt", "tests/planted/", *(f"tests/{suite}/" for suite in EVERY_SUITE),
 )  # fmt: skip
 PYTEST_FOLDERS = ("tests/plane", "tests/plane/dynamic")
 ROUTES = TRUTHS
 PAIRS = 60
 SUITE_SECONDS, VERIFY_SECONDS, PYTEST_SECONDS = 300, 150, 150
 FEWEST = 25
-FEWEST_OF_LIST = {"IN_PLANE": FEWEST, "IN_SPACE": FEWEST, "WITH_DISC": 12}
+FEWEST_OF_LIST = {"plane": FEWEST, "space": FEWEST, "disc": 12}
 JOBS = 2
 EVERY = Counts(0, 6, 1)  # one fault of so many
 
@@ -61,21 +65,27 @@ class Caught:
         return bool(self.judges or self.routes or self.tests)
 
 
-def listed(where: str = "IN_PLANE|IN_SPACE|WITH_DISC") -> dict[str, str]:
-    """Every fault with its description, sorted like reference/fault.hpp."""
-    text = (ROOT / "reference" / "fault.hpp").read_text(encoding="utf-8").replace("\\\n", " ")
-    lists = re.findall(rf"^#define MINKREF_FAULTS_(?:{where})\(X\)(.*)", text, re.MULTILINE)
-    return dict(re.findall(r'X\(\s*(\w+),\s*"([^"]+)"\s*\)', " ".join(lists)))
+@cache
+def listed(where: str = "*") -> dict[str, str]:
+    """The faults, or a folder's faults, with descriptions."""
+    found: dict[str, str] = planted.listed(where)
+    return found
 
 
-def build(targets: tuple[str, ...] = ()) -> None:
-    """Builds everything, or these targets' needs."""
+def program(suite: str) -> str:
+    return f"test_{suite.replace('/', '_')}"
+
+
+def build(suites: tuple[str, ...] = ()) -> None:
+    """Builds everything, or these suites' needs."""
+    planted.copy(SOURCES)
     words = ["cmake", "--build", str(BUILD), "-j", "2"]
     for command in (
-        ["cmake", "--preset", "faults", f"-DPython_EXECUTABLE={sys.executable}"],
-        [*words, "--target", *targets] if targets else words,
-        *([] if targets else [[sys.executable, "tools/scripts/link_package.py", str(BUILD)]]),
-    ):
+        ["cmake", "-S", str(SOURCES), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+         "-DMINKREF_CGAL=OFF", "-DMINKREF_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"],
+        [*words, "--target", *map(program, suites)] if suites else words,
+        *([] if suites else [[sys.executable, "tools/scripts/link_package.py", str(BUILD)]]),
+    ):  # fmt: skip
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
         if done.returncode:
             raise RuntimeError(f"{' '.join(command)}: {(done.stderr or done.stdout)[-2000:]}")
@@ -105,7 +115,7 @@ def laws(fault: str, suites: tuple[str, ...]) -> list[str]:
     for suite in suites:
         with tempfile.NamedTemporaryFile(suffix=".json") as report:
             done = ended(
-                fault, SUITE_SECONDS, BUILD / "tests" / suite / f"test_{suite.replace('/', '_')}",
+                fault, SUITE_SECONDS, BUILD / "tests" / suite / program(suite),
                 f"--gtest_output=json:{report.name}", "--gtest_fail_fast",
             )  # fmt: skip
             if done is None:
@@ -158,10 +168,10 @@ def before_judges(fault: str, caught: Caught) -> None:
 def put_in(fault: str) -> Caught:
     """Runs the laws, tests and judges meant for this fault; without a fault, all."""
     caught = Caught()
-    if not fault or fault in listed("IN_PLANE"):
+    if not fault or fault in listed("plane"):
         caught.tests += laws(fault, SUITES) + python_tests(fault)
         before_judges(fault, caught)
-    if not fault or fault not in listed("IN_PLANE"):
+    if not fault or fault not in listed("plane"):
         caught.tests += laws(fault, _suites([fault] if fault else list(listed())))
     print(f"{fault or 'none'}: {'caught' if caught else 'not caught'}", flush=True)
     return caught
@@ -170,7 +180,7 @@ def put_in(fault: str) -> Caught:
 def _suites(faults: list[str]) -> tuple[str, ...]:
     """The suites for faults outside the plane."""
     chosen: tuple[str, ...] = ()
-    for where, suites in (("IN_SPACE", SPACE_SUITES), ("WITH_DISC", DISC_SUITES)):
+    for where, suites in (("space", SPACE_SUITES), ("disc", DISC_SUITES)):
         if set(faults) & set(listed(where)):
             chosen += suites
     return chosen
@@ -200,8 +210,7 @@ def run(findings: Findings, size: Size) -> None:
     findings.law("alarms without a fault", not without, "none", "none" if not without else without)
     for where, fewest in FEWEST_OF_LIST.items():
         count = len(listed(where))
-        what = f"faults {where.lower().replace('_', ' ')}"
-        findings.law(what, count >= fewest, f"at least {fewest}", count)
+        findings.law(f"faults in {where}", count >= fewest, f"at least {fewest}", count)
     findings.law("not caught", not missed, "none", ", ".join(missed) or "none")
     findings.target("caught by a judge", by_judge >= FEWEST, f"at least {FEWEST}", by_judge)
     findings.target("caught by a law or test", by_test >= FEWEST, f"at least {FEWEST}", by_test)
@@ -212,9 +221,9 @@ def run(findings: Findings, size: Size) -> None:
 
 def _before_suites(findings: Findings, names: list[str]) -> None:
     """Runs only the C++ laws, which need a tenth of the build."""
-    build(tuple(f"test_{suite}" for suite in EVERY_SUITE))
+    build(EVERY_SUITE)
     findings.none("alarms without a fault", laws("", EVERY_SUITE))
-    in_plane = listed("IN_PLANE")
+    in_plane = listed("plane")
     with ThreadPoolExecutor(JOBS) as pool:
         of = lambda name: laws(name, SUITES if name in in_plane else _suites([name]))  # noqa: E731
         caught = dict(zip(names, pool.map(of, names), strict=True))
@@ -225,7 +234,7 @@ def _before_suites(findings: Findings, names: list[str]) -> None:
 
 def row(name: str, caught: Caught) -> str:
     columns = [caught.judges, caught.routes, caught.tests]
-    if name not in listed("IN_PLANE"):
+    if name not in listed("plane"):
         columns = [caught.tests]
     cells = [f"`{name}`", listed()[name], *(", ".join(names) for names in columns)]
     return "| " + " | ".join(cell or "-" for cell in cells) + " |"
@@ -241,7 +250,7 @@ def table(rows: dict[str, str]) -> str:
     lines = [
         "# Faults put into the reference",
         "",
-        "Made by `make evidence ONLY=planted_faults`: each fault of `reference/fault.hpp`, put in "
+        "Made by `make evidence ONLY=planted_faults`: each fault of `tests/planted/`, put in "
         "alone, and what caught it. *Judges*: of `minkref verify minkref`, with the number of "
         f"the {PAIRS} random pairs, and of cases made from them, on which they saw it; a run ends "
         "where the reference itself gives up. *Routes*: routes of the reference refuted on the "
@@ -249,20 +258,20 @@ def table(rows: dict[str, str]) -> str:
         "",
         "| fault | what is wrong | judges | routes | laws and tests |",
         "|---|---|---|---|---|",
-        *(rows[name] for name in listed("IN_PLANE")),
+        *(rows[name] for name in listed("plane")),
         "",
         "Faults in the code of sums in space, and in the doubles with bounds under it. They are "
         f"put before the C++ suites {', '.join(f'`{suite}`' for suite in SPACE_SUITES)} only.",
         "",
         "| fault | what is wrong | laws and tests |",
         "|---|---|---|",
-        *(rows[name] for name in listed("IN_SPACE")),
+        *(rows[name] for name in listed("space")),
         "",
         "Faults in the code of sums with a disc, put before the C++ suite `disc` only.",
         "",
         "| fault | what is wrong | laws and tests |",
         "|---|---|---|",
-        *(rows[name] for name in listed("WITH_DISC")),
+        *(rows[name] for name in listed("disc")),
     ]
     return "\n".join(lines) + "\n"
 
@@ -273,9 +282,9 @@ def main(names: list[str]) -> int:
     if unknown := [name for name in names if name not in listed()]:
         print(f"no such fault: {', '.join(unknown)}", file=sys.stderr)
         return 2
-    in_plane = bool(set(names) & set(listed("IN_PLANE")))
+    in_plane = bool(set(names) & set(listed("plane")))
     suites = _suites(names)
-    build(() if in_plane else tuple(f"test_{suite}" for suite in suites))
+    build(() if in_plane else suites)
     without = put_in("") if in_plane else laws("", suites)
     if without:
         print(f"alarms without a fault: {without}", file=sys.stderr)
