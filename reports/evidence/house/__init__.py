@@ -1,0 +1,1 @@
+"""An addition touches the files that its recipe in CONTRIBUTING names, and works."""
