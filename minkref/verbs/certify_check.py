@@ -6,7 +6,7 @@ from minkref.oracle.checker import check as checker
 from minkref.output.documents import scratch_folder
 from minkref.verbs.check import WORDS
 
-SECONDS, TESTS, BYTES = 600.0, 1e10, 2.0**30
+LIMITS = 600.0, 1e10, 2.0**30  # of seconds, of tests, of bytes
 
 
 class Refuted(RuntimeError):
@@ -21,7 +21,7 @@ def is_verified(certificate: str, case: str, name: str) -> bool:
         path, beside = folder / "it.cert.json", folder / "it.case.json"
         path.write_text(certificate, encoding="utf-8")
         beside.write_text(case, encoding="utf-8")
-        code, why, _ = checker.verdict(path, beside, SECONDS, TESTS, BYTES)
+        code, why, _ = checker.verdict(path, beside, LIMITS, checker.FILES)
     if WORDS[code] in ("verified", "out of budget"):
         return WORDS[code] == "verified"
     raise Refuted(

@@ -10,9 +10,10 @@ import typer
 from minkref.cli.options import Json, Schema
 from minkref.errors import Refusal
 from minkref.oracle.checker import check as checker
-from minkref.output.documents import Stopwatch, as_text, document
+from minkref.output.documents import Stopwatch, as_text, document, scratch_folder
 from minkref.output.terminal import escaped
 from minkref.verbs import check_proved
+from minkref.verbs.unpacked import Unpacking
 
 EXAMPLES = """Examples:
 
@@ -84,12 +85,13 @@ def command(
         check_proved.program()
     rows = []
     for path in _found(files):
-        code, message, claims = checker.verdict(path, case, seconds, tests, bytes_)
+        read = Unpacking()
+        limits = (seconds, tests, bytes_)
+        code, message, claims = checker.verdict(path, case, limits, (read, read))
         row: dict[str, Any] = {"file": str(path), "verdict": WORDS[code]}
         row |= {"message": message, "claims": claims}
         if proved and code == checker.VERIFIED:
-            limits = {"--seconds": seconds, "--tests": tests, "--bytes": bytes_}
-            row |= _proved(path, case, limits, claims)
+            row |= _proved(read, limits, claims)
         rows.append(row)
         if not json:
             _print(row)
@@ -99,13 +101,13 @@ def command(
     raise typer.Exit(next((code for code in WORST if WORDS[code] in verdicts), checker.VERIFIED))
 
 
-def _proved(
-    path: Path, case: Path | None, limits: dict[str, float], claims: list[str]
-) -> dict[str, Any]:
+def _proved(read: Unpacking, limits: tuple[float, ...], claims: list[str]) -> dict[str, Any]:
     """The fields that the proved checker adds to a row. Its verdict is that of the row."""
-    options = [f"{name}={value!r}" for name, value in limits.items()]
-    options += [] if case is None else [f"--case={case}"]
-    found = check_proved.follow(path, *options)
+    named = zip(("seconds", "tests", "bytes"), limits, strict=True)
+    with scratch_folder() as folder:
+        path, case = read.files(folder)
+        options = [f"--case={case}", *(f"--{name}={limit!r}" for name, limit in named)]
+        found = check_proved.follow(path, *options)
     return {
         "verdict": found.word, "message": found.why, "proved": found.proved,
         "not_proved": [] if found.word == "verified" else claims,

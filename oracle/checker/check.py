@@ -3,12 +3,10 @@
 plane (certificate-v1), sums of convex polyhedra (convex-certificate-v1), sums of any polyhedra
 (solid-certificate-v1), and parts that move along paths in the plane (path-certificate-v1).
 
-The checker stands alone: this file and the standard library. The members, the demands of each rule
-and why they are enough: docs/certificates.md, docs/certificates-convex.md for convex polyhedra,
-docs/certificates-solids.md for others and docs/certificates-paths.md for paths. Signs are decided
-in integers and fractions. Anything unknown, unused or left over makes a certificate malformed. The
-parts: what all forms share; the plane, and paths in it; space, convex and not; the certificate as a
-whole.
+The checker stands alone: this file and the standard library. Each part of it needs this one, the
+last one, and those that it names. The members, the demands of each rule and why they are enough:
+docs/certificates.md; of other forms certificates-convex.md, -solids.md and -paths.md beside it.
+Signs are decided in integers and fractions. Anything unknown, unused or left over is malformed.
 
 Exit codes: 0 verified; 1 refuted; 2 malformed, or its case is missing; 4 out of budget.
 """
@@ -23,7 +21,6 @@ import os
 import re
 import sys
 import time
-import zlib
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -36,26 +33,13 @@ VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET = 0, 1, 2, 4
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?(\d{1,3}|1000))?|[+-]?\d+/\d+", re.ASCII)
 SURROGATE = re.compile(r"(?<!\\)(\\\\)*\\u[dD][89a-fA-F]")
 MOST_DIGITS = 100_000  # of one number
-MOST_PAIRS = 20_000  # of pieces of solids
-AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
+GZIP = b"\x1f\x8b"
 
 Json = Any
-Kind = TypeVar("Kind")
-Vector = tuple[int, int]
-Triple = tuple[Any, Any, Any]  # the point (x / w, y / w), w > 0; the line a x + b y + c = 0
 Vertex = tuple[Fraction, ...]  # x, y; or x0, x1, y0, y1: the point (x0 + s x1, y0 + s y1)
-Rings = list[list[Vertex]]  # the outer one, and the holes
-Edge = tuple[int, int]
-Corner = tuple[
-    int, int, int
-]  # t, s, w: the part t / w of a segment, the scale s / w; w = 0: far up
-Cut = tuple[Any, bool]  # just below a scale; True: just above it
-SpaceVector = tuple[int, int, int]
-SpacePoint = tuple[Fraction, Fraction, Fraction]
-Homogeneous = tuple[int, int, int, int]  # the point (x / w, y / w, z / w), w > 0
-HalfSpace = tuple[SpaceVector, int]  # normal * x <= height
-Feature = tuple[SpaceVector, ...]  # the corners of a corner, an edge or a facet of a piece
-Verdict = tuple[int, str, list[str]]  # the code, why, what is claimed
+Reader = Callable[[Path, float], bytes]  # of a file, and of a larger one a byte more than so many
+# What follows a certificate of a form, and the member that holds the argument; parts add theirs.
+FORMS: dict[Any, tuple[str, Callable[..., list[str]]]] = {}
 
 
 class NotVerified(Exception):
@@ -92,9 +76,6 @@ class Budget:
         self.tests -= tests
         left = self.tests >= 0 and time.monotonic() < self.deadline
         demand(left, "a limit is reached (--seconds, --tests)", OUT_OF_BUDGET)
-
-
-# Reading.
 
 
 def members(value: Json, names: str) -> list[Json]:
@@ -148,7 +129,13 @@ def vector(value: Json) -> Vertex:
     return tuple(number(coordinate) for coordinate in items(value, 2))
 
 
-def read_json(path: Path, most: float, decimals: bool) -> Json:
+def file_bytes(path: Path, most: float) -> bytes:
+    require(os.path.isfile(path), f"{str(path)[:400]} cannot be read: it is no file")
+    with path.open("rb") as file:
+        return file.read(int(most) + 1)
+
+
+def read_json(path: Path, read: Reader, most: float, decimals: bool) -> Json:
     def unique(pairs: list[tuple[str, Json]]) -> Json:
         require(len(dict(pairs)) == len(pairs), "an object has a member twice")
         return dict(pairs)
@@ -160,15 +147,10 @@ def read_json(path: Path, most: float, decimals: bool) -> Json:
         return int(text) if len(text) <= MOST_DIGITS else refuse(text)
 
     try:
-        require(os.path.isfile(path), f"{str(path)[:400]} cannot be read: it is no file")
-        with path.open("rb") as file:
-            data = file.read(int(most) + 1)
-        if data[:2] == b"\x1f\x8b" and len(data) <= most:
-            packed = zlib.decompressobj(wbits=31)
-            data = packed.decompress(data, int(most) + 1)
-            whole = len(data) > most or (packed.eof and not packed.unused_data)
-            require(whole, f"{path} is not one whole compressed file")
+        data = read(path, most)
         demand(len(data) <= most, f"{path} has over {most:,.0f} bytes (--bytes)", OUT_OF_BUDGET)
+        mend = "gzip -dc FILE | python3 check.py -, or minkref check FILE"
+        require(data[:2] != GZIP, f"{path} is compressed by gzip: {mend}")
         text = data.decode()
         require(not SURROGATE.search(text), f"{path} escapes a surrogate")
         real = str if decimals else refuse
@@ -176,7 +158,7 @@ def read_json(path: Path, most: float, decimals: bool) -> Json:
         return json.loads(text, object_pairs_hook=unique, **hooks)
     except OSError as error:
         raise NotVerified(MALFORMED, f"{path} cannot be read: {error.strerror}") from error
-    except (ValueError, OverflowError, RecursionError, zlib.error) as error:
+    except (ValueError, OverflowError, RecursionError) as error:
         raise NotVerified(MALFORMED, f"{path} is not JSON: {error}") from error
 
 
@@ -189,7 +171,13 @@ def edges_of(ring: Sequence[Any]) -> Iterator[tuple[Any, Any]]:
     return zip(ring, [*ring[1:], *ring[:1]], strict=True)
 
 
-# In the plane: what a case holds.
+# Part 2: sums in the plane. An object of the class of a step exists only if the step holds.
+
+Kind = TypeVar("Kind")
+Vector = tuple[int, int]
+Triple = tuple[Any, Any, Any]  # the point (x / w, y / w), w > 0; the line a x + b y + c = 0
+Rings = list[list[Vertex]]  # the outer one, and the holes
+Edge = tuple[int, int]
 
 
 class Operand:
@@ -216,9 +204,6 @@ class Operand:
         self.rings.append(list(range(len(self.exact), len(self.exact) + len(ring))))
         self.exact += ring
         return [[str(x), str(y)] for x, y in ring]
-
-
-# In the plane: signs.
 
 
 def cross(u: Sequence[Any], v: Sequence[Any]) -> Any:
@@ -294,9 +279,6 @@ def add_up_to_nothing(edges: Iterable[tuple[Any, Any, int]]) -> bool:
     return not any(ends.values())
 
 
-# In the plane: the steps. An object of one of these classes exists only if its step holds.
-
-
 class Pieces:
     """`pieces`: convex pieces that tile an operand, and groups of them. Node n is piece n, or group
     n - (number of pieces); the last one holds all. A node is solid if it is known to be convex."""
@@ -370,7 +352,10 @@ class Region:
         self.roots = [] if empty else [(len(self.P.hulls) - 1, len(self.Q.hulls) - 1)]
         self.box = [number(value) * proof.unit for value in items(box, 4)]
         demand(self.box[0] < self.box[2] and self.box[1] < self.box[3], "the box is empty")
-        self.lines = {wall: self.wall(wall) for wall in range(4)}
+        self.lines: dict[int, list[Triple]] = {}
+        for wall, at in enumerate(self.box):
+            normal = (at.denominator, 0) if wall % 2 == 0 else (0, at.denominator)
+            self.lines[wall] = [(*normal, -at.numerator) for _ in self.scales]
         self.points: dict[int, list[Triple]] = {}
         for entry in elements:
             self.add_element(*headed(entry))
@@ -393,13 +378,8 @@ class Region:
             self.check_apart(contact, code)
             self.contacts.add(tuple(contact))
         self.count()
-        self.polygons, passed = self.canonical([[items(r) for r in items(p)] for p in rings])
-        self.form = self.polygons, sorted((Counter(passed) - Counter(set(passed))).elements())
-
-    def wall(self, wall: int) -> list[Triple]:
-        at = self.box[wall]
-        normal = (at.denominator, 0) if wall % 2 == 0 else (0, at.denominator)
-        return [(*normal, -at.numerator) for _ in self.scales]
+        self.passed: list[Vertex] = []  # the points of the rings
+        self.polygons = self.canonical([[items(r) for r in items(p)] for p in rings])
 
     def point(self, value: Json) -> int:
         require(integer(value) in self.points, f"element {value} is no point before this")
@@ -510,26 +490,19 @@ class Region:
     def count(self) -> None:
         """Components of the interior, and holes: cells that share an edge, joined."""
         root = list(range(len(self.cells)))
-
-        def find(cell: int) -> int:
-            while root[cell] != cell:
-                root[cell] = cell = root[root[cell]]
-            return cell
-
         for edge, cell in self.owner.items():
             other = self.owner.get(edge[::-1], cell)
             if (cell in self.inside) == (other in self.inside):
-                root[find(cell)] = find(other)
-        self.root = [find(cell) for cell in range(len(root))]
+                root[find(root, cell)] = find(root, other)
+        self.root = [find(root, cell) for cell in range(len(root))]
         components = len({self.root[cell] for cell in self.inside})
         self.counts = [components, len(set(self.root)) - components - 1]
 
-    def canonical(self, polygons: list[list[list[Json]]]) -> tuple[list[Rings], list[Vertex]]:
-        """The canonical form, and all points that the rings pass."""
+    def canonical(self, polygons: list[list[list[Json]]]) -> list[Rings]:
         owner, d = self.owner, self.directions
         left = {e for e in owner if owner[e] in self.inside and owner[e[::-1]] not in self.inside}
         middle = sum(self.scales, Fraction(0)) / len(self.scales)
-        made, roots, passed = [], [], list[Vertex]()
+        made, roots = [], []
         for polygon in polygons:
             require(bool(polygon), "a polygon has no ring")
             rings: Rings = []
@@ -540,14 +513,14 @@ class Region:
                 demand(simple, "a ring is not simple, or not on the boundary")
                 left.difference_update(edges)
                 roots[-1] |= {self.root[owner[e]] for e in edges}
-                passed += [self.vertex(point) for point, _ in edges]
+                self.passed += [self.vertex(point) for point, _ in edges]
                 rings.append([self.vertex(f[0]) for e, f in edges_of(edges) if cross(d[e], d[f])])
                 outer = doubled_area([at_scale(v, middle) for v in rings[-1]]) > 0
                 demand(outer == (len(rings) == 1), "a ring runs the wrong way")
             made.append(rings)
         one_each = len(roots) == self.counts[0] and all(len(root) == 1 for root in roots)
         demand(not left and one_each, "the rings are not the boundary, a polygon a component")
-        return canonical_order(made), passed
+        return canonical_order(made)
 
     def vertex(self, point: int) -> Vertex:
         ends = [[Fraction(c, p[2] * self.proof.unit) for c in p[:2]] for p in self.points[point]]
@@ -557,16 +530,11 @@ class Region:
         u, v = ((q - p) / (b - a) for p, q in zip(*ends, strict=True))
         return ends[0][0] - a * u, u, ends[0][1] - a * v, v
 
-    def at(self, s: Fraction) -> tuple[list[Rings], list[Vertex]]:
-        """The form at a scale between, if the boundary has the same vertices there."""
-        moved = [[[at_scale(v, s) for v in r] for r in p] for p in self.polygons]
-        return canonical_order(moved), sorted(at_scale(v, s) for v in self.form[1])
 
-    def is_within(self, contact: tuple[int, ...]) -> bool:
-        """Whether all cells around a point, or on both sides of an edge, are covered."""
-        sides = [e for e in self.owner if contact[0] in e and contact[-1] in e]
-        sides += [e[::-1] for e in sides]
-        return bool(sides) and all(self.owner.get(e) in self.inside for e in sides)
+def find(root: list[int], cell: int) -> int:
+    while root[cell] != cell:
+        root[cell] = cell = root[root[cell]]
+    return cell
 
 
 def at_scale(vertex: Vertex, s: Fraction) -> Vertex:
@@ -590,7 +558,7 @@ class Proof:
     with what the steps have shown."""
 
     rules: ClassVar[dict[Any, Any]] = {"pieces": Pieces, "eq": Region, "move": Region}
-    claims: ClassVar[Sequence[str]] = ("sum", "interval", "event", "point", "passage", "sign")
+    claims: ClassVar[dict[Any, Any]] = {}  # what checks one; returns its text and what it shows
 
     def __init__(self, P: Operand, Q: Operand, budget: Budget) -> None:
         require(not (P.thin and Q.thin), "both operands are points or segments")
@@ -620,476 +588,194 @@ class Proof:
         self.used.add(value)
         return step  # type: ignore[no-any-return]
 
-    def claim(self, value: Json, kind: type[Kind]) -> Kind:
-        shown = self.shown[index(value, len(self.shown))]
-        require(isinstance(shown, kind), f"claim {value} is of another kind")
-        return shown  # type: ignore[no-any-return]
-
     def region(self, step: Json, scale: Json) -> Region:
         region = self.step(step, Region)
         demand(region.scales == [scale_of(scale)], "the step is about another scale")
         return region
 
-    def add_step(self, step: Json) -> None:
-        rule = step.get("rule") if isinstance(step, dict) else None
-        require(rule in tuple(self.rules), f"there is no rule {rule!r}")
-        self.steps.append(self.rules[rule](step, self))
-
-    def add_claim(self, claim: Json) -> None:
-        self.spend(64)
-        kind = claim.get("claim") if isinstance(claim, dict) else None
-        require(kind in self.claims, f"there is no claim {kind!r}")
-        said, shown = getattr(self, f"add_{kind}")(claim)
-        self.said.append(f"{kind}: {said}")
-        self.shown.append(shown)
-
     def follow(self, steps: Json, claims: Json) -> list[str]:
         """Checks steps and claims; returns the claims as texts."""
-        for what, entries, add in (
-            ("step", steps, self.add_step),
-            ("claim", claims, self.add_claim),
-        ):
-            twice = what == "claim" and len(set(map(digest_of, items(entries)))) < len(entries)
-            require(not twice, "a claim is made twice")
-            for i, entry in enumerate(items(entries)):
-                with within(f"{what} {i}"):
-                    add(entry)
+        for i, step in enumerate(items(steps)):
+            with within(f"step {i}"):
+                rule = step.get("rule") if isinstance(step, dict) else None
+                require(rule in tuple(self.rules), f"there is no rule {rule!r}")
+                self.steps.append(self.rules[rule](step, self))
+        require(len(set(map(digest_of, items(claims)))) == len(claims), "a claim is made twice")
+        for i, claim in enumerate(claims):
+            with within(f"claim {i}"):
+                self.spend(64)
+                kind = claim.get("claim") if isinstance(claim, dict) else None
+                require(kind in tuple(self.claims), f"there is no claim {kind!r}")
+                said, shown = self.claims[kind](self, claim)
+                self.said.append(f"{kind}: {said}")
+                self.shown.append(shown)
         require(bool(claims), "nothing is claimed")
         require(len(self.used) == len(self.steps), "a step is not used")
         return self.said
 
-    def add_sum(self, claim: Json) -> tuple[str, Region]:
-        """The sum at a scale, by its digest, and by its canonical form if that is given."""
-        names = "claim scale step components holes digest polygons?"
-        scale, step, components, holes, digest, polygons = members(claim, names)[1:]
-        region = self.region(step, scale)
-        same = region.counts == [integer(components), integer(holes)]
-        demand(same, "components or holes are others")
-        form = plain(region.polygons)
-        demand(digest_of(form) == digest, "the digest is another")
-        demand(polygons in (None, form["polygons"]), "the polygons are others")
-        return f"at {scale}, {components} components, {holes} holes, {digest}", region
 
-    def add_interval(self, claim: Json) -> tuple[str, list[Region]]:
-        """No event of the boundary between two scales: its vertices are linear in s."""
-        names = "claim from to steps components holes digest"
-        a, b, steps, *counts, digest = members(claim, names)[1:]
-        regions = [self.step(step, Region) for step in items(steps)]
-        lengths = [len(region.scales) for region in regions]
-        require(lengths == [2, *[1, 2] * (len(regions) // 2)], "moves, and scales between")
-        joints = [s for region in regions[1::2] for s in region.scales * 3]
-        ends = [scale_of(a), *joints, scale_of(b)]
-        demand(ends == [s for r in regions for s in r.scales], "the steps do not reach end to end")
-        for region in regions:
-            demand(region.counts == [*map(integer, counts)], "components or holes are others")
-            wanted = regions[0].form if region.scales[1:] else regions[0].at(region.scales[0])
-            demand(region.form == wanted, f"the boundary changes at {region.scales[0]}")
-        demand(digest_of(plain(regions[0].polygons)) == digest, "the digest is another")
-        return f"from {a} to {b}, {counts[0]} components, {counts[1]} holes, {digest}", regions
-
-    def add_event(self, claim: Json) -> tuple[str, None]:
-        """At a scale, and just below and above it, the boundary or the topology is not the same."""
-        scale, kind, before, at, after = members(claim, "claim scale kind before at after")[1:]
-        require(kind in ("boundary", "topology"), f"there is no event {kind!r}")
-        low, here, high = self.claim(before, list), self.claim(at, Region), self.claim(after, list)
-        s = scale_of(scale)
-        demand(low[-1].scales[1] == here.scales[0] == high[0].scales[0] == s, "not at one scale")
-        same = low[0].form == high[0].form and low[0].at(s) == here.form
-        if kind == "topology":
-            same = low[0].counts == here.counts == high[0].counts
-        demand(not same, "nothing changes")
-        return f"{kind} at {scale}, no event of the boundary from {low[0].scales[0]} to it", None
-
-    def add_point(self, claim: Json) -> tuple[str, None]:
-        """A point of the sum: s p + q, p in a piece of P and q in one of Q."""
-        scale, point, p, q, steps, nodes = members(claim, "claim scale point p q by pieces")[1:]
-        parts = vector(p), vector(q)
-        made = tuple(scale_of(scale) * x + y for x, y in zip(*parts, strict=True))
-        demand(made == vector(point), "s p + q is another point")
-        at = zip("PQ", parts, items(steps, 2), items(nodes, 2), strict=True)
-        for name, part, step, node in at:
-            pieces = self.step(step, Pieces)
-            require(pieces.operand.name == name and not pieces.operand.thin, f"no pieces of {name}")
-            ring = pieces.hulls[index(node, pieces.children.count([]))]
-            p = part[0] * self.unit, part[1] * self.unit, 1
-            turns = (cross(direction(a, b), direction(a, p)) for a, b in edges_of(ring))
-            demand(all(turn >= 0 for turn in turns), f"{part} is not in piece {node} of {name}")
-        return f"{point} at {scale}", None
-
-    def add_passage(self, claim: Json) -> tuple[str, None]:
-        """Points inside the sum, along edges of cells, that the sum of the interiors misses."""
-        scale, step, points, path = members(claim, "claim scale step points path")[1:]
-        region = self.region(step, scale)
-        thin = region.P.operand.thin or region.Q.operand.thin
-        require(not thin, "passages of a point or a segment are not proven by contacts")
-        ids = [region.point(i) for i in items(path)]
-        demand([region.vertex(i) for i in ids] == list(map(vector, items(points))), "other points")
-        contacts = [(ids[0],)] if len(ids) == 1 else list(itertools.pairwise(ids))
-        require(bool(contacts), "a passage has no point")
-        for contact in contacts:
-            demand(contact in region.contacts, f"{contact} is no contact")
-            demand(region.is_within(contact), f"{contact} is not inside the sum")
-        return f"{points} at {scale}", None
-
-    def add_sign(self, claim: Json) -> tuple[str, None]:
-        """The sign of a predicate between two scales, or at one; zero at one means a root there."""
-        of, a, b, sign = members(claim, "claim of from to sign")[1:]
-        require(scale_of(a) <= scale_of(b), "the scales do not ascend")
-        require(integer(sign) in (-1, 0, 1), "this is no sign")
-        signs = self.signs(of, [number(a), number(b)])
-        good = signs == {0} if sign == 0 else {sign} <= signs <= {0, sign}
-        demand(good, f"{of} has the signs {sorted(signs)} from {a} to {b}")
-        return f"{of} has the sign {sign} from {a} to {b}", None
-
-    def signs(self, predicate: Json, ends: list[Fraction]) -> set[int]:
-        """Those of the Bernstein coefficients, from one scale to another, of `orientation` of three
-        points s p + q (positive: they turn left), or of `concurrent`, three lines, each through two
-        such points (zero: they meet in a point or are parallel). Both are linear in each point, and
-        a coefficient adds up the values with so many points at the second scale."""
-        name, entries = items(predicate, 2)
-        require(name in ("orientation", "concurrent"), f"there is no predicate {name!r}")
-        points = items(entries, 3)
-        if name == "concurrent":
-            points = [point for line in points for point in items(line, 2)]
-        moving = [[self.point(point, s) for s in ends] for point in points]
-        sums = [Fraction(0)] * (len(points) + 1)
-        for choice in itertools.product((0, 1), repeat=len(points)):
-            u, v, w, *more = (point[end] for point, end in zip(moving, choice, strict=True))
-            if more:
-                u, v, w = across(u, v), across(w, more[0]), across(more[1], more[2])
-            sums[sum(choice)] += sum(x * y for x, y in zip(u, across(v, w), strict=True))
-        return {(c > 0) - (c < 0) for c in sums}
-
-    def point(self, value: Json, s: Fraction) -> Triple:
-        """Vertex i of sP plus vertex j of Q, null for none of it."""
-        x, y = Fraction(0), Fraction(0)
-        for i, name in zip(items(value, 2), "PQ", strict=True):
-            if i is not None:
-                at = self.operands[name].exact[index(i, len(self.operands[name].exact))]
-                x, y = (c + (s if name == "P" else 1) * d for c, d in zip((x, y), at, strict=True))
-        return x, y, Fraction(1)
+def add_sum(proof: Proof, claim: Json) -> tuple[str, Region]:
+    """The sum at a scale, by its digest, and by its canonical form if that is given."""
+    names = "claim scale step components holes digest polygons?"
+    scale, step, *counts, digest, polygons = members(claim, names)[1:]
+    region = proof.region(step, scale)
+    demand(region.counts == [*map(integer, counts)], "components or holes are others")
+    form = plain(region.polygons)
+    demand(digest_of(form) == digest, "the digest is another")
+    demand(polygons in (None, form["polygons"]), "the polygons are others")
+    return f"at {scale}, {counts[0]} components, {counts[1]} holes, {digest}", region
 
 
-# In the plane: a part R, scaled, that moves along a path among obstacles O.
+def of_the_plane(case: Json, digest: Json, steps: Json, claims: Json, budget: Budget) -> list[str]:
+    P, Q = (Operand(case.get(operand), operand) for operand in "PQ")
+    demand(digest_of({"P": P.plain, "Q": Q.plain}) == digest, "not the case that is certified")
+    return Proof(P, Q, budget).follow(steps, claims)
 
 
-def places(value: Json, place: Callable[[Json], Vertex] = vector) -> list[Vertex]:
-    require(bool(items(value)), "a path has no place")
-    return list(map(place, value))
+Proof.claims["sum"] = add_sum
+FORMS["certificate-v1"] = "steps", of_the_plane
 
 
-def stays(place: Vertex) -> Vertex:
-    """A place as one that moves with the scale."""
-    return (place[0], Fraction(0), place[1], Fraction(0))
+# Part 3: the other claims in the plane. Needs part 2.
 
 
-def moving(value: Json) -> Vertex:
-    """`["x0", "x1", "y0", "y1"]`; a place that stays has two numbers."""
-    return stays(vector(value)) if len(items(value)) == 2 else tuple(map(number, items(value, 4)))
+def seen(proof: Proof, value: Json, kind: type[Kind]) -> Kind:
+    found = proof.shown[index(value, len(proof.shown))]
+    require(isinstance(found, kind), f"claim {value} is of another kind")
+    return found  # type: ignore[no-any-return]
 
 
-def segments(path: list[Vertex]) -> list[tuple[Vertex, Vertex]]:
-    """From each place to the next; a single place gives a segment from it to itself."""
-    return list(itertools.pairwise(path)) or [(path[0], path[0])]
+def form_of(region: Region, s: Fraction | None = None) -> tuple[list[Rings], list[Vertex]]:
+    """The form, and the points that rings pass more than once, as often as they come again. At a
+    scale between: if the boundary has the same vertices there."""
+    again = sorted((Counter(region.passed) - Counter(set(region.passed))).elements())
+    if s is None:
+        return region.polygons, again
+    moved = [[[at_scale(v, s) for v in r] for r in p] for p in region.polygons]
+    return canonical_order(moved), sorted(at_scale(v, s) for v in again)
 
 
-def at_corners(f: Triple, cell: list[Corner]) -> list[int]:
-    return [f[0] * t + f[1] * s + f[2] * w for t, s, w in cell]
+def is_within(region: Region, contact: tuple[int, ...]) -> bool:
+    """Whether all cells around a point, or on both sides of an edge, are covered."""
+    sides = [e for e in region.owner if contact[0] in e and contact[-1] in e]
+    sides += [e[::-1] for e in sides]
+    return bool(sides) and all(region.owner.get(e) in region.inside for e in sides)
 
 
-def not_above(f: Triple, cell: list[Corner]) -> list[Corner]:
-    """The part of a convex polygon where f <= 0."""
-    levels = at_corners(f, cell)
-    kept: list[Corner] = []
-    for i, (c, level) in enumerate(zip(cell, levels, strict=True)):
-        if level * levels[i - 1] < 0:
-            u, v = abs(level), abs(levels[i - 1])
-            t, s, w = (v * x + u * y for x, y in zip(c, cell[i - 1], strict=True))
-            kept.append((t // gcd(t, s, w), s // gcd(t, s, w), w // gcd(t, s, w)))
-        kept += [c] if level <= 0 else []
-    return list(dict.fromkeys(kept))
+def add_interval(proof: Proof, claim: Json) -> tuple[str, list[Region]]:
+    """No event of the boundary between two scales: its vertices are linear in s."""
+    names = "claim from to steps components holes digest"
+    a, b, steps, *counts, digest = members(claim, names)[1:]
+    regions = [proof.step(step, Region) for step in items(steps)]
+    lengths = [len(region.scales) for region in regions]
+    require(lengths == [2, *[1, 2] * (len(regions) // 2)], "moves, and scales between")
+    joints = [s for region in regions[1::2] for s in region.scales * 3]
+    ends = [scale_of(a), *joints, scale_of(b)]
+    demand(ends == [s for r in regions for s in r.scales], "the steps do not reach end to end")
+    for region in regions:
+        demand(region.counts == [*map(integer, counts)], "components or holes are others")
+        wanted = form_of(regions[0], None if region.scales[1:] else region.scales[0])
+        demand(form_of(region) == wanted, f"the boundary changes at {region.scales[0]}")
+    demand(digest_of(plain(regions[0].polygons)) == digest, "the digest is another")
+    return f"from {a} to {b}, {counts[0]} components, {counts[1]} holes, {digest}", regions
 
 
-def sides(ring: list[Triple]) -> list[Vector]:
-    """Normals of half-planes that have in common a convex polygon, a segment or a point (also as a
-    segment without length)."""
-    if len(ring) > 2:
-        return [(b[1] - a[1], a[0] - b[0]) for a, b in edges_of(ring)]
-    x, y = direction(ring[0], ring[1]) if len(set(ring)) == 2 else (1, 0)
-    return [(x, y), (-x, -y), (y, -x), (-y, x)]
+def add_event(proof: Proof, claim: Json) -> tuple[str, None]:
+    """At a scale, and just below and above it, the boundary or the topology is not the same."""
+    scale, kind, before, at, after = members(claim, "claim scale kind before at after")[1:]
+    require(kind in ("boundary", "topology"), f"there is no event {kind!r}")
+    low, here, high = seen(proof, before, list), seen(proof, at, Region), seen(proof, after, list)
+    s = scale_of(scale)
+    demand(low[-1].scales[1] == here.scales[0] == high[0].scales[0] == s, "not at one scale")
+    same = form_of(low[0]) == form_of(high[0]) and form_of(low[0], s) == form_of(here)
+    if kind == "topology":
+        same = low[0].counts == here.counts == high[0].counts
+    demand(not same, "nothing changes")
+    return f"{kind} at {scale}, no event of the boundary from {low[0].scales[0]} to it", None
 
 
-def winds_around(ring: list[Vertex], x: Vertex) -> bool:
-    """Whether a closed polyline that misses a point leads around it."""
-    times = 0
-    for a, b in edges_of(ring):
-        if (a[1] <= x[1]) != (b[1] <= x[1]):
-            side = cross((b[0] - a[0], b[1] - a[1]), (x[0] - a[0], x[1] - a[1]))
-            times += (side > 0 and b[1] > a[1]) - (side < 0 and b[1] < a[1])
-    return times != 0
+def add_point(proof: Proof, claim: Json) -> tuple[str, None]:
+    """A point of the sum: s p + q, p in a piece of P and q in one of Q."""
+    scale, point, p, q, steps, nodes = members(claim, "claim scale point p q by pieces")[1:]
+    parts = vector(p), vector(q)
+    made = tuple(scale_of(scale) * x + y for x, y in zip(*parts, strict=True))
+    demand(made == vector(point), "s p + q is another point")
+    at = zip("PQ", parts, items(steps, 2), items(nodes, 2), strict=True)
+    for name, part, step, node in at:
+        pieces = proof.step(step, Pieces)
+        require(pieces.operand.name == name and not pieces.operand.thin, f"no pieces of {name}")
+        ring = pieces.hulls[index(node, pieces.children.count([]))]
+        p = part[0] * proof.unit, part[1] * proof.unit, 1
+        turns = (cross(direction(a, b), direction(a, p)) for a, b in edges_of(ring))
+        demand(all(turn >= 0 for turn in turns), f"{part} is not in piece {node} of {name}")
+    return f"{point} at {scale}", None
 
 
-class ScaleRange:
-    """All scales from one to another, each of which belongs to them or does not."""
-
-    def __init__(self, value: Json) -> None:
-        low, high, *self.is_in = members(value, "from to from_in to_in")
-        require(all(isinstance(told, bool) for told in self.is_in), "this is not true or false")
-        a, b = number(low), None if high is None else number(high)
-        self.ends = [(a.numerator, a.denominator), b.as_integer_ratio() if b else (1, 0)]
-        self.low: Cut = (a, not self.is_in[0])
-        self.high: Cut = (inf if b is None else b, self.is_in[1])
-        proper = a >= 0 and (a > 0 or not self.is_in[0]) and (b is not None or not self.is_in[1])
-        require(proper and self.low < self.high, f"{value} are no scales")
-
-    def middle(self) -> Fraction:
-        """One of the scales."""
-        low, high = self.low[0], self.high[0]
-        return Fraction(low + 1 if high == inf else (low + high) / 2)
-
-    def meet(self, corners: list[Corner]) -> bool:
-        """Whether the hull of corners has a point at one of the scales, and not only at an end that
-        does not belong to them."""
-        out = [end for end, is_in in zip(self.ends, self.is_in, strict=True) if not is_in]
-        return bool(corners) and not any(all(s * W == S * w for _, s, w in corners) for S, W in out)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, ScaleRange) and (self.low, self.high) == (other.low, other.high)
-
-    def __str__(self) -> str:
-        ends = f"{self.low[0]}, {self.high[0]}"
-        return f"{'[' if self.is_in[0] else '('}{ends}{']' if self.is_in[1] else ')'}"
+def add_passage(proof: Proof, claim: Json) -> tuple[str, None]:
+    """Points inside the sum, along edges of cells, that the sum of the interiors misses."""
+    scale, step, points, path = members(claim, "claim scale step points path")[1:]
+    region = proof.region(step, scale)
+    thin = region.P.operand.thin or region.Q.operand.thin
+    require(not thin, "passages of a point or a segment are not proven by contacts")
+    ids = [region.point(i) for i in items(path)]
+    demand([region.vertex(i) for i in ids] == list(map(vector, items(points))), "other points")
+    contacts = [(ids[0],)] if len(ids) == 1 else list(itertools.pairwise(ids))
+    require(bool(contacts), "a passage has no point")
+    for contact in contacts:
+        demand(contact in region.contacts, f"{contact} is no contact")
+        demand(is_within(region, contact), f"{contact} is not inside the sum")
+    return f"{points} at {scale}", None
 
 
-class Way:
-    """A segment of places of R, in whole numbers. Its ends may move with the scale s, from p(s) to
-    q(s), as long as its direction stays: the places p(s) + t d, with 0 <= t <= (q(s) - p(s)) / d,
-    which is linear in s. Its cell holds all such t and s."""
-
-    def __init__(self, clear: Clear, ends: Sequence[Vertex]) -> None:
-        self.by, self.parts = clear.by, lcm(*(c.denominator for end in ends for c in end))
-        unit, ((s, w), (S, W)) = clear.proof.unit * self.parts, clear.scales.ends
-        first, last = ([int(c * unit) for c in end] for end in ends)
-        self.start, self.slope = (first[0], first[2]), (first[1], first[3])
-        off = [b - a for a, b in zip(first, last, strict=True)]
-        u, v = ((c * off[0] + a * off[1], c * off[2] + a * off[3]) for a, c in clear.scales.ends)
-        demand(cross(u, v) == 0 and dot(u, v) >= 0, "a segment turns as the scale changes")
-        self.along = (u[0] + v[0], u[1] + v[1])
-        self.square, t, T = dot(self.along, self.along) or 1, dot(u, self.along), dot(v, self.along)
-        self.cell = list(dict.fromkeys([(0, s, w), (t, s, w), (T, S, W), (0, S, W)]))
-
-    def gap(self, normal: Vector, A: int, B: int) -> Triple:
-        """f, linear: positive at (t, s, w) where n (x + s a) > n b for all a in A, b in B."""
-        part, others = self.by
-        least, most = -part.most(A, (-normal[0], -normal[1])), others.most(B, normal)
-        far = dot(normal, self.start)
-        grows = self.square * (dot(normal, self.slope) + self.parts * least)
-        return dot(normal, self.along), grows, self.square * (far - self.parts * most)
+def add_sign(proof: Proof, claim: Json) -> tuple[str, None]:
+    """The sign of a predicate between two scales, or at one; zero at one means a root there."""
+    of, a, b, sign = members(claim, "claim of from to sign")[1:]
+    require(scale_of(a) <= scale_of(b), "the scales do not ascend")
+    require(integer(sign) in (-1, 0, 1), "this is no sign")
+    signs = signs_of(proof, of, [number(a), number(b)])
+    good = signs == {0} if sign == 0 else {sign} <= signs <= {0, sign}
+    demand(good, f"{of} has the signs {sorted(signs)} from {a} to {b}")
+    return f"{of} has the sign {sign} from {a} to {b}", None
 
 
-class Clear:
-    """`clear`: at no scale of a range a place of a path collides. For each segment a code follows
-    all pairs of pieces over the convex cell of all t and s: n takes away where normal n holds the
-    pair apart, until nothing is left; -1 and -2 split a node; -3 cuts the cell in the middle."""
-
-    def __init__(self, step: Json, proof: PathProof) -> None:
-        names = "rule by contact path scales normals codes"
-        by, contact, path, scales, normals, codes = members(step, names)[1:]
-        self.by, self.contact, self.proof = proof.pair(by), proof.contact(contact), proof
-        self.path = list(map(stays, proof.path)) if path is None else places(path, moving)
-        self.scales = ScaleRange(scales)
-        self.normals = [whole_normal(vector(normal)) for normal in items(normals)]
-        roots = [len(of.hulls) - 1 for of in self.by]  # -1: the set is empty
-        self.roots = [(roots[0], roots[1])] if min(roots) >= 0 else []
-        ways = segments(self.path)
-        for i, (ends, code) in enumerate(zip(ways, items(codes, len(ways)), strict=True)):
-            with within(f"segment {i}"):
-                self.follow(Way(self, ends), items(code))
-
-    def left(self, cell: list[Corner], f: Triple) -> list[Corner]:
-        """The part of a cell that f does not hold apart."""
-        self.proof.spend(len(cell))
-        rest = not_above(f, cell)
-        overlap = self.contact == "forbidden" or min(at_corners(f, cell)) < 0
-        return rest if overlap and self.scales.meet(rest) else []
-
-    def follow(self, way: Way, code: list[Json]) -> None:
-        stack = [(way.cell, A, B) for A, B in self.roots]
-        for token in map(integer, code):
-            self.proof.spend(1)
-            demand(bool(stack), "a code goes on after its end")
-            cell, A, B = stack.pop()
-            if token in (-1, -2):
-                children = self.by[token + 2 == 0].children[A if token == -1 else B]
-                demand(bool(children), "a code splits a piece")
-                pairs = [(c, B) if token == -1 else (A, c) for c in reversed(children)]
-                stack += [(cell, *pair) for pair in pairs]
-            elif token == -3:
-                at = [Fraction(t, w) for t, _, w in cell if w]
-                u, v = ((min(at) + max(at)) / 2).as_integer_ratio()
-                stack += [(not_above(f, cell), A, B) for f in ((-v, 0, u), (v, 0, -u))]
-            else:
-                normal = self.normals[index(token, len(self.normals))]
-                rest = self.left(cell, way.gap(normal, A, B))
-                stack += [(rest, A, B)] if rest else []
-        demand(not stack, "a code ends too early")
+def signs_of(proof: Proof, predicate: Json, ends: list[Fraction]) -> set[int]:
+    """Those of the Bernstein coefficients, from one scale to another, of `orientation` of three
+    points s p + q (positive: they turn left), or of `concurrent`, three lines, each through two
+    such points (zero: they meet in a point or are parallel). Both are linear in each point, and
+    a coefficient adds up the values with so many points at the second scale."""
+    name, entries = items(predicate, 2)
+    require(name in ("orientation", "concurrent"), f"there is no predicate {name!r}")
+    points = items(entries, 3)
+    if name == "concurrent":
+        points = [point for line in points for point in items(line, 2)]
+    moving = [[moved(proof, point, s) for s in ends] for point in points]
+    sums = [Fraction(0)] * (len(points) + 1)
+    for choice in itertools.product((0, 1), repeat=len(points)):
+        u, v, w, *more = (point[end] for point, end in zip(moving, choice, strict=True))
+        if more:
+            u, v, w = across(u, v), across(w, more[0]), across(more[1], more[2])
+        sums[sum(choice)] += sum(x * y for x, y in zip(u, across(v, w), strict=True))
+    return {(c > 0) - (c < 0) for c in sums}
 
 
-class PathProof(Proof):
-    """The proof for a case of R, O and a path."""
-
-    rules: ClassVar[dict[str, Any]] = {"pieces": Pieces, "clear": Clear}
-    claims = ("free", "hit", "valid", "escapes", "trapped", "trap")
-
-    def __init__(self, path: list[Vertex], sets: Sequence[Operand], budget: Budget) -> None:
-        super().__init__(sets[0], sets[1], budget)
-        self.path, self.ways = path, segments(path)
-
-    def pair(self, by: Json) -> tuple[Pieces, Pieces]:
-        pair = [self.step(value, Pieces) for value in items(by, 2)]
-        require([of.operand.name for of in pair] == ["R", "O"], "`by` is not of R and O")
-        return pair[0], pair[1]
-
-    def nodes(self, by: tuple[Pieces, Pieces], value: Json) -> Edge:
-        A, B = (index(i, len(of.hulls)) for i, of in zip(items(value, 2), by, strict=True))
-        demand(by[0].solid[A] and by[1].solid[B], f"{A} or {B} is not convex")
-        return A, B
-
-    def contact(self, value: Json) -> str:
-        """With contact allowed both have an area: else seams of pieces would be let through."""
-        require(value in ("allowed", "forbidden"), f"there is no contact {value!r}")
-        thin = value == "allowed" and any(o.thin for o in self.operands.values())
-        require(not thin, "with contact allowed neither may be a point or a segment")
-        return str(value)
-
-    def clear(self, step: Json, contact: Json, scales: Json) -> Clear:
-        clear = self.step(step, Clear)
-        same = (clear.contact, clear.scales) == (self.contact(contact), ScaleRange(scales))
-        demand(same, "the step is about another contact, or other scales")
-        return clear
-
-    def add_free(self, claim: Json) -> tuple[str, Any]:
-        """At each scale of a range no place of the path collides."""
-        contact, scales, step = members(claim, "claim contact scales step")[1:]
-        clear = self.clear(step, contact, scales)
-        demand(clear.path == list(map(stays, self.path)), "the step is about another path")
-        return f"at {clear.scales}, contact {contact}", ("free", contact, clear.scales)
-
-    def add_hit(self, claim: Json) -> tuple[str, Any]:
-        """At each scale of a range some place of the path collides."""
-        contact, scales, by, hits = members(claim, "claim contact scales by hits")[1:]
-        contact, told, pair = self.contact(contact), ScaleRange(scales), self.pair(by)
-        reach = told.low
-        for i, hit in enumerate(items(hits)):
-            with within(f"hit {i}"):
-                low, high = self.hit(hit, contact == "allowed", pair)
-                demand(low <= reach < high, "it leaves out scales before it, or adds none")
-                reach = high
-        demand(reach >= told.high, "the hits do not reach to the last scale")
-        return f"at {told}, contact {contact}", ("hit", contact, told)
-
-    def hit(self, value: Json, strict: bool, by: tuple[Pieces, Pieces]) -> tuple[Cut, Cut]:
-        """Where its scales begin and end. A place, and a point that the part and the obstacles have
-        in common there, move linearly from each scale to the next; `up`: they stay for ever."""
-        segment, nodes, entries = members(value, "segment nodes points")
-        start, end = self.ways[index(segment, len(self.ways))]
-        A, B = self.nodes(by, nodes)
-        of_A, of_B = sides(by[0].hulls[A]), sides(by[1].hulls[B])
-        up = items(entries)[-1:] == ["up"]
-        scales: list[Any] = []
-        levels: list[list[Any]] = []  # of the point across the sides of both pieces; positive: out
-        for entry in entries[: len(entries) - up]:
-            self.spend(len(of_A) + len(of_B))
-            t, s, point = items(entry, 3)
-            t, s, (x, y) = number(t), number(s), vector(point)
-            require(0 <= t <= 1 and s >= 0, "this is no place of a segment, or no scale")
-            off = tuple(p - (1 - t) * c - t * d for p, c, d in zip((x, y), start, end, strict=True))
-            outs = [self.unit * dot(n, off) - s * by[0].most(A, n) for n in of_A]
-            levels.append(outs + [self.unit * dot(n, (x, y)) - by[1].most(B, n) for n in of_B])
-            scales.append(s)
-        require(bool(scales), "a hit has no point")
-        require(scales == sorted(set(scales)), "the scales do not ascend")
-        if up:
-            levels.append([-by[0].most(A, n) for n in of_A] + [0 for _ in of_B])
-            scales.append(inf)
-        demand(all(max(level) <= 0 for level in levels), "a point is not in its piece")
-        if strict:
-            inner = all(max(level) < 0 for level in levels[1:-1])
-            pairs = itertools.pairwise(levels)
-            between = all(u < 0 or v < 0 for p in pairs for u, v in zip(*p, strict=True))
-            demand(inner and between, "a point is not in the interior of its piece")
-        ends = [not strict or max(level) < 0 for level in (levels[0], levels[-1])]
-        return (scales[0], not (ends[0] and scales[0] > 0)), (scales[-1], ends[1] and not up)
-
-    def add_valid(self, claim: Json) -> tuple[str, None]:
-        """Which of some scales are valid for the path: claims follow each other, free or hit."""
-        return self.answer(claim, "valid", ("free", "hit"))
-
-    def add_trap(self, claim: Json) -> tuple[str, None]:
-        """At which of some scales the part is trapped at the place."""
-        self.place()
-        return self.answer(claim, "trapped", ("trapped", "escapes", "hit"))
-
-    def answer(self, claim: Json, name: str, kinds: Sequence[str]) -> tuple[str, None]:
-        """`name`: the member with the scales of the claims of the first kind."""
-        contact, scales, told, claims = members(claim, f"claim contact scales {name} claims")[1:]
-        contact, window = self.contact(contact), ScaleRange(scales)
-        parts = [self.claim(value, tuple) for value in items(claims)]
-        require(all(part[0] in kinds for part in parts), "a claim is of another kind")
-        demand(all(part[1] == contact for part in parts), "a claim is about another contact")
-        ends = [window.low, *(part[2].high for part in parts)]
-        good = [part[2].low for part in parts] + [window.high] == ends
-        demand(good, "the claims do not follow each other from end to end")
-        groups = itertools.groupby(parts, key=lambda part: part[0] == kinds[0])
-        found = [
-            (g[0][2].low, g[-1][2].high) for has, g in ((h, list(g)) for h, g in groups) if has
-        ]
-        ranges = [*map(ScaleRange, items(told))]
-        demand([(one.low, one.high) for one in ranges] == found, "the scales are others")
-        return f"of {window}, contact {contact}: {', '.join(map(str, ranges)) or 'none'}", None
-
-    def place(self) -> Vertex:
-        require(len(self.path) == 1, "the path of the case is not one place")
-        return self.path[0]
-
-    def add_escapes(self, claim: Json) -> tuple[str, Any]:
-        """A way from the place to one from which the part may go on along the normal. Its places
-        may move with the scale."""
-        contact, scales, step, normal = members(claim, "claim contact scales step normal")[1:]
-        clear = self.clear(step, contact, scales)
-        demand(clear.path[0] == stays(self.place()), "the way begins elsewhere")
-        last, out = Way(clear, [clear.path[-1]] * 2), whole_normal(vector(normal))
-        left = [clear.left(last.cell, last.gap(out, *pair)) for pair in clear.roots]
-        demand(not any(left), "its end is not beyond all collisions")
-        return f"at {clear.scales}, contact {contact}", ("escapes", contact, clear.scales)
-
-    def add_trapped(self, claim: Json) -> tuple[str, Any]:
-        """The place is free, and a ring of places that collide leads around it. Its vertices move
-        linearly with the scale."""
-        names = "claim contact scales step by ring pairs"
-        contact, scales, step, by, ring, pairs = members(claim, names)[1:]
-        clear, by = self.clear(step, contact, scales), self.pair(by)
-        demand(clear.path == [stays(self.place())], "the step is about another place")
-        corners = [tuple(map(number, items(corner, 4))) for corner in items(ring)]
-        ends = [(0, s, w) for s, w in clear.scales.ends]
-        for edge, nodes in zip(edges_of(corners), items(pairs, len(corners)), strict=True):
-            A, B = self.nodes(by, nodes)
-            of_A = [(-x, -y) for x, y in sides(by[0].hulls[A])]  # the sum is of B and -sA
-            for n, (x, X, y, Y) in itertools.product(of_A + sides(by[1].hulls[B]), edge):
-                self.spend(2)
-                far = self.unit * dot(n, (x, y)) - by[1].most(B, n)
-                grows = self.unit * dot(n, (X, Y)) - by[0].most(A, (-n[0], -n[1]))
-                levels = [grows * s + far * w for _, s, w in ends]
-                touch = [end for end, level in zip(ends, levels, strict=True) if level == 0]
-                inside = contact == "forbidden" or not clear.scales.meet(touch)
-                demand(max(levels) <= 0 and inside, f"an edge is not in the sum of {A} and {B}")
-        s = clear.scales.middle()
-        around = winds_around([at_scale(corner, s) for corner in corners], self.path[0])
-        demand(around, "the ring does not lead around the place")
-        return f"at {clear.scales}, contact {contact}", ("trapped", contact, clear.scales)
+def moved(proof: Proof, value: Json, s: Fraction) -> Triple:
+    """Vertex i of sP plus vertex j of Q, null for none of it."""
+    x, y = Fraction(0), Fraction(0)
+    for i, name in zip(items(value, 2), "PQ", strict=True):
+        if i is not None:
+            at = proof.operands[name].exact[index(i, len(proof.operands[name].exact))]
+            x, y = (c + (s if name == "P" else 1) * d for c, d in zip((x, y), at, strict=True))
+    return x, y, Fraction(1)
 
 
-# In space: surfaces whose vertices are whole numbers.
+Proof.claims.update(interval=add_interval, event=add_event, point=add_point)
+Proof.claims.update(passage=add_passage, sign=add_sign)
+
+
+# Part 4: space, surfaces whose vertices are whole numbers, and sums of convex polyhedra.
+
+SpaceVector = tuple[int, int, int]
+SpacePoint = tuple[Fraction, Fraction, Fraction]
 
 
 def indices(value: Json, end: int) -> list[int]:
@@ -1270,7 +956,58 @@ class ConvexSum:
         return f"sum: at ({at}), {vertices} vertices, {facets} facets, volume {found}, {digest}"
 
 
-# In space: solids of any shape, as unions of convex pieces.
+def bodies_of(case: Json, digest: Json) -> list[Body]:
+    require(case.get("dimension") == 3, "this is no case in space")
+    bodies = [Body(case.get(operand), operand) for operand in "PQ"]
+    plain = {body.name: body.plain() for body in bodies}
+    demand(digest_of(plain) == digest, "not the case that is certified")
+    return bodies
+
+
+def of_convex_bodies(
+    case: Json, digest: Json, entries: Json, claims: Json, budget: Budget
+) -> list[str]:
+    P, Q = bodies_of(case, digest)
+    unit = 1
+    for point in P.exact + Q.exact:
+        unit = lcm(unit, *(c.denominator for c in point))
+        budget.spend(1 + unit.bit_length() // 64)
+    for operand in (P, Q):
+        operand.check(unit, budget)
+    sums: list[ConvexSum] = []
+    for entry in items(entries):
+        with within(f"sum {len(sums)}"):
+            sums.append(ConvexSum(entry, P, Q, unit, budget))
+    return said_of(sums, claims, "vertices facets volume digest", budget)
+
+
+def said_of(sums: Sequence[Any], claims: Json, names: str, budget: Budget) -> list[str]:
+    """Checks claims about sums in space; returns them as texts."""
+    require(len({one.scaling for one in sums}) == len(sums), "two sums are at one scaling")
+    require(len(set(map(digest_of, items(claims)))) == len(claims), "a claim is made twice")
+    said: list[str] = []
+    used: set[int] = set()
+    for claim in claims:
+        with within(f"claim {len(said)}"):
+            budget.spend(64)
+            kind, i, *more = members(claim, f"claim sum scaling {names}")
+            require(kind == "sum", f"there is no claim {kind!r}")
+            used |= {*indices([i], len(sums))}
+            said.append(sums[i].check_claim(more))
+    require(bool(said) and len(used) == len(sums), "nothing is claimed, or a sum is not used")
+    return said
+
+
+FORMS["convex-certificate-v1"] = "sums", of_convex_bodies
+
+
+# Part 5: solids of any shape, as unions of convex pieces. Needs parts 2 and 4.
+
+MOST_PAIRS = 20_000  # of pieces of solids
+AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
+Homogeneous = tuple[int, int, int, int]  # the point (x / w, y / w, z / w), w > 0
+HalfSpace = tuple[SpaceVector, int]  # normal * x <= height
+Feature = tuple[SpaceVector, ...]  # the corners of a corner, an edge or a facet of a piece
 
 
 def minus(a: SpaceVector, b: SpaceVector) -> SpaceVector:
@@ -1639,12 +1376,6 @@ def united(tiles: Rings, budget: Budget) -> list[Rings]:
         for a, b in edges_of(tile):
             lines[line_of(a, b)].append((a, b, n))
     root, sides = list(range(len(tiles))), []
-
-    def find(tile: int) -> int:
-        while root[tile] != tile:
-            root[tile] = tile = root[root[tile]]
-        return tile
-
     for edges in lines.values():
         stops = sorted({p for a, b, _ in edges for p in (a, b)})
         budget.spend(len(stops) * len(edges))
@@ -1652,7 +1383,7 @@ def united(tiles: Rings, budget: Budget) -> list[Rings]:
             left = [n for a, b, n in edges if a <= low and high <= b]
             right = [n for a, b, n in edges if b <= low and high <= a]
             if left and right:
-                root[find(left[0])] = find(right[0])
+                root[find(root, left[0])] = find(root, right[0])
             elif left:
                 sides.append((low, high, left[0]))
             elif right:
@@ -1672,7 +1403,7 @@ def united(tiles: Rings, budget: Budget) -> list[Rings]:
             budget.spend(len(leaving[side[1]]))
             side = next_side(side, leaving[side[1]])
         for ring in simple_rings(walk):
-            found[find(side[2])].append(ring)
+            found[find(root, side[2])].append(ring)
     polygons = []
     for rings in found.values():
         outer = [ring for ring in rings if doubled_area(ring) > 0]
@@ -1747,53 +1478,8 @@ def in_order(ring: list[Vertex]) -> list[Vertex]:
     return corners[least:] + corners[:least]
 
 
-# The certificate as a whole.
-
-
-def of_the_plane(case: Json, digest: Json, steps: Json, claims: Json, budget: Budget) -> list[str]:
-    """A certificate-v1."""
-    P, Q = (Operand(case.get(operand), operand) for operand in "PQ")
-    demand(digest_of({"P": P.plain, "Q": Q.plain}) == digest, "not the case that is certified")
-    return Proof(P, Q, budget).follow(steps, claims)
-
-
-def of_paths(case: Json, digest: Json, steps: Json, claims: Json, budget: Budget) -> list[str]:
-    """A path-certificate-v1."""
-    sets = [Operand(case.get(operand), operand) for operand in "RO"]
-    path = places(case.get("path"))
-    plain = {one.name: one.plain for one in sets} | {"path": [[str(x), str(y)] for x, y in path]}
-    demand(digest_of(plain) == digest, "not the case that is certified")
-    return PathProof(path, sets, budget).follow(steps, claims)
-
-
-def of_convex_bodies(
-    case: Json, digest: Json, entries: Json, claims: Json, budget: Budget
-) -> list[str]:
-    """A convex-certificate-v1."""
-    in_space = type(case.get("dimension")) is int
-    require(in_space and case["dimension"] == 3, "this is no case in space")
-    P, Q = (Body(case.get(operand), operand) for operand in "PQ")
-    demand(digest_of({"P": P.plain(), "Q": Q.plain()}) == digest, "not the case that is certified")
-    unit = 1
-    for point in P.exact + Q.exact:
-        unit = lcm(unit, *(c.denominator for c in point))
-        budget.spend(1 + unit.bit_length() // 64)
-    for operand in (P, Q):
-        operand.check(unit, budget)
-    sums: list[ConvexSum] = []
-    for entry in items(entries):
-        with within(f"sum {len(sums)}"):
-            sums.append(ConvexSum(entry, P, Q, unit, budget))
-    return said_of(sums, claims, "vertices facets volume digest", budget)
-
-
 def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budget) -> list[str]:
-    """A solid-certificate-v1."""
-    in_space = type(case.get("dimension")) is int
-    require(in_space and case["dimension"] == 3, "this is no case in space")
-    bodies = [Body(case.get(operand), operand) for operand in "PQ"]
-    plain = {body.name: body.plain() for body in bodies}
-    demand(digest_of(plain) == digest, "not the case that is certified")
+    bodies = bodies_of(case, digest)
     *parts, entries = members(proof, "P Q sums")
     exact, hulls = zip(*map(read_pieces, parts, bodies), strict=True)
     few = len(hulls[0]) * len(hulls[1]) <= MOST_PAIRS
@@ -1814,38 +1500,366 @@ def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budge
     return said_of(sums, claims, "planes polygons volume digest", budget)
 
 
-def said_of(sums: Sequence[Any], claims: Json, names: str, budget: Budget) -> list[str]:
-    """Checks claims about sums in space; returns them as texts."""
-    require(len({one.scaling for one in sums}) == len(sums), "two sums are at one scaling")
-    require(len(set(map(digest_of, items(claims)))) == len(claims), "a claim is made twice")
-    said: list[str] = []
-    used: set[int] = set()
-    for claim in claims:
-        with within(f"claim {len(said)}"):
-            budget.spend(64)
-            kind, i, *more = members(claim, f"claim sum scaling {names}")
-            require(kind == "sum", f"there is no claim {kind!r}")
-            used |= {*indices([i], len(sums))}
-            said.append(sums[i].check_claim(more))
-    require(bool(said) and len(used) == len(sums), "nothing is claimed, or a sum is not used")
-    return said
+FORMS["solid-certificate-v1"] = "proof", of_solids
 
 
-Checked = Callable[[Json, Json, Json, Json, Budget], list[str]]
-FORMS: dict[Any, tuple[str, Checked]] = {  # and the member that holds the argument
-    "certificate-v1": ("steps", of_the_plane),
-    "convex-certificate-v1": ("sums", of_convex_bodies),
-    "solid-certificate-v1": ("proof", of_solids),
-    "path-certificate-v1": ("steps", of_paths),
-}
+# Part 6: a part R, scaled, that moves along a path in the plane among obstacles O. Needs part 2.
+
+# t, s, w: the part t / w of a segment, the scale s / w; w = 0: far up
+Corner = tuple[int, int, int]
+Cut = tuple[Any, bool]  # just below a scale; True: just above it
 
 
-def check(path: Path, case: Path | None, seconds: float, tests: float, size: float) -> list[str]:
+def places(value: Json, place: Callable[[Json], Vertex] = vector) -> list[Vertex]:
+    require(bool(items(value)), "a path has no place")
+    return list(map(place, value))
+
+
+def stays(place: Vertex) -> Vertex:
+    """A place as one that moves with the scale."""
+    return (place[0], Fraction(0), place[1], Fraction(0))
+
+
+def moving(value: Json) -> Vertex:
+    """`["x0", "x1", "y0", "y1"]`; a place that stays has two numbers."""
+    return stays(vector(value)) if len(items(value)) == 2 else tuple(map(number, items(value, 4)))
+
+
+def segments(path: list[Vertex]) -> list[tuple[Vertex, Vertex]]:
+    """From each place to the next; a single place gives a segment from it to itself."""
+    return list(itertools.pairwise(path)) or [(path[0], path[0])]
+
+
+def at_corners(f: Triple, cell: list[Corner]) -> list[int]:
+    return [f[0] * t + f[1] * s + f[2] * w for t, s, w in cell]
+
+
+def not_above(f: Triple, cell: list[Corner]) -> list[Corner]:
+    """The part of a convex polygon where f <= 0."""
+    levels = at_corners(f, cell)
+    kept: list[Corner] = []
+    for i, (c, level) in enumerate(zip(cell, levels, strict=True)):
+        if level * levels[i - 1] < 0:
+            u, v = abs(level), abs(levels[i - 1])
+            t, s, w = (v * x + u * y for x, y in zip(c, cell[i - 1], strict=True))
+            kept.append((t // gcd(t, s, w), s // gcd(t, s, w), w // gcd(t, s, w)))
+        kept += [c] if level <= 0 else []
+    return list(dict.fromkeys(kept))
+
+
+def sides(ring: list[Triple]) -> list[Vector]:
+    """Normals of half-planes that have in common a convex polygon, a segment or a point (also as a
+    segment without length)."""
+    if len(ring) > 2:
+        return [(b[1] - a[1], a[0] - b[0]) for a, b in edges_of(ring)]
+    x, y = direction(ring[0], ring[1]) if len(set(ring)) == 2 else (1, 0)
+    return [(x, y), (-x, -y), (y, -x), (-y, x)]
+
+
+def winds_around(ring: list[Vertex], x: Vertex) -> bool:
+    """Whether a closed polyline that misses a point leads around it."""
+    times = 0
+    for a, b in edges_of(ring):
+        if (a[1] <= x[1]) != (b[1] <= x[1]):
+            side = cross((b[0] - a[0], b[1] - a[1]), (x[0] - a[0], x[1] - a[1]))
+            times += (side > 0 and b[1] > a[1]) - (side < 0 and b[1] < a[1])
+    return times != 0
+
+
+class ScaleRange:
+    """All scales from one to another, each of which belongs to them or does not."""
+
+    def __init__(self, value: Json) -> None:
+        low, high, *self.is_in = members(value, "from to from_in to_in")
+        require(all(isinstance(told, bool) for told in self.is_in), "this is not true or false")
+        a, b = number(low), None if high is None else number(high)
+        self.ends = [(a.numerator, a.denominator), b.as_integer_ratio() if b else (1, 0)]
+        self.low: Cut = (a, not self.is_in[0])
+        self.high: Cut = (inf if b is None else b, self.is_in[1])
+        proper = a >= 0 and (a > 0 or not self.is_in[0]) and (b is not None or not self.is_in[1])
+        require(proper and self.low < self.high, f"{value} are no scales")
+
+    def middle(self) -> Fraction:
+        """One of the scales."""
+        low, high = self.low[0], self.high[0]
+        return Fraction(low + 1 if high == inf else (low + high) / 2)
+
+    def meet(self, corners: list[Corner]) -> bool:
+        """Whether the hull of corners has a point at one of the scales, and not only at an end that
+        does not belong to them."""
+        out = [end for end, is_in in zip(self.ends, self.is_in, strict=True) if not is_in]
+        return bool(corners) and not any(all(s * W == S * w for _, s, w in corners) for S, W in out)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ScaleRange) and (self.low, self.high) == (other.low, other.high)
+
+    def __str__(self) -> str:
+        ends = f"{self.low[0]}, {self.high[0]}"
+        return f"{'[' if self.is_in[0] else '('}{ends}{']' if self.is_in[1] else ')'}"
+
+
+class Way:
+    """A segment of places of R, in whole numbers. Its ends may move with the scale s, from p(s) to
+    q(s), as long as its direction stays: the places p(s) + t d, with 0 <= t <= (q(s) - p(s)) / d,
+    which is linear in s. Its cell holds all such t and s."""
+
+    def __init__(self, clear: Clear, ends: Sequence[Vertex]) -> None:
+        self.by, self.parts = clear.by, lcm(*(c.denominator for end in ends for c in end))
+        unit, ((s, w), (S, W)) = clear.proof.unit * self.parts, clear.scales.ends
+        first, last = ([int(c * unit) for c in end] for end in ends)
+        self.start, self.slope = (first[0], first[2]), (first[1], first[3])
+        off = [b - a for a, b in zip(first, last, strict=True)]
+        u, v = ((c * off[0] + a * off[1], c * off[2] + a * off[3]) for a, c in clear.scales.ends)
+        demand(cross(u, v) == 0 and dot(u, v) >= 0, "a segment turns as the scale changes")
+        self.along = (u[0] + v[0], u[1] + v[1])
+        self.square, t, T = dot(self.along, self.along) or 1, dot(u, self.along), dot(v, self.along)
+        self.cell = list(dict.fromkeys([(0, s, w), (t, s, w), (T, S, W), (0, S, W)]))
+
+    def gap(self, normal: Vector, A: int, B: int) -> Triple:
+        """f, linear: positive at (t, s, w) where n (x + s a) > n b for all a in A, b in B."""
+        part, others = self.by
+        least, most = -part.most(A, (-normal[0], -normal[1])), others.most(B, normal)
+        far = dot(normal, self.start)
+        grows = self.square * (dot(normal, self.slope) + self.parts * least)
+        return dot(normal, self.along), grows, self.square * (far - self.parts * most)
+
+
+class Clear:
+    """`clear`: at no scale of a range a place of a path collides. For each segment a code follows
+    all pairs of pieces over the convex cell of all t and s: n takes away where normal n holds the
+    pair apart, until nothing is left; -1 and -2 split a node; -3 cuts the cell in the middle."""
+
+    def __init__(self, step: Json, proof: PathProof) -> None:
+        names = "rule by contact path scales normals codes"
+        by, contact, path, scales, normals, codes = members(step, names)[1:]
+        self.by, self.contact, self.proof = proof.pair(by), proof.contact(contact), proof
+        self.path = list(map(stays, proof.path)) if path is None else places(path, moving)
+        self.scales = ScaleRange(scales)
+        self.normals = [whole_normal(vector(normal)) for normal in items(normals)]
+        roots = [len(of.hulls) - 1 for of in self.by]  # -1: the set is empty
+        self.roots = [(roots[0], roots[1])] if min(roots) >= 0 else []
+        ways = segments(self.path)
+        for i, (ends, code) in enumerate(zip(ways, items(codes, len(ways)), strict=True)):
+            with within(f"segment {i}"):
+                self.follow(Way(self, ends), items(code))
+
+    def left(self, cell: list[Corner], f: Triple) -> list[Corner]:
+        """The part of a cell that f does not hold apart."""
+        self.proof.spend(len(cell))
+        rest = not_above(f, cell)
+        overlap = self.contact == "forbidden" or min(at_corners(f, cell)) < 0
+        return rest if overlap and self.scales.meet(rest) else []
+
+    def follow(self, way: Way, code: list[Json]) -> None:
+        stack = [(way.cell, A, B) for A, B in self.roots]
+        for token in map(integer, code):
+            self.proof.spend(1)
+            demand(bool(stack), "a code goes on after its end")
+            cell, A, B = stack.pop()
+            if token in (-1, -2):
+                children = self.by[token + 2 == 0].children[A if token == -1 else B]
+                demand(bool(children), "a code splits a piece")
+                pairs = [(c, B) if token == -1 else (A, c) for c in reversed(children)]
+                stack += [(cell, *pair) for pair in pairs]
+            elif token == -3:
+                at = [Fraction(t, w) for t, _, w in cell if w]
+                u, v = ((min(at) + max(at)) / 2).as_integer_ratio()
+                stack += [(not_above(f, cell), A, B) for f in ((-v, 0, u), (v, 0, -u))]
+            else:
+                normal = self.normals[index(token, len(self.normals))]
+                rest = self.left(cell, way.gap(normal, A, B))
+                stack += [(rest, A, B)] if rest else []
+        demand(not stack, "a code ends too early")
+
+
+class PathProof(Proof):
+    """The proof for a case of R, O and a path."""
+
+    rules: ClassVar[dict[str, Any]] = {"pieces": Pieces, "clear": Clear}
+
+    def __init__(self, path: list[Vertex], sets: Sequence[Operand], budget: Budget) -> None:
+        super().__init__(sets[0], sets[1], budget)
+        self.path, self.ways = path, segments(path)
+
+    def claim(self, value: Json) -> tuple[Any, ...]:
+        shown = self.shown[index(value, len(self.shown))]
+        require(isinstance(shown, tuple), f"claim {value} is of another kind")
+        return shown  # type: ignore[no-any-return]
+
+    def pair(self, by: Json) -> tuple[Pieces, Pieces]:
+        pair = [self.step(value, Pieces) for value in items(by, 2)]
+        require([of.operand.name for of in pair] == ["R", "O"], "`by` is not of R and O")
+        return pair[0], pair[1]
+
+    def nodes(self, by: tuple[Pieces, Pieces], value: Json) -> Edge:
+        A, B = (index(i, len(of.hulls)) for i, of in zip(items(value, 2), by, strict=True))
+        demand(by[0].solid[A] and by[1].solid[B], f"{A} or {B} is not convex")
+        return A, B
+
+    def contact(self, value: Json) -> str:
+        """With contact allowed both have an area: else seams of pieces would be let through."""
+        require(value in ("allowed", "forbidden"), f"there is no contact {value!r}")
+        thin = value == "allowed" and any(o.thin for o in self.operands.values())
+        require(not thin, "with contact allowed neither may be a point or a segment")
+        return str(value)
+
+    def clear(self, step: Json, contact: Json, scales: Json) -> Clear:
+        clear = self.step(step, Clear)
+        same = (clear.contact, clear.scales) == (self.contact(contact), ScaleRange(scales))
+        demand(same, "the step is about another contact, or other scales")
+        return clear
+
+    def add_free(self, claim: Json) -> tuple[str, Any]:
+        """At each scale of a range no place of the path collides."""
+        contact, scales, step = members(claim, "claim contact scales step")[1:]
+        clear = self.clear(step, contact, scales)
+        demand(clear.path == list(map(stays, self.path)), "the step is about another path")
+        return f"at {clear.scales}, contact {contact}", ("free", contact, clear.scales)
+
+    def add_hit(self, claim: Json) -> tuple[str, Any]:
+        """At each scale of a range some place of the path collides."""
+        contact, scales, by, hits = members(claim, "claim contact scales by hits")[1:]
+        contact, told, pair = self.contact(contact), ScaleRange(scales), self.pair(by)
+        reach = told.low
+        for i, hit in enumerate(items(hits)):
+            with within(f"hit {i}"):
+                low, high = self.hit(hit, contact == "allowed", pair)
+                demand(low <= reach < high, "it leaves out scales before it, or adds none")
+                reach = high
+        demand(reach >= told.high, "the hits do not reach to the last scale")
+        return f"at {told}, contact {contact}", ("hit", contact, told)
+
+    def hit(self, value: Json, strict: bool, by: tuple[Pieces, Pieces]) -> tuple[Cut, Cut]:
+        """Where its scales begin and end. A place, and a point that the part and the obstacles have
+        in common there, move linearly from each scale to the next; `up`: they stay for ever."""
+        segment, nodes, entries = members(value, "segment nodes points")
+        start, end = self.ways[index(segment, len(self.ways))]
+        A, B = self.nodes(by, nodes)
+        of_A, of_B = sides(by[0].hulls[A]), sides(by[1].hulls[B])
+        up = items(entries)[-1:] == ["up"]
+        scales: list[Any] = []
+        levels: list[list[Any]] = []  # of the point across the sides of both pieces; positive: out
+        for entry in entries[: len(entries) - up]:
+            self.spend(len(of_A) + len(of_B))
+            t, s, point = items(entry, 3)
+            t, s, (x, y) = number(t), number(s), vector(point)
+            require(0 <= t <= 1 and s >= 0, "this is no place of a segment, or no scale")
+            off = tuple(p - (1 - t) * c - t * d for p, c, d in zip((x, y), start, end, strict=True))
+            outs = [self.unit * dot(n, off) - s * by[0].most(A, n) for n in of_A]
+            levels.append(outs + [self.unit * dot(n, (x, y)) - by[1].most(B, n) for n in of_B])
+            scales.append(s)
+        require(bool(scales), "a hit has no point")
+        require(scales == sorted(set(scales)), "the scales do not ascend")
+        if up:
+            levels.append([-by[0].most(A, n) for n in of_A] + [0 for _ in of_B])
+            scales.append(inf)
+        demand(all(max(level) <= 0 for level in levels), "a point is not in its piece")
+        if strict:
+            inner = all(max(level) < 0 for level in levels[1:-1])
+            pairs = itertools.pairwise(levels)
+            between = all(u < 0 or v < 0 for p in pairs for u, v in zip(*p, strict=True))
+            demand(inner and between, "a point is not in the interior of its piece")
+        ends = [not strict or max(level) < 0 for level in (levels[0], levels[-1])]
+        return (scales[0], not (ends[0] and scales[0] > 0)), (scales[-1], ends[1] and not up)
+
+    def add_valid(self, claim: Json) -> tuple[str, None]:
+        """Which of some scales are valid for the path: claims follow each other, free or hit."""
+        return self.answer(claim, "valid", ("free", "hit"))
+
+    def add_trap(self, claim: Json) -> tuple[str, None]:
+        """At which of some scales the part is trapped at the place."""
+        self.place()
+        return self.answer(claim, "trapped", ("trapped", "escapes", "hit"))
+
+    def answer(self, claim: Json, name: str, kinds: Sequence[str]) -> tuple[str, None]:
+        """`name`: the member with the scales of the claims of the first kind."""
+        contact, scales, told, claims = members(claim, f"claim contact scales {name} claims")[1:]
+        contact, window = self.contact(contact), ScaleRange(scales)
+        parts = [self.claim(value) for value in items(claims)]
+        require(all(part[0] in kinds for part in parts), "a claim is of another kind")
+        demand(all(part[1] == contact for part in parts), "a claim is about another contact")
+        ends = [window.low, *(part[2].high for part in parts)]
+        good = [part[2].low for part in parts] + [window.high] == ends
+        demand(good, "the claims do not follow each other from end to end")
+        groups = itertools.groupby(parts, key=lambda part: part[0] == kinds[0])
+        found = [
+            (g[0][2].low, g[-1][2].high) for has, g in ((h, list(g)) for h, g in groups) if has
+        ]
+        ranges = [*map(ScaleRange, items(told))]
+        demand([(one.low, one.high) for one in ranges] == found, "the scales are others")
+        return f"of {window}, contact {contact}: {', '.join(map(str, ranges)) or 'none'}", None
+
+    def place(self) -> Vertex:
+        require(len(self.path) == 1, "the path of the case is not one place")
+        return self.path[0]
+
+    def add_escapes(self, claim: Json) -> tuple[str, Any]:
+        """A way from the place to one from which the part may go on along the normal. Its places
+        may move with the scale."""
+        contact, scales, step, normal = members(claim, "claim contact scales step normal")[1:]
+        clear = self.clear(step, contact, scales)
+        demand(clear.path[0] == stays(self.place()), "the way begins elsewhere")
+        last, out = Way(clear, [clear.path[-1]] * 2), whole_normal(vector(normal))
+        left = [clear.left(last.cell, last.gap(out, *pair)) for pair in clear.roots]
+        demand(not any(left), "its end is not beyond all collisions")
+        return f"at {clear.scales}, contact {contact}", ("escapes", contact, clear.scales)
+
+    def add_trapped(self, claim: Json) -> tuple[str, Any]:
+        """The place is free, and a ring of places that collide leads around it. Its vertices move
+        linearly with the scale."""
+        names = "claim contact scales step by ring pairs"
+        contact, scales, step, by, ring, pairs = members(claim, names)[1:]
+        clear, by = self.clear(step, contact, scales), self.pair(by)
+        demand(clear.path == [stays(self.place())], "the step is about another place")
+        corners = [tuple(map(number, items(corner, 4))) for corner in items(ring)]
+        ends = [(0, s, w) for s, w in clear.scales.ends]
+        for edge, nodes in zip(edges_of(corners), items(pairs, len(corners)), strict=True):
+            A, B = self.nodes(by, nodes)
+            of_A = [(-x, -y) for x, y in sides(by[0].hulls[A])]  # the sum is of B and -sA
+            for n, (x, X, y, Y) in itertools.product(of_A + sides(by[1].hulls[B]), edge):
+                self.spend(2)
+                far = self.unit * dot(n, (x, y)) - by[1].most(B, n)
+                grows = self.unit * dot(n, (X, Y)) - by[0].most(A, (-n[0], -n[1]))
+                levels = [grows * s + far * w for _, s, w in ends]
+                touch = [end for end, level in zip(ends, levels, strict=True) if level == 0]
+                inside = contact == "forbidden" or not clear.scales.meet(touch)
+                demand(max(levels) <= 0 and inside, f"an edge is not in the sum of {A} and {B}")
+        s = clear.scales.middle()
+        around = winds_around([at_scale(corner, s) for corner in corners], self.path[0])
+        demand(around, "the ring does not lead around the place")
+        return f"at {clear.scales}, contact {contact}", ("trapped", contact, clear.scales)
+
+    claims: ClassVar[dict[Any, Any]] = {
+        "free": add_free, "hit": add_hit, "valid": add_valid,
+        "escapes": add_escapes, "trapped": add_trapped, "trap": add_trap,
+    }  # fmt: skip
+
+
+def of_paths(case: Json, digest: Json, steps: Json, claims: Json, budget: Budget) -> list[str]:
+    sets = [Operand(case.get(operand), operand) for operand in "RO"]
+    path = places(case.get("path"))
+    plain = {one.name: one.plain for one in sets} | {"path": [[str(x), str(y)] for x, y in path]}
+    demand(digest_of(plain) == digest, "not the case that is certified")
+    return PathProof(path, sets, budget).follow(steps, claims)
+
+
+FORMS["path-certificate-v1"] = "steps", of_paths
+
+
+# The last part: the certificate as a whole, and the command.
+
+Verdict = tuple[int, str, list[str]]  # the code, why, what is claimed
+Limits = tuple[float, float, float]  # seconds, tests, and bytes of a file
+FILES: list[Reader] = [file_bytes, file_bytes]  # read the certificate, and the case
+INPUT: list[Reader] = [lambda _, most: sys.stdin.buffer.read(int(most) + 1), file_bytes]
+
+
+def check(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader]) -> list[str]:
     """The claims that a certificate proves, as texts. Raises NotVerified."""
-    certificate = read_json(path, size, decimals=False)
+    seconds, tests, size = limits
+    certificate = read_json(path, read[0], size, decimals=False)
     form = certificate.get("certificate") if isinstance(certificate, dict) else None
-    known = isinstance(form, str) and form in FORMS
-    require(known, f"this is no {' or '.join(FORMS)}, but {form!r}")
+    require(form in tuple(FORMS), f"this is no {' or '.join(FORMS)}, but {form!r}")
     argument, follow = FORMS[form]
     names = f"certificate title? comment? producer? case {argument} claims"
     _, *told, of, entries, claims = members(certificate, names)
@@ -1853,16 +1867,16 @@ def check(path: Path, case: Path | None, seconds: float, tests: float, size: flo
     name, digest = members(of, "path sha256")
     good = isinstance(name, str) and "\0" not in name and name.split("/")[-1] not in ("", ".")
     require(good, "the path of the case is none")
-    value = read_json(case or path.parent / name, size, decimals=True)
+    value = read_json(case or path.parent / name, read[1], size, decimals=True)
     require(isinstance(value, dict), "this is no case")
     return follow(value, digest, entries, claims, Budget(seconds, tests))
 
 
-def verdict(path: Path, case: Path | None, seconds: float, tests: float, size: float) -> Verdict:
+def verdict(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader]) -> Verdict:
     """The code, why it is not verified, and what is claimed."""
     sys.set_int_max_str_digits(0)
     try:
-        return VERIFIED, "", check(path, case, seconds, tests, size)
+        return VERIFIED, "", check(path, case, limits, read)
     except NotVerified as error:
         return error.code, str(error), []
     except (MemoryError, RecursionError):
@@ -1871,16 +1885,17 @@ def verdict(path: Path, case: Path | None, seconds: float, tests: float, size: f
 
 def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description="Checks certificates of Minkowski sums.")
-    parser.add_argument("files", nargs="+", type=Path, metavar="FILE")
+    parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="- is standard input")
     parser.add_argument("--case", type=Path, help="the case, instead of the path that is named")
     parser.add_argument("--seconds", type=float, default=600, help="for one certificate (600)")
     parser.add_argument("--tests", type=float, default=1e10, help="elementary tests (10^10)")
-    parser.add_argument("--bytes", type=float, default=2**28, help="of a file, unpacked (2^28)")
+    parser.add_argument("--bytes", type=float, default=2**28, help="of a file (2^28)")
     given = parser.parse_args(arguments)
     words = {VERIFIED: "verified", REFUTED: "refuted: ", MALFORMED: "malformed: "}
-    codes = set()
+    limits, codes = (given.seconds, given.tests, given.bytes), set()
     for path in given.files:
-        code, why, said = verdict(path, given.case, given.seconds, given.tests, given.bytes)
+        read = INPUT if str(path) == "-" else FILES
+        code, why, said = verdict(path, given.case, limits, read)
         told = f"{path}: {words.get(code, 'out of budget: ')}{why}", *(f"  {line}" for line in said)
         print(*(line.encode("unicode_escape").decode() for line in told), sep="\n", flush=True)
         codes.add(code)

@@ -10,7 +10,6 @@
 #include <new>
 #include <optional>
 
-#include "oracle/checker/gzip.hpp"
 #include "oracle/checker/motion/path.hpp"
 #include "oracle/checker/plane/claims.hpp"
 #include "oracle/checker/space/convex.hpp"
@@ -22,8 +21,10 @@ using namespace minkref::checker;
 
 constexpr const char* usage =
     "usage: minkref-check [--case FILE] [--seconds N] [--tests N] [--bytes N] FILE...\n"
-    "FILE may be compressed by gzip; - is standard input.\n"
+    "FILE is plain JSON; - is standard input.\n"
     "Exit codes: 0 verified, 1 refuted, 2 malformed, 4 out of budget.\n";
+
+constexpr const char* unpack = "gzip -dc FILE | minkref-check -, or minkref check FILE";
 
 struct Options {
   std::optional<std::string> case_path;
@@ -96,7 +97,8 @@ std::string read(const std::string& path, std::size_t most, bool standard_input)
     text.append(part.data(), static_cast<std::size_t>(in.gcount()));
   }
   demand(text.size() <= most, path + " is too large (--bytes)", Code::out_of_budget);
-  return is_gzip(text) ? gunzip(text, most) : text;
+  require(!text.starts_with("\x1f\x8b"), path + " is compressed by gzip: " + unpack);
+  return text;
 }
 
 /// A line without control characters.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gzip
 import json
 from pathlib import Path
 from typing import Any
@@ -61,15 +60,6 @@ def test_both_count_the_same_tests(check: Any, folder: Path) -> None:
     assert check(folder / "it.cert.json", "--tests", str(needed))[0] == 0
     for tests in (0, 15, 16, 100, 130, 200, needed - 1):
         assert check(folder / "it.cert.json", "--tests", str(tests))[0] == 4, tests
-
-
-def test_compressed_files(check: Any, folder: Path) -> None:
-    packed = gzip.compress((folder / "it.cert.json").read_bytes())
-    file = folder / "it.cert.json.gz"
-    file.write_bytes(packed)
-    assert check(file)[0] == 0
-    file.write_bytes(packed + packed)
-    assert check(file)[0] == 2
 
 
 @pytest.mark.parametrize(

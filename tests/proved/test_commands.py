@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import shutil
 import subprocess
@@ -66,6 +67,16 @@ def test_a_claim_without_a_theorem_is_declined(square: Path, capsys: Any) -> Non
     assert row["not_proved"] == row["claims"] != []
     # Refuted is worse than declined.
     assert run(["check", str(square), str(square.with_name("nowhere")), "--proved"]) == 2
+
+
+@pytest.mark.usefixtures("proved")
+@pytest.mark.parametrize("names", [["it.cert.json"], ["case.json"], ["it.cert.json", "case.json"]])
+def test_what_is_compressed_is_unpacked(square: Path, capsys: Any, names: list[str]) -> None:
+    for name in names:
+        file = square.with_name(name)
+        file.write_bytes(gzip.compress(file.read_bytes()))
+    assert run(["check", str(square), "--proved"]) == 0
+    assert "  proved: sum: at 1" in capsys.readouterr().out
 
 
 def test_without_the_program(square: Path, capsys: Any, monkeypatch: Any) -> None:

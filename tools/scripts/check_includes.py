@@ -64,8 +64,10 @@ APART = {
 ITS_OWN = {"reference/motion": "reference/motion/space"}
 # Room: modules that Python files there may not import.
 NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
-# Commands that only run the checker.
-CHECK_COMMANDS = (Path("minkref/verbs/check.py"), Path("minkref/verbs/certify_check.py"))
+# Commands that only run the checker, or unpack its files.
+CHECK_COMMANDS = tuple(
+    Path(f"minkref/verbs/{name}.py") for name in ("check", "certify_check", "unpacked")
+)
 STANDARD_LIBRARY_ONLY = ("oracle/slow", "oracle/places", "oracle/checker")
 # The floors of the package, from the ground up: a module imports nothing from a higher floor,
 # neither by statement nor by name. The last matching line gives a folder's floor. The ground floor

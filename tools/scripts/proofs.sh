@@ -9,7 +9,7 @@ rooms=(Order Definitions Form Predicates Moving Space Sums Crossings Fans Curves
   Numbers Checker Figures Rational Values Corners Cancellation Bodies Scaling Trees Theorems
   Components Classes Counting Holes Across Sides Overlaps Differing Canonical Signs Passages Touching
   Moves Events Cones Means Meshes Hulls Axioms Extract)
-programs=(failure json sha256 inflate reading rings checker checked classes pieces elaborate moving
+programs=(failure json sha256 reading rings checker checked classes pieces elaborate moving
   faces bodies theorem intervals claims main)
 # The classical real numbers of Coq's library, and functional extensionality.
 known="Coq.Logic.FunctionalExtensionality.functional_extensionality_dep

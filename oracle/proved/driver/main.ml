@@ -6,8 +6,11 @@ open Failure
 let usage =
   "usage: minkref-check-proved [--case FILE] [--seconds N] [--tests N] [--bytes N] \
    [--theorem FILE] FILE...\n\
-   FILE may be compressed by gzip. --theorem writes the sum that is claimed as a theorem of Coq.\n\
+   FILE is plain JSON; - is standard input. --theorem writes the sum that is claimed as a theorem\n\
+   of Coq.\n\
    Exit codes: 0 proved, 1 refuted, 2 malformed, 4 out of budget, 5 declined: no theorem.\n"
+
+let unpack = "gzip -dc FILE | minkref-check-proved -, or minkref check FILE"
 
 exception Wrong_usage
 
@@ -42,7 +45,7 @@ let options_of words =
   let rec go = function
     | [] -> ()
     | "--" :: rest -> List.iter (fun file -> options.files <- file :: options.files) rest
-    | word :: rest when word <> "" && word.[0] = '-' -> (
+    | word :: rest when word <> "-" && word <> "" && word.[0] = '-' -> (
       match (String.index_opt word '=', rest) with
       | Some i, _ ->
         set (String.sub word 0 i) (String.sub word (i + 1) (String.length word - i - 1));
@@ -61,27 +64,34 @@ let options_of words =
 let demand_size size most =
   if size > most then fail Out_of_budget "a file is too large (--bytes)"
 
-let read path most =
+let regular path =
   let absent () = fail Malformed (path ^ " cannot be read: it is no file") in
-  (match Unix.stat path with
-   | { Unix.st_kind = Unix.S_REG; _ } -> ()
-   | _ -> absent ()
-   | exception Unix.Unix_error _ -> absent ());
-  let text =
-    try
-      let file = open_in_bin path in
-      Fun.protect ~finally:(fun () -> close_in_noerr file) (fun () ->
-          let size = in_channel_length file in
-          demand_size size most;
-          really_input_string file size)
-    with Sys_error _ | End_of_file -> fail Malformed (path ^ " cannot be read")
-  in
-  if String.length text > 1 && text.[0] = '\x1f' && text.[1] = '\x8b' then begin
-    let found = Inflate.gunzip text most in
-    demand_size (String.length found) most;
-    found
-  end
-  else text
+  match Unix.stat path with
+  | { Unix.st_kind = Unix.S_REG; _ } -> ()
+  | _ -> absent ()
+  | exception Unix.Unix_error _ -> absent ()
+
+(* All of a channel, of which more than `most` bytes are not kept *)
+let rec drain channel buffer most =
+  let room = min 65536 (most + 1 - Buffer.length buffer) in
+  match Buffer.add_channel buffer channel room with
+  | () -> demand_size (Buffer.length buffer) most; drain channel buffer most
+  | exception End_of_file -> demand_size (Buffer.length buffer) most
+
+let read ~input path most =
+  let buffer = Buffer.create 65536 in
+  (try
+     if input then drain stdin buffer most
+     else begin
+       regular path;
+       let file = open_in_bin path in
+       Fun.protect ~finally:(fun () -> close_in_noerr file) (fun () -> drain file buffer most)
+     end
+   with Sys_error _ -> fail Malformed (path ^ " cannot be read"));
+  let text = Buffer.contents buffer in
+  if String.starts_with ~prefix:"\x1f\x8b" text then
+    fail Malformed (path ^ " is compressed by gzip: " ^ unpack);
+  text
 
 (* A line without control characters *)
 let shown text =
@@ -111,9 +121,10 @@ let check_file options file =
     let beside =
       if Filename.is_relative name then Filename.concat (Filename.dirname file) name else name
     in
-    Json.parse ~decimals:true (read (Option.value options.case ~default:beside) most)
+    Json.parse ~decimals:true (read ~input:false (Option.value options.case ~default:beside) most)
   in
-  let proved = Claims.check (Json.parse ~decimals:false (read file most)) read_case budget in
+  let certificate = Json.parse ~decimals:false (read ~input:(file = "-") file most) in
+  let proved = Claims.check certificate read_case budget in
   Option.iter (fun path -> write_theorem path proved) options.theorem;
   proved
 

@@ -28,6 +28,11 @@ def in_python() -> list[str]:
     return [sys.executable, "-I", "-S", str(CHECKER)]
 
 
+def in_command() -> list[str]:
+    """The command, which unpacks what is compressed."""
+    return [sys.executable, "-m", "minkref", "check"]
+
+
 def in_cpp() -> list[str]:
     """The C++ checker's command. Raises FileNotFoundError if not built."""
     beside = Path(sys.executable).parent / "minkref-check"
