@@ -5,6 +5,7 @@
 #   make test-flushed            pytest of the module, in threads that flush subnormal numbers
 #   make evidence [ONLY="PART PART/STEP ..."] [QUICK=1 | FULL=1] [CHANGED=1]
 #   make proofs                 the proofs of oracle/proved, and the checker that comes from them
+#   make checker                 oracle/checker/check.py anew from its parts
 #   make lint | format
 #   make docs                    the documentation as a site, build/site/index.html
 #   make wheel | sdist           into dist/ [PYTHON=python3.12] [PROJECT=tools/packaging/minkref-cgal] (docs/packages.md)
@@ -12,7 +13,7 @@
 #   make lock [UPGRADE=1]        requirements.txt and those of the site and the adapters, with digests
 SHELL := /bin/bash
 .DEFAULT_GOAL := run
-.PHONY: run test test-clang test-flushed evidence proofs lint format docs wheel sdist sbom lock setup environment clean
+.PHONY: run test test-clang test-flushed evidence proofs checker lint format docs wheel sdist sbom lock setup environment clean
 
 CXX_SOURCES = $(shell find reference formats certify oracle bindings fuzz tests -name '*.cpp' -o -name '*.hpp')
 PYTHON_SOURCES = minkref certify degeneracies docs/site fuzz oracle reports tests tools
@@ -46,6 +47,9 @@ evidence: setup
 
 proofs:
 	@tools/scripts/proofs.sh
+
+checker:
+	cat oracle/checker/parts/*.py >oracle/checker/check.py
 
 lint: setup
 	.venv/bin/clang-format --dry-run -Werror $(CXX_SOURCES)
