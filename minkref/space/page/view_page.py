@@ -20,7 +20,6 @@ from minkref.space.sums import sum_fields
 KINDS = ("fv", "vf", "ee", "facet+edge", "edge+facet", "facet+facet")
 STEPS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
 MOST_BYTES = 100_000_000  # of the frames in a page
-SCRIPTS = ("exact", "solid", "texts", "cut", "scene", "panel", "axis", "main")
 
 Triple = tuple[Fraction, Fraction, Fraction]
 _FACES = {
@@ -148,7 +147,7 @@ def viewer_name() -> str:
 
 def page(P: Body, Q: Body, frames: Frames, library: str, events: str = "null") -> Iterator[str]:
     """The pieces of the file. `events`: what the axis of events is drawn from, as JSON."""
-    template, usual = page_template("minkref.space.page", SCRIPTS)
+    template, usual = page_template("space")
     pieces: Iterator[str] = template.generate(
         P=P.data["name"],
         Q=Q.data["name"],

@@ -1,12 +1,22 @@
+// @ts-check
 // Holes by name, and counts, at any radius.
-const lifeOf = ([birth, end]) => (birth - 1 < endInside && end - 1 >= firstInside ? [birth - 1, end - 1] : null);
-const lives = { h: [null, ...data.holes.map(lifeOf)], c: [] };
+import { data, endInside, firstInside, isInfinite } from "./data.js";
+import { halves, ringsOf, walks } from "./rings.js";
 
-// The boundary between two radii, with the number of the hole in front of each ring, 0 for the outside.
-const boundary = {
+/** @typedef {import("./rings.js").Ring & { hole: number }} NamedRing with the number of the hole in front of it, 0 for the outside */
+
+/** @type {(hole: import("./data.js").Data["holes"][number]) => import("../../../page/web/barcode.js").Life | null} */
+const lifeOf = ([birth, end]) => (birth - 1 < endInside && end - 1 >= firstInside ? [birth - 1, end - 1] : null);
+/** @type {import("../../../page/web/barcode.js").Lives} */
+export const lives = { h: [null, ...data.holes.map(lifeOf)], c: [] };
+
+/** The boundary between two radii. */
+export const boundary = {
   gap: -1,
+  /** @type {NamedRing[]} */
   rings: [],
 
+  /** @param {number} gap */
   at(gap) {
     if (gap === this.gap) return this.rings;
     const holeOf = holesOfNodes(gap);
@@ -21,9 +31,10 @@ const boundary = {
   },
 };
 
-// The rest of the diagram, beyond a radius, falls into parts, one for each hole.
+/** The rest of the diagram, beyond a radius, falls into parts, one for each hole. @param {number} gap */
 function holesOfNodes(gap) {
   const outside = data.numbers.length, roots = Int32Array.from({ length: outside + 1 }, (_, node) => node);
+  /** @param {number} node */
   const root = (node) => {
     while (roots[node] !== node) node = roots[node] = roots[roots[node]];
     return node;
@@ -34,11 +45,11 @@ function holesOfNodes(gap) {
   data.holes.forEach(([birth, end, , endsAt], i) => {
     if (birth <= gap && gap < end) names.set(root(endsAt), i + 1);
   });
-  return (node) => names.get(root(node)) ?? 0;
+  return /** @param {number} node */ (node) => names.get(root(node)) ?? 0;
 }
 
-// At the radius of an event, where components that only touch are not one yet, or just anywhere.
-function countsAt(gap, isAtEvent) {
+/** At the radius of an event, where components that only touch are not one yet, or just anywhere. @param {number} gap @param {boolean} isAtEvent */
+export function countsAt(gap, isAtEvent) {
   const holes = data.holes.filter(([birth, end]) => birth <= gap && gap < end).length;
   const joined = data.joins.filter(([radius, atRadius]) => (isAtEvent && radius === gap ? atRadius : radius <= gap));
   return { holes, components: data.polygons - joined.length };

@@ -1,48 +1,69 @@
+// @ts-check
 // The page: one radius, and what follows from it.
+import { Barcode } from "../../../page/web/barcode.js";
+import { holeFill } from "../../../page/web/colours.js";
+import { listenToControls } from "../../../page/web/controls.js";
+import { button, element, isChecked, listenTo, node, swatch } from "../../../page/web/elements.js";
+import { Explorer } from "../../../page/web/explorer.js";
+import { counted, cut, placeAfter, scaleOf, several, short } from "../../../page/web/numbers.js";
+import { Strip } from "../../../page/web/strip.js";
+import { axis, changes, data, endInside, eventsAt, firstEvents, firstInside, isInside, pointOf, radiusOf } from "./data.js";
+import { drawing } from "./drawing.js";
+import { eventList } from "./events.js";
+import { boundary, countsAt, lives } from "./history.js";
+import { groups } from "./marks.js";
+import { piecesOf } from "./rings.js";
+import { skeletonParts } from "./skeleton.js";
+import {
+  bornText, changeText, describe, diedText, featureName, featureText, isTopology, kindColours, kindNames, kindTexts, kindsAt, pointText,
+  radiusText,
+} from "./texts.js";
+
+/** @typedef {import("./data.js").Point} Point */
+
 const MOST_PLACES = 200;  // of events at one radius that are marked
-let radius = clampScale(data.radii.length ? data.radii[Math.floor((firstInside + endInside) / 2)] ?? windowLast : Math.sqrt(windowFirst * windowLast));
-let at = -1;        // the radius of events where the page stands, by number
-let chosen = null;  // {feature: "h", id: hole} or {feature: "e", id: event}
-let asked = false;
+/** @type {import("../../../page/web/picture.js").Chosen | null} */
+let chosen = null;  // a hole ("h") or an event ("e")
 
-// At the radius of events the boundary is the one that begins there.
-const gapHere = () => (at >= 0 ? at + 1 : placeAfter(data.radii, radius));
+const explorer = new Explorer({
+  axis, isInside, show,
+  scales: data.radii,
+  start: data.radii.length ? data.radii[Math.floor((firstInside + endInside) / 2)] ?? axis.last : Math.sqrt(axis.first * axis.last),
+  go: goToRadius,
+  arrive: (at) => { if (chosen?.feature === "e" && radiusOf(chosen.id) !== at) choose(null); },
+});
+/** @param {number} radius */
+const moveTo = (radius) => explorer.moveTo(radius);
+const strip = new Strip({
+  axis, isInside, groups, moveTo,
+  letter: "ρ",
+  scales: data.radii,
+  tell: (radius) => `radius ${radiusText(radius)}: ${kindsAt(radius)}`,
+  go: goToRadius,
+});
+const barcode = new Barcode({ axis, isInside, lives, scales: data.radii, describe: (_, id) => describe(id), choose: (_, id) => chooseHole(id) });
 
-function moveTo(r, number = -1) {
-  if (!Number.isFinite(r)) return;
-  radius = clampScale(r);
-  at = number;
-  if (chosen?.feature === "e" && radiusOf(chosen.id) !== at) { chosen = null; showChosen(); }
-  if (!asked) { asked = true; requestAnimationFrame(() => { asked = false; show(); }); }
-}
+/** At the radius of events the boundary is the one that begins there. */
+const gapHere = () => (explorer.at >= 0 ? explorer.at + 1 : placeAfter(data.radii, explorer.scale));
+const chosenEvent = () => (chosen?.feature === "e" ? chosen.id : null);
+/** The tight passages of the sum, if the page stands at a radius of events. */
+const passagesHere = () => (explorer.at >= 0 ? data.passages?.[explorer.at] ?? [] : []);
 
-// A radius of events: its only event is chosen, or the first that does something to holes or components.
+/** A radius of events: its only event is chosen, or the first that does something to holes or components. @param {number} number */
 function goToRadius(number) {
   if (!isInside(number)) return;
-  const events = [];
-  for (let event = firstEvents[number]; event < firstEvents[number + 1]; ++event) events.push(event);
+  const events = eventsAt(number);
   goToEvent(events.find((event) => changes.has(event)) ?? events.find(isTopology) ?? events[0]);
 }
 
+/** @param {number} event */
 function goToEvent(event) {
-  moveTo(data.radii[radiusOf(event)], radiusOf(event));
-  chosen = { feature: "e", id: event };
-  showChosen();
+  explorer.moveTo(data.radii[radiusOf(event)], radiusOf(event));
+  choose({ feature: "e", id: event });
 }
-
-const nextRadius = () => (at >= 0 ? at + 1 : placeAfter(data.radii, radius));
-function previousRadius() {
-  if (at >= 0) return at - 1;
-  let number = placeAfter(data.radii, radius) - 1;
-  while (number >= 0 && data.radii[number] >= radius) --number;
-  return number;
-}
-
-// The tight passages of the sum, if the page stands at a radius of events.
-const passagesHere = () => (at >= 0 ? data.passages?.[at] ?? [] : []);
 
 function tellSituation() {
-  const gap = gapHere(), { components, holes } = countsAt(gap, at >= 0);
+  const gap = gapHere(), { at } = explorer, { components, holes } = countsAt(gap, at >= 0);
   const corners = boundary.at(gap).reduce((sum, ring) => sum + ring.corners.length, 0);
   const told = `${several(components, "component")}, ${several(holes, "hole")}`;
   element("situation").textContent = at >= 0
@@ -50,155 +71,115 @@ function tellSituation() {
     : `${told}, ${several(corners, "corner")}`;
 }
 
-function line(text, ...more) {
-  const box = document.createElement("div");
-  box.append(text, ...more);
-  return box;
+/** Tells of a hole or an event in the box below the bars. @param {typeof chosen} wanted */
+function choose(wanted) {
+  chosen = wanted;
+  const nothing = "Point at a hole or a bar to see when it is born and when it ends; click to keep it. Click a mark to see its event.";
+  element("chosen").replaceChildren(...!chosen ? [nothing] : chosen.feature === "h" ? tellHole(chosen.id) : tellEvent(chosen.id));
 }
 
-function button(text, go) {
-  const made = document.createElement("button");
-  made.textContent = text;
-  made.addEventListener("click", go);
-  return made;
-}
+/** @param {...(Node | string)} parts */
+const line = (...parts) => node("div", {}, ...parts);
 
-function showChosen() {
-  const box = element("chosen");
-  if (!chosen) { box.replaceChildren("Point at a hole or a bar to see when it is born and when it ends; click to keep it. Click a mark to see its event."); return; }
-  if (chosen.feature === "h") { box.replaceChildren(...tellHole(chosen.id)); return; }
-  box.replaceChildren(...tellEvent(chosen.id));
-}
-
+/** @param {number} id */
 function tellHole(id) {
   const [birth, end, , endsAt, from] = data.holes[id - 1];
-  const name = document.createElement("b"), swatch = document.createElement("span");
-  swatch.className = "swatch";
-  swatch.style.background = holeFill(id);
-  name.append(swatch, featureName("h", id));
-  const step = (text, number) => (isInside(number) ? line(button(text, () => goToRadius(number))) : line(text));
-  const origin = birth ? `, of ${featureName("h", from)}` : "";
-  return [
-    name, step(bornText([birth - 1]) + origin, birth - 1), step(diedText([0, end - 1]), end - 1),
-    line(`The last point of it is ${pointText(data.places.slice(2 * endsAt, 2 * endsAt + 2))}.`),
+  /** @param {string} text @param {number} number */
+  const step = (text, number) => line(isInside(number) ? button(text, () => goToRadius(number)) : text);
+  const lines = [
+    node("b", {}, swatch(holeFill(id)), featureName(id)),
+    step(bornText(birth - 1) + (birth ? `, of ${featureName(from)}` : ""), birth - 1), step(diedText(end - 1), end - 1),
   ];
+  return endsAt === null ? lines : [...lines, line(`The last point of it is ${pointText(pointOf(endsAt))}.`)];
 }
 
+/** @param {number} event */
 function tellEvent(event) {
-  const name = document.createElement("b"), kind = data.kinds[event], number = radiusOf(event);
-  name.textContent = kindNames[kind];
-  name.className = kindColours[kind] ?? "";
+  const kind = data.kinds[event], number = radiusOf(event), events = eventsAt(number), place = events.indexOf(event);
   const lines = [
-    line(name, ` at the radius ${short(data.radii[number], 12)}, at ${pointText(data.places.slice(2 * event, 2 * event + 2))}: ${kindTexts[kind]}.`),
+    line(node("b", { class: kindColours[kind] ?? "" }, kindNames[kind]), ` at the radius ${radiusText(number, 12)}, at ${pointText(pointOf(event))}: ${kindTexts[kind]}.`),
     line(`As near: ${data.near[event].map(featureText).join(", ")}.`),
     ...(changes.get(event) ?? []).map((change) => line(`Here ${changeText(change)}.`)),
   ];
-  const [first, end] = [firstEvents[number], firstEvents[number + 1]];
-  if (end - first > 1) {
-    const other = event + 1 < end ? event + 1 : first;
-    lines.push(line(`${counted(event - first + 1)} of ${counted(end - first)} events at this radius. `, button("the next", () => goToEvent(other))));
+  if (events.length > 1) {
+    const other = events[(place + 1) % events.length];
+    lines.push(line(`${counted(place + 1)} of ${counted(events.length)} events at this radius. `, button("the next", () => goToEvent(other))));
   }
   return lines;
 }
 
 function show() {
-  if (element("follow").checked) drawing.fit(radius);
-  const marked = [];
-  if (at >= 0) for (let event = firstEvents[at]; event < firstEvents[at + 1] && marked.length < MOST_PLACES; ++event) marked.push(event);
-  drawing.draw(radius, gapHere(), marked, chosen);
+  const { scale: radius, at } = explorer;
+  if (isChecked("follow")) drawing.fit(radius);
+  drawing.draw(radius, gapHere(), at >= 0 ? eventsAt(at).slice(0, MOST_PLACES) : [], chosen, passagesHere());
   strip.show(radius);
   barcode.show(radius, chosen?.feature === "h" ? chosen : null);
-  eventList.show(radius, at, chosen);
-  element("slider").value = shareOf(radius);
-  const field = element("scale");
-  if (document.activeElement !== field || !field.classList.contains("bad")) {
-    field.value = short(radius, at >= 0 ? 12 : 8);
-    field.classList.remove("bad");
-  }
-  element("previous").disabled = !isInside(previousRadius());
-  element("next").disabled = !isInside(nextRadius());
+  eventList.show(radius, at, chosenEvent());
+  explorer.showScale(short(radius, at >= 0 ? 12 : 8), false);
   tellSituation();
 }
 
-// A hole; the page goes to a radius at which it is there.
-function choose(feature, id) {
-  chosen = chosen?.feature === feature && chosen.id === id ? null : { feature, id };
-  if (chosen) {
+/** The page goes to a radius at which the hole is there. @param {number} id */
+function chooseHole(id) {
+  const isKept = chosen?.feature === "h" && chosen.id === id;
+  choose(isKept ? null : { feature: "h", id });
+  if (!isKept) {
     const [birth, end] = data.holes[id - 1];
-    const born = Math.max(birth ? data.radii[birth - 1] : 0, windowFirst), ends = Math.min(data.radii[end - 1], windowLast);
-    barcode.reveal(feature, id);
+    const born = Math.max(birth ? data.radii[birth - 1] : 0, axis.first), ends = Math.min(data.radii[end - 1], axis.last);
+    barcode.reveal("h", id);
     if (!(birth <= gapHere() && gapHere() < end)) moveTo(Math.sqrt(born * ends));
   }
-  showChosen();
   show();
 }
 
 function layOut() {
   strip.draw();
-  barcode.draw(choose);
+  barcode.draw();
   show();
 }
 
-const step = (share) => moveTo(scaleAt(shareOf(radius) + share));
-const keys = {
-  ArrowLeft: (event) => step(event.shiftKey ? -0.0005 : -0.005),
-  ArrowRight: (event) => step(event.shiftKey ? 0.0005 : 0.005),
-  PageDown: () => goToRadius(previousRadius()),
-  PageUp: () => goToRadius(nextRadius()),
-  Home: () => moveTo(windowFirst),
-  End: () => moveTo(windowLast),
-  Escape: () => { chosen = null; showChosen(); show(); },
-};
-
-function enter(field) {
-  const r = scaleOf(field.value);
-  field.classList.toggle("bad", !(r >= windowFirst && r <= windowLast));
-  if (!field.classList.contains("bad")) moveTo(r);
+/** @param {string} text */
+function read(text) {
+  const radius = scaleOf(text);
+  return axis.has(radius) ? () => moveTo(radius) : null;
 }
 
-function listen() {
-  element("slider").addEventListener("input", (event) => moveTo(scaleAt(Number(event.target.value))));
-  listenToControls({
-    keys, enter, layOut,
-    previous: () => goToRadius(previousRadius()),
-    next: () => goToRadius(nextRadius()),
-    fit: () => { drawing.fit(radius); show(); },
-    redraw: ["show-diagram", "follow"],
-    recolour: () => { eventList.fill(); showChosen(); },
-  });
-  element("show-all").addEventListener("change", () => { eventList.fill(); show(); });
-  strip.listen();
-  listenToPicture(holesAtPointer);
-}
-
-barcode.collect();
 element("counts").textContent = [
   `ρ from ${cut(data.window[0][0])} to ${cut(data.window[1][0])}`, several(firstEvents[endInside] - firstEvents[firstInside], "event"),
   several(barcode.rows.length, "hole"), several(data.polygons, "polygon"),
 ].join(" · ");
 element("key-tight").hidden = !Object.values(data.passages ?? {}).some((found) => found.length);
-eventList.fill();
-showChosen();
-listen();
+eventList.fill(goToEvent);
+choose(null);
+listenToControls({
+  explorer, read, show, layOut,
+  keys: { ...explorer.keys(), Escape: () => { choose(null); show(); } },
+  fit: () => drawing.fit(explorer.scale),
+  redraw: ["show-diagram", "follow"],
+  recolour: () => { eventList.fill(goToEvent); choose(chosen); },
+});
+listenTo(["show-all"], "change", () => { eventList.fill(goToEvent); show(); });
+drawing.listen(show, { find: (x, y) => drawing.holeAt(x, y), tell: describe, take: chooseHole });
 layOut();
 
 // For tests and scripts.
-window.minkref = {
-  // [{hole, pieces: [[centre or null, from, to], ...]}, ...] in coordinates of P.
-  rings(r) {
+Object.assign(window, { minkref: {
+  /** The boundary as [{hole, pieces: [[centre or null, from, to], ...]}, ...] in coordinates of P. @param {number} radius */
+  rings(radius) {
+    /** @param {Point | null} point */
     const absolute = (point) => point && [point[0] + data.origin[0], point[1] + data.origin[1]];
-    return boundary.at(placeAfter(data.radii, r)).map((ring) => ({
+    return boundary.at(placeAfter(data.radii, radius)).map((ring) => ({
       hole: ring.hole,
-      pieces: piecesOf(ring, r).map(({ centre, from, to }) => [centre, from, to].map(absolute)),
+      pieces: piecesOf(ring, radius).map(({ centre, from, to }) => [centre, from, to].map(absolute)),
     }));
   },
-  diagram: () => skeletonParts(windowLast),
-  counts: (r) => countsAt(placeAfter(data.radii, r), false),
+  diagram: () => skeletonParts(axis.last),
+  counts: /** @param {number} radius */ (radius) => countsAt(placeAfter(data.radii, radius), false),
   moveTo,
   goToEvent,
-  get radius() { return radius; },
+  get radius() { return explorer.scale; },
   get chosen() { return chosen; },
   events: data.kinds.length,
   goToRadius,
   get passages() { return passagesHere(); },
-};
+} });

@@ -1,28 +1,26 @@
+// @ts-check
 // The list of bounds, ascending.
-const boundList = {
+import { element, revealIn } from "../../../page/web/elements.js";
+import { cut, short } from "../../../page/web/numbers.js";
+import { cell, fillTable, line, remark } from "../../../page/web/tables.js";
+import { data } from "./data.js";
+import { boundColour, exactAndAbout, featureText } from "./texts.js";
+
+export const boundList = {
+  /** @type {HTMLTableRowElement[]} */
   rows: [],
 
+  /** @param {(bound: number) => void} choose */
   fill(choose) {
-    this.rows = data.bounds.map((bound, i) => {
-      const row = document.createElement("tr");
-      const texts = [
-        exactAndAbout(cut(bound.scale), bound.about.scale), bound.event, featureText(bound.part), featureText(bound.obstacle),
-        `segment ${bound.at.segment}, t = ${short(bound.about.t, 4)}`,
-      ];
-      row.append(...texts.map((text) => Object.assign(document.createElement("td"), { textContent: text })));
-      row.children[1].className = boundColour[bound.event];
-      row.addEventListener("click", () => choose(i));
-      return row;
-    });
-    document.querySelector("#events tbody").replaceChildren(...this.rows);
-    if (this.rows.length) return;
-    const row = document.createElement("tr"), cell = document.createElement("td");
-    cell.colSpan = 5;
-    cell.textContent = data.valid.length ? "None: all scales are valid." : "None: no scale is valid.";
-    row.append(cell);
-    document.querySelector("#events tbody").append(row);
+    this.rows = data.bounds.map(({ scale, event, part, obstacle, at, about }, i) => line([
+      cell(exactAndAbout(cut(scale), about.scale)), cell(event, { class: boundColour[event] }), cell(featureText(part)),
+      cell(featureText(obstacle)), cell(`segment ${at.segment}, t = ${short(about.t, 4)}`),
+    ], () => choose(i)));
+    const none = data.valid.length ? "None: all scales are valid." : "None: no scale is valid.";
+    fillTable("events", this.rows.length ? this.rows : [remark(none, 5)]);
   },
 
+  /** @param {number} bound */
   show(bound) {
     this.rows.forEach((row, i) => row.classList.toggle("here", i === bound));
     if (bound >= 0) revealIn(element("events"), this.rows[bound]);

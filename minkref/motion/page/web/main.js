@@ -1,79 +1,79 @@
+// @ts-check
 // The page: a scale and a place on the path, and what follows from them.
-const state = { scale: windowFirst, exact: null, share: 0, bound: -1 };  // `exact`: the scale as a text, where it is known
-let asked = false;
+import { listenToControls } from "../../../page/web/controls.js";
+import { element, input, isChecked, node, onSlide } from "../../../page/web/elements.js";
+import { Explorer, stride } from "../../../page/web/explorer.js";
+import { fractionOfDouble, typedFraction } from "../../../page/web/fractions.js";
+import { clamped, scaleOf, several, short } from "../../../page/web/numbers.js";
+import { boundList } from "./bounds.js";
+import { axis, data, isInside, scalesOfBounds } from "./data.js";
+import { diagram } from "./diagram.js";
+import { drawing } from "./drawing.js";
+import { collisionAt, polygons } from "./polygons.js";
+import { boundLines, placeText } from "./texts.js";
+import { isValid } from "./valid.js";
+import { corners, placeAt, shareOfPlace } from "./way.js";
 
-const isInWindow = (i) => data.bounds[i]?.about.scale >= windowFirst && data.bounds[i].about.scale <= windowLast;
+/** @typedef {import("./polygons.js").Polygon} Polygon */
 
-function move(change) {
-  if (!Number.isFinite(change.scale ?? 0) || !Number.isFinite(change.share ?? 0)) return;
-  Object.assign(state, { bound: -1 }, change.scale === undefined ? {} : { exact: null }, change);
-  state.scale = clampScale(state.scale);
-  state.share = Math.min(Math.max(state.share, 0), 1);
-  if (!asked) { asked = true; requestAnimationFrame(() => { asked = false; show(); }); }
+/** @type {string | null} */
+let exact = null;  // the scale as a text, where it is known
+let share = 0;     // of the path, up to the place
+
+const explorer = new Explorer({ axis, isInside, show, scales: scalesOfBounds, start: axis.first, go: goToBound, arrive: () => { exact = null; } });
+
+/** @param {number} scale @param {number} along @param {string | null} text */
+function move(scale, along, text = null, bound = -1) {
+  if (!Number.isFinite(scale) || !Number.isFinite(along)) return;
+  explorer.moveTo(scale, bound);
+  share = clamped(along, 0, 1);
+  exact = text;
 }
+/** @param {number} along */
+const goAlong = (along) => move(explorer.scale, along, exact);
 
+/** @param {number} i */
 function goToBound(i) {
-  if (!isInWindow(i)) return;
-  const { scale: exact, at, about } = data.bounds[i];
-  move({ scale: about.scale, exact, share: shareOfPlace(at.segment, about.t), bound: i });
+  if (!isInside(i)) return;
+  const { scale, at, about } = data.bounds[i];
+  move(about.scale, shareOfPlace(at.segment, about.t), scale, i);
 }
 
-function nextBound() {
-  if (state.bound >= 0) return state.bound + 1;
-  return data.bounds.findIndex(({ about }) => about.scale > state.scale);
-}
+const boundHere = () => data.bounds[explorer.at] ?? null;
 
-function previousBound() {
-  if (state.bound >= 0) return state.bound - 1;
-  return data.bounds.findLastIndex(({ about }) => about.scale < state.scale);
-}
-
-// At a bound the place is that of the contact, as the reference gives it.
+/** At a bound the place is that of the contact, as the reference gives it. */
 function placeHere() {
-  const place = placeAt(state.share);
-  if (state.bound < 0) return place;
-  const { at, about } = data.bounds[state.bound];
+  const bound = boundHere();
+  if (!bound) return placeAt(share);
+  const { at, about } = bound;
   return { segment: at.segment, t: about.t, x: about.point[0], y: about.point[1] };
 }
 
-const exactScale = () => (state.exact === null ? fractionOfDouble(state.scale) : fractionOf(state.exact));
-
-// No place collides at a valid scale, whatever the polygons say in doubles.
-function collisionHere(valid) {
-  const { segment, t } = placeHere();
-  return valid ? null : collisionAt(segment, t, state.scale);
-}
-
+/** @param {boolean} valid @param {Polygon | null} collision */
 function tellSituation(valid, collision) {
-  const word = document.createElement("b"), place = placeHere();
-  word.className = valid ? "valid" : "bad";
-  word.textContent = valid ? "valid: the part passes" : "not valid";
+  const word = node("b", { class: valid ? "valid" : "bad" }, valid ? "valid: the part passes" : "not valid");
   const here = valid ? "" : collision ? ", it collides here" : ", it is free here";
-  element("situation").replaceChildren(word, `${here} · ${placeText(place)}`);
+  element("situation").replaceChildren(word, `${here} · ${placeText(placeHere())}`);
 }
 
 function showChosen() {
-  const lines = state.bound >= 0 ? boundLines(data.bounds[state.bound]) : ["Click a bound, in the diagram or in the list, to see the contact that is its cause."];
-  element("chosen").replaceChildren(...lines.map((text) => Object.assign(document.createElement("div"), { textContent: text })));
+  const bound = boundHere();
+  const lines = bound ? boundLines(bound) : ["Click a bound, in the diagram or in the list, to see the contact that is its cause."];
+  element("chosen").replaceChildren(...lines.map((text) => node("div", {}, text)));
 }
 
 function show() {
-  const valid = isValid(exactScale()), collision = collisionHere(valid), place = placeHere();
-  if (element("follow").checked) drawing.fit(place, state.scale);
-  drawing.draw(place, state.scale, collision, data.bounds[state.bound] ?? null);
-  diagram.show(state.share, state.scale, collision, state.bound);
-  boundList.show(state.bound);
-  element("slider").value = shareOfScale(state.scale);
-  element("place-slider").value = state.share;
-  const field = element("scale");
-  if (document.activeElement !== field || !field.classList.contains("bad")) {
-    field.value = state.exact ?? short(state.scale, 8);
-    field.classList.remove("bad");
-    field.style.width = `${Math.min(Math.max(field.value.length + 3, 14), 72)}ch`;
-  }
-  element("about").textContent = state.exact !== null && state.exact !== short(state.scale) ? `≈ ${short(state.scale, 9)}` : "";
-  element("previous").disabled = !isInWindow(previousBound());
-  element("next").disabled = !isInWindow(nextBound());
+  const { scale, at } = explorer, place = placeHere(), bound = boundHere();
+  const valid = isValid(exact === null ? fractionOfDouble(scale) : typedFraction(exact));
+  // No place collides at a valid scale, whatever the polygons say in doubles.
+  const collision = valid ? null : collisionAt(place.segment, place.t, scale);
+  if (isChecked("follow")) drawing.fit(place, scale);
+  drawing.draw(place, scale, collision, bound);
+  diagram.show(share, scale, collision, at);
+  boundList.show(at);
+  input("place-slider").value = String(share);
+  explorer.showScale(exact ?? short(scale, 8), true);
+  element("about").textContent = exact !== null && exact !== short(scale) ? `≈ ${short(scale, 9)}` : "";
   showChosen();
   tellSituation(valid, collision);
 }
@@ -83,40 +83,14 @@ function layOut() {
   show();
 }
 
-const alongBy = (step) => move({ share: state.share + step });
-const scaleBy = (step) => move({ scale: scaleAt(shareOfScale(state.scale) + step) });
-const fine = (event) => (event.shiftKey ? 0.0005 : 0.005);
-const keys = {
-  ArrowLeft: (event) => alongBy(-fine(event)),
-  ArrowRight: (event) => alongBy(fine(event)),
-  ArrowDown: (event) => scaleBy(-fine(event)),
-  ArrowUp: (event) => scaleBy(fine(event)),
-  PageDown: () => goToBound(previousBound()),
-  PageUp: () => goToBound(nextBound()),
-  Home: () => move({ share: 0 }),
-  End: () => move({ share: 1 }),
-};
+/** @param {number} by */
+const alongBy = (by) => goAlong(share + by);
 
-function enter(field) {
-  const s = scaleOf(field.value);
-  field.classList.toggle("bad", !(s >= windowFirst && s <= windowLast) || fractionOf(field.value) === null);
-  if (!field.classList.contains("bad")) move({ scale: s, exact: field.value.trim().replace(",", ".") });
-}
-
-function listen() {
-  element("slider").addEventListener("input", (event) => move({ scale: scaleAt(Number(event.target.value)) }));
-  element("place-slider").addEventListener("input", (event) => move({ share: Number(event.target.value) }));
-  diagram.listen((share, s) => move({ share, scale: s }));
-  listenToControls({
-    keys, enter, layOut,
-    previous: () => goToBound(previousBound()),
-    next: () => goToBound(nextBound()),
-    fit: () => { drawing.fit(placeHere(), state.scale); show(); },
-    redraw: ["show-pieces", "follow"],
-    recolour: () => boundList.fill(goToBound),
-  });
-  listenToPicture(nothingAtPointer);
-  new ResizeObserver(layOut).observe(element("diagram-box"));
+/** @param {string} text */
+function read(text) {
+  const scale = scaleOf(text);
+  if (!axis.has(scale) || typedFraction(text) === null) return null;
+  return () => move(scale, share, text.trim().replace(",", "."));
 }
 
 element("counts").textContent = [
@@ -125,22 +99,43 @@ element("counts").textContent = [
 ].join(" · ");
 element("valid").classList.toggle("none", !data.valid.length);
 boundList.fill(goToBound);
-listen();
+onSlide("place-slider", goAlong);
+diagram.listen((along, scale) => move(scale, along));
+listenToControls({
+  explorer, read, show, layOut,
+  keys: {
+    ...explorer.keys(),
+    ArrowLeft: (event) => alongBy(-stride(event)),
+    ArrowRight: (event) => alongBy(stride(event)),
+    ArrowDown: (event) => explorer.step(-stride(event)),
+    ArrowUp: (event) => explorer.step(stride(event)),
+    Home: () => goAlong(0),
+    End: () => goAlong(1),
+  },
+  fit: () => drawing.fit(placeHere(), explorer.scale),
+  redraw: ["show-pieces", "follow"],
+  recolour: () => boundList.fill(goToBound),
+});
+drawing.listen(show, null);
+new ResizeObserver(layOut).observe(element("diagram-box"));
 layOut();
-const firstBound = data.bounds.findIndex((_, i) => isInWindow(i));
-if (firstBound >= 0) goToBound(firstBound); else move({ scale: (windowFirst + windowLast) / 2, share: 0.5 });
+const firstBound = data.bounds.findIndex((_, i) => isInside(i));
+if (firstBound >= 0) goToBound(firstBound); else move((axis.first + axis.last) / 2, 0.5);
 
 // For tests and scripts.
-window.minkref = {
-  moveTo: (scale, share) => move({ scale, share }),
+Object.assign(window, { minkref: {
+  /** @param {number} scale @param {number} along */
+  moveTo: (scale, along) => move(scale, along),
   goToBound,
-  isValid: (scale) => isValid(typeof scale === "string" ? fractionOf(scale) : fractionOfDouble(scale)),
+  /** @param {string | number} scale */
+  isValid: (scale) => isValid(typeof scale === "string" ? typedFraction(scale) : fractionOfDouble(scale)),
+  /** @type {(segment: number, t: number, scale: number) => boolean} */
   collides: (segment, t, scale) => collisionAt(segment, t, scale) !== null,
-  get scale() { return state.scale; },
-  get place() { return { ...placeHere(), share: state.share }; },
-  get bound() { return state.bound; },
+  get scale() { return explorer.scale; },
+  get place() { return { ...placeHere(), share }; },
+  get bound() { return explorer.at; },
   get part() {
     const { x, y } = placeHere();
-    return data.part.map((polygon) => polygon.map((ring) => ring.map((number, i) => (i % 2 ? y : x) + state.scale * number)));
+    return data.part.map((polygon) => polygon.map((ring) => ring.map((number, i) => (i % 2 ? y : x) + explorer.scale * number)));
   },
-};
+} });

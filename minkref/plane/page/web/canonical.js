@@ -1,4 +1,11 @@
+// @ts-check
 // The sum at a scale as polygons in canonical order (docs/definitions.md, "Canonical form").
+import { axis } from "./data.js";
+import { timeline, xOf, yOf } from "./timeline.js";
+
+/** @typedef {[number, number][]} Points */
+
+/** @param {Points} a @param {Points} b */
 function compareRings(a, b) {
   const n = Math.min(a.length, b.length);
   for (let i = 0; i < n; ++i) {
@@ -8,8 +15,9 @@ function compareRings(a, b) {
   return a.length - b.length;
 }
 
-// From the lexicographically smallest vertex on.
+/** From the lexicographically smallest vertex on. @param {number[]} vertices @param {number} s */
 function canonicalRing(vertices, s) {
+  /** @type {Points} */
   const points = vertices.map((track) => [xOf(track, s), yOf(track, s)]);
   let least = 0;
   for (let i = 1; i < points.length; ++i) {
@@ -19,14 +27,15 @@ function canonicalRing(vertices, s) {
   return [...points.slice(least), ...points.slice(0, least)];
 }
 
-// [{outer: ring, holes: [ring, ...]}, ...], ring = [[x, y], ...]; s a number of the window.
-function canonicalPolygons(s) {
-  if (!(s >= windowFirst && s <= windowLast)) throw new RangeError(`the scale ${s} is outside of the window`);
+/** The polygons at a number of the window. @param {number} s */
+export function canonicalPolygons(s) {
+  if (!axis.has(s)) throw new RangeError(`the scale ${s} is outside of the window`);
+  /** @type {Map<number, { outer: Points, holes: Points[] }>} */
   const polygons = new Map();  // by component
   for (const { isHole, component, vertices } of timeline.at(s).values()) {
-    if (!polygons.has(component)) polygons.set(component, { outer: null, holes: [] });
-    const polygon = polygons.get(component), ring = canonicalRing(vertices, s);
+    const polygon = polygons.get(component) ?? { outer: [], holes: [] }, ring = canonicalRing(vertices, s);
     if (isHole) polygon.holes.push(ring); else polygon.outer = ring;
+    polygons.set(component, polygon);
   }
   const sorted = [...polygons.values()];
   for (const polygon of sorted) polygon.holes.sort(compareRings);

@@ -1,32 +1,27 @@
+// @ts-check
 // The two operands in one unit, so that their sizes can be compared.
-function drawInputs(s) {
-  const canvases = [element("input-P"), element("input-Q")];
-  const parts = [[data.P, s, "P"], [data.Q, 1, "Q"]].map(([operand, factor, name]) => {
+import { Box, fitted, flat, paint, pathOf, prepared, toScreen } from "../../../page/web/canvas.js";
+import { element } from "../../../page/web/elements.js";
+import { data } from "./data.js";
+
+/** @param {number} s */
+export function drawInputs(s) {
+  const canvases = ["input-P", "input-Q"].map((id) => element(id, HTMLCanvasElement));
+  const parts = [{ operand: data.P, factor: s, name: "P" }, { operand: data.Q, factor: 1, name: "Q" }].map((part) => {
     const box = new Box();
-    for (const ring of flat(operand)) {
-      for (let i = 0; i < ring.length; i += 2) box.add(factor * ring[i], factor * ring[i + 1]);
-    }
-    return { operand, factor, name, box };
+    for (const ring of flat(part.operand)) box.addRing(ring, part.factor);
+    return { ...part, box };
   });
-  const unit = Math.min(...parts.map(({ box }, i) => fitted(box, canvases[i].clientWidth, canvases[i].clientHeight, 12))
+  const least = Math.min(...parts.map(({ box }, i) => fitted(box, canvases[i].clientWidth, canvases[i].clientHeight, 12))
     .filter((_, i) => parts[i].box.across || parts[i].box.up).map((view) => view.unit), Infinity);
+  const unit = Number.isFinite(least) ? least : 1;
   parts.forEach(({ operand, factor, name, box }, i) => {
     const { context, width, height } = prepared(canvases[i]);
-    const [X, Y] = toScreen({ x: box.x, y: box.y, unit: Number.isFinite(unit) ? unit : 1 }, width, height);
-    context.fillStyle = colour(name);
-    context.strokeStyle = colour(`${name}-line`);
-    context.lineWidth = 1;
-    for (const polygon of operand) {
-      const path = new Path2D();
-      for (const ring of polygon) addRing(path, ring, factor, X, Y);
-      context.fill(path, "evenodd");
-      context.stroke(path);
-    }
-    if (!box.empty && Math.max(box.across, box.up) * (Number.isFinite(unit) ? unit : 1) < 3) {
-      context.beginPath();  // a point, or too small to be seen
-      context.arc(width / 2, height / 2, 3, 0, 2 * Math.PI);
-      context.fill();
-      context.stroke();
-    }
+    const [X, Y] = toScreen({ x: box.x, y: box.y, unit }, width, height);
+    for (const polygon of operand) paint(context, pathOf(polygon, factor, X, Y), name);
+    if (box.empty || Math.max(box.across, box.up) * unit >= 3) return;
+    const mark = new Path2D();  // a point, or too small to be seen
+    mark.arc(width / 2, height / 2, 3, 0, 2 * Math.PI);
+    paint(context, mark, name);
   });
 }

@@ -1,105 +1,110 @@
+// @ts-check
 // The page: one scale, and what follows from it.
-let scale = paper.scaleNear(clampScale(windowFirst < 1 && windowLast > 1 ? 1 : Math.sqrt(windowFirst * windowLast)));
-let atEvent = -1;    // the boundary event at whose scale the page stands
-let chosen = null;   // {feature, id}
-let asked = false;
+import { Barcode } from "../../../page/web/barcode.js";
+import { featureFill } from "../../../page/web/colours.js";
+import { listenToControls } from "../../../page/web/controls.js";
+import { button, element, isChecked, node, swatch } from "../../../page/web/elements.js";
+import { Explorer } from "../../../page/web/explorer.js";
+import { counted, scaleOf, several, short } from "../../../page/web/numbers.js";
+import { Strip } from "../../../page/web/strip.js";
+import { canonicalPolygons } from "./canonical.js";
+import { axis, data, isInside } from "./data.js";
+import { drawing } from "./drawing.js";
+import { eventList } from "./events.js";
+import { drawInputs } from "./inputs.js";
+import { groups } from "./marks.js";
+import { paper } from "./paper.js";
+import { bornText, describe, diedText, exactAndAbout, featureName, kindNames, lives, tellChange } from "./texts.js";
+import { timeline } from "./timeline.js";
 
-function moveTo(s, event = -1, place = null) {
-  if (!Number.isFinite(s)) return;
-  scale = event >= 0 ? clampScale(s) : paper.scaleNear(clampScale(s));
-  atEvent = event;
-  drawing.place = place;
-  if (!asked) { asked = true; requestAnimationFrame(() => { asked = false; show(); }); }
+/** @type {import("../../../page/web/picture.js").Chosen | null} */
+let chosen = null;
+
+/** @param {number} s */
+const moveTo = (s) => explorer.moveTo(s);
+const explorer = new Explorer({
+  axis, isInside, show,
+  scales: data.about,
+  start: axis.first < 1 && axis.last > 1 ? 1 : Math.sqrt(axis.first * axis.last),
+  go: goToEvent,
+  arrive: () => { drawing.place = null; },
+  snap: (s) => paper.scaleNear(s),
+  stepped: paper.isThere ? (s, share) => paper.scaleAfter(s, Math.sign(share)) : undefined,
+});
+const strip = new Strip({
+  axis, isInside, groups, moveTo,
+  letter: "s",
+  scales: data.about,
+  bars: (x) => paper.bars(x),
+  tell: (event) => `boundary event ${event + 1}: ${exactAndAbout(event)}`,
+  go: goToEvent,
+});
+const barcode = new Barcode({ axis, isInside, describe, choose, scales: data.about, lives: { h: data.holes, c: data.components } });
+
+/** @param {number} event */
+function goToEvent(event) {
+  if (!isInside(event)) return;
+  explorer.moveTo(data.about[event], event);
+  drawing.place = data.places.slice(2 * event, 2 * event + 2);
 }
 
-const placeOf = (event) => data.places.slice(2 * event, 2 * event + 2);
-const goToEvent = (event) => { if (isInside(event)) moveTo(data.about[event], event, placeOf(event)); };
-const nextEvent = () => (atEvent >= 0 ? atEvent + 1 : placeAfter(data.about, scale));
-function previousEvent() {
-  if (atEvent >= 0) return atEvent - 1;
-  let event = placeAfter(data.about, scale) - 1;
-  while (event >= 0 && data.about[event] >= scale) --event;
-  return event;
-}
-
-// The tight passages of the sum, if the page stands at an event.
-const passagesHere = () => (atEvent >= 0 ? data.passages?.[atEvent] ?? [] : []);
+/** The tight passages of the sum, if the page stands at an event. */
+const passagesHere = () => (explorer.at >= 0 ? data.passages?.[explorer.at] ?? [] : []);
 
 function tellSituation() {
-  const box = element("situation"), rings = [...timeline.at(scale).values()];
-  const corners = rings.reduce((sum, ring) => sum + ring.vertices.length, 0);
-  const holes = new Set(rings.filter((ring) => ring.isHole).map((ring) => ring.hole)).size;
-  const components = new Set(rings.map((ring) => ring.component)).size;
+  const box = element("situation"), rings = [...timeline.at(explorer.scale).values()], event = explorer.at;
   box.replaceChildren();
-  if (atEvent >= 0) {
-    const kind = kindNames[data.kinds[atEvent]];
-    const changes = data.topology.filter((row) => row[0] === atEvent);
-    box.append(`Boundary event ${(atEvent + 1).toLocaleString("en")} of ${data.scales.length.toLocaleString("en")}`);
-    if (!changes.length) box.append(`: ${kind} of vertices.`);
+  if (event >= 0) {
+    const changes = data.topology.filter((row) => row[0] === event);
+    box.append(`Boundary event ${counted(event + 1)} of ${counted(data.scales.length)}`);
+    if (!changes.length) box.append(`: ${kindNames[data.kinds[event]]} of vertices.`);
     if (passagesHere().length) box.append(` · ${several(passagesHere().length, "tight passage")}`);
     changes.forEach((row) => {
-      const word = document.createElement("b");
-      word.className = word.textContent = row[2];
-      box.append(" · ", word, ": ");
+      box.append(" · ", node("b", { class: row[2] }, row[2]), ": ");
       tellChange(box, row);
     });
   } else if (rings.length) {
+    const corners = rings.reduce((sum, ring) => sum + ring.vertices.length, 0);
+    const holes = new Set(rings.filter((ring) => ring.isHole).map((ring) => ring.hole)).size;
+    const components = new Set(rings.map((ring) => ring.component)).size;
     box.append(`${several(corners, "vertex", "vertices")}, ${several(components, "component")}, ${several(holes, "hole")}`);
   }
 }
 
 function showChosen() {
   const box = element("chosen");
-  box.replaceChildren();
-  if (!chosen) { box.append("Point at a hole or a bar to see when it is born and when it dies; click to keep it."); return; }
+  if (!chosen) { box.replaceChildren("Point at a hole or a bar to see when it is born and when it dies; click to keep it."); return; }
   const { feature, id } = chosen, life = lives[feature][id];
-  const name = document.createElement("b");
-  name.append(swatch(feature, id), featureName(feature, id));
-  box.append(name, " ");
-  for (const [event, text] of [[life[0], bornText(life, true)], [life[1], diedText(life, true)]]) {
-    const line = document.createElement("div");
-    if (isInside(event)) {
-      const button = document.createElement("button");
-      button.textContent = text;
-      button.addEventListener("click", () => goToEvent(event));
-      line.append(button);
-    } else {
-      line.textContent = text;
-    }
-    box.append(line);
+  box.replaceChildren(node("b", {}, swatch(featureFill(feature, id)), featureName(feature, id)), " ");
+  if (!life) return;
+  for (const [event, text] of /** @type {const} */ ([[life[0], bornText(life, true)], [life[1], diedText(life, true)]])) {
+    box.append(node("div", {}, isInside(event) ? button(text, () => goToEvent(event)) : text));
   }
 }
 
 function show() {
-  if (element("follow").checked) drawing.fit(scale);
-  drawing.draw(scale, chosen);
+  const { scale, at } = explorer, exact = at >= 0 ? data.scales[at] : null;
+  if (isChecked("follow")) drawing.fit(scale);
+  drawing.draw(scale, chosen, passagesHere());
   drawInputs(scale);
   strip.show(scale);
   barcode.show(scale, chosen);
-  eventList.show(scale, atEvent);
+  eventList.show(scale, at);
   paper.show(scale);
-  element("slider").value = shareOf(scale);
-  const field = element("scale");
-  if (document.activeElement !== field || !field.classList.contains("bad")) {
-    field.value = atEvent >= 0 ? data.scales[atEvent] : short(scale, 8);
-    field.classList.remove("bad");
-    field.style.width = `${Math.min(Math.max(field.value.length + 3, 14), 72)}ch`;
-    field.title = atEvent >= 0 ? field.value : "A number or a fraction: 0.25, 7/5";
-  }
-  element("about").textContent = atEvent >= 0 && data.scales[atEvent] !== short(scale) ? `≈ ${short(scale, 9)}` : "";
-  element("previous").disabled = !isInside(previousEvent());
-  element("next").disabled = !isInside(nextEvent());
+  explorer.showScale(exact ?? short(scale, 8), true);
+  element("scale").title = exact ?? "A number or a fraction: 0.25, 7/5";
+  element("about").textContent = exact !== null && exact !== short(scale) ? `≈ ${short(scale, 9)}` : "";
   tellSituation();
 }
 
+/** @param {string} feature @param {number} id */
 function choose(feature, id) {
-  chosen = chosen && chosen.feature === feature && chosen.id === id ? null : { feature, id };
-  if (chosen) {
-    const life = lives[feature][id];
-    const born = isInside(life[0]) ? data.about[life[0]] : windowFirst;
-    const died = isInside(life[1]) ? data.about[life[1]] : windowLast;
+  chosen = chosen?.feature === feature && chosen.id === id ? null : { feature, id };
+  const life = lives[feature][id];
+  if (chosen && life) {
+    const born = isInside(life[0]) ? data.about[life[0]] : axis.first, died = isInside(life[1]) ? data.about[life[1]] : axis.last;
     barcode.reveal(feature, id);
-    if (!(scale > born && scale < died)) moveTo(Math.sqrt(born * died));
+    if (!(explorer.scale > born && explorer.scale < died)) moveTo(Math.sqrt(born * died));
   }
   showChosen();
   show();
@@ -107,76 +112,56 @@ function choose(feature, id) {
 
 function layOut() {
   strip.draw();
-  barcode.draw(choose);
+  barcode.draw();
   show();
 }
 
-function step(share) {
-  moveTo(paper.run ? paper.scaleAfter(scale, Math.sign(share)) : scaleAt(shareOf(scale) + share));
-}
-
-const keys = {
-  ArrowLeft: (event) => step(event.shiftKey ? -0.0005 : -0.005),
-  ArrowRight: (event) => step(event.shiftKey ? 0.0005 : 0.005),
-  PageDown: () => goToEvent(previousEvent()),
-  PageUp: () => goToEvent(nextEvent()),
-  Home: () => moveTo(windowFirst),
-  End: () => moveTo(windowLast),
-  Escape: () => { if (chosen) choose(chosen.feature, chosen.id); },
-};
-
-function enter(field) {
-  const event = data.scales.indexOf(field.value.trim()), s = scaleOf(field.value);
-  field.classList.toggle("bad", event < 0 && !(s >= windowFirst && s <= windowLast));
-  if (field.classList.contains("bad")) return;
-  if (event >= 0) goToEvent(event); else moveTo(s);
-}
-
-function listen() {
-  element("slider").addEventListener("input", (event) => moveTo(scaleAt(Number(event.target.value))));
-  listenToControls({
-    keys, enter, layOut,
-    previous: () => goToEvent(previousEvent()),
-    next: () => goToEvent(nextEvent()),
-    fit: () => { drawing.fit(scale); show(); },
-    redraw: ["show-S", "show-T", "follow"],
-    recolour: () => { eventList.fill(goToTopology); showChosen(); },
-  });
-  strip.listen();
-  listenToPicture(holesAtPointer);
-}
-
-function goToTopology(event, place, [, feature, change, before, after]) {
-  moveTo(data.about[event], event, place);
+/** @param {import("./data.js").Change} change */
+function goToTopology([event, feature, change, before, after, , place]) {
+  explorer.moveTo(data.about[event], event);
+  drawing.place = place;
   const ids = (change === "birth" ? after : before).filter((id) => feature === "c" || id > 0);
   chosen = ids.length ? { feature, id: ids[0] } : chosen;
   showChosen();
   if (chosen) barcode.reveal(chosen.feature, chosen.id);
 }
 
+/** @param {string} text */
+function read(text) {
+  const event = data.scales.indexOf(text.trim()), s = scaleOf(text);
+  if (event >= 0) return () => goToEvent(event);
+  return axis.has(s) ? () => moveTo(s) : null;
+}
+
 element("key-tight").hidden = !Object.keys(data.passages ?? {}).length;
-element("count-S").textContent = (data.S.length / 2).toLocaleString("en");
-element("count-T").textContent = (data.T.length / 2).toLocaleString("en");
-barcode.collect();
-if (barcode.rows.some((row) => row.feature === "c")) element("features").textContent = "Holes and components (C) from birth to death";
+element("count-S").textContent = counted(data.S.length / 2);
+element("count-T").textContent = counted(data.T.length / 2);
+if (barcode.hasComponents) element("features").textContent = "Holes and components (C) from birth to death";
 element("counts").textContent = [
   `s from ${data.window[0][0]} to ${data.window[1][0]}`, several(data.scales.length, "boundary event"),
   several(data.topology.length, "topology event"), several(data.holes.slice(1).filter(Boolean).length, "hole"),
   several(data.components.filter(Boolean).length, "component"),
 ].join(" · ");
 eventList.fill(goToTopology);
-paper.fill((s) => moveTo(s));
+paper.fill(moveTo);
 showChosen();
-listen();
+listenToControls({
+  explorer, read, show, layOut,
+  keys: { ...explorer.keys(), Escape: () => { if (chosen) choose(chosen.feature, chosen.id); } },
+  fit: () => drawing.fit(explorer.scale),
+  redraw: ["show-S", "show-T", "follow"],
+  recolour: () => { eventList.fill(goToTopology); showChosen(); },
+});
+drawing.listen(show, { find: (x, y) => drawing.holeAt(x, y), tell: (id) => describe("h", id), take: (id) => choose("h", id) });
 layOut();
 
 // For tests and scripts.
-window.minkref = {
+Object.assign(window, { minkref: {
   rings: canonicalPolygons,
   moveTo,
-  get scale() { return scale; },
-  get step() { return paper.stepAt(scale); },
+  get scale() { return explorer.scale; },
+  get step() { return paper.stepAt(explorer.scale); },
   events: data.scales,
   goToEvent,
   get passages() { return passagesHere(); },
-};
+} });

@@ -1,17 +1,52 @@
+// @ts-check
 // Scales, holes and events in words.
-const kindNames = { b: "birth", d: "death", s: "swap", t: "touch" };
+import { featureFill } from "../../../page/web/colours.js";
+import { node, swatch } from "../../../page/web/elements.js";
+import { cut, short } from "../../../page/web/numbers.js";
+import { data, isInside } from "./data.js";
 
-const exactAndAbout = (event, whole = false) => {
+/** @typedef {import("./data.js").Life} Life */
+
+/** @type {Record<string, string>} */
+export const kindNames = { b: "birth", d: "death", s: "swap", t: "touch" };
+
+/** @param {number} event */
+export function exactAndAbout(event, whole = false) {
   const exact = data.scales[event], about = short(data.about[event]);
   return exact === about ? exact : `${whole ? exact : cut(exact)} ≈ ${about}`;
-};
+}
 
-const lives = { h: data.holes, c: data.components };
-const names = { h: "hole", c: "component" };
-const isInside = (event) => event >= 0 && event < data.scales.length;
-const bornText = (life, whole) => (isInside(life[0]) ? `born at ${exactAndAbout(life[0], whole)}` : "there when the window begins");
-const diedText = (life, whole) => (isInside(life[1]) ? `dies at ${exactAndAbout(life[1], whole)}` : "there when the window ends");
+/** @type {Record<string, (Life | null)[]>} */
+export const lives = { h: data.holes, c: data.components };
+/** @param {Life} life */
+export const bornText = ([event], whole = false) => (isInside(event) ? `born at ${exactAndAbout(event, whole)}` : "there when the window begins");
+/** @param {Life} life */
+export const diedText = ([, event], whole = false) => (isInside(event) ? `dies at ${exactAndAbout(event, whole)}` : "there when the window ends");
 
-function featureName(feature, id) {
-  return feature === "h" && id === 0 ? "the outside" : `${names[feature]} ${id}`;
+/** @param {string} feature @param {number} id */
+export function featureName(feature, id) {
+  return feature === "h" && id === 0 ? "the outside" : `${feature === "h" ? "hole" : "component"} ${id}`;
+}
+
+/** @param {string} feature @param {number} id */
+export function describe(feature, id) {
+  const life = lives[feature][id], name = featureName(feature, id);
+  return life ? `${name}: ${bornText(life)}, ${diedText(life)}` : name;
+}
+
+/** @type {(cell: Element, feature: string, ids: number[]) => void} */
+function nameList(cell, feature, ids) {
+  ids.forEach((id, i) => {
+    if (i) cell.append(i === ids.length - 1 ? " and " : ", ");
+    cell.append(node("span", { class: "name" }, swatch(featureFill(feature, id)), featureName(feature, id)));
+  });
+}
+
+/** "hole 3 dies", "hole 4 splits into hole 4 and hole 9". @param {Element} cell @param {import("./data.js").Change} change */
+export function tellChange(cell, [, feature, change, before, after]) {
+  nameList(cell, feature, before.length ? before : after);
+  if (change === "split" || change === "merge") {
+    cell.append(" → ");
+    nameList(cell, feature, after);
+  }
 }

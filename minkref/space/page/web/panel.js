@@ -1,14 +1,17 @@
+// @ts-check
 // The panel beside the picture: the legend with its counts, exact facts, the update, what is chosen.
-function node(name, attributes = {}, ...children) {
-  const made = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  made.append(...children);
-  return made;
-}
+import { element, input, isChecked, node } from "../../../page/web/elements.js";
+import { about, fraction, written } from "../../../page/web/fractions.js";
+import { counted, several } from "../../../page/web/numbers.js";
+import { frames, operands, present } from "./data.js";
+import { exactPoint } from "./solid.js";
+import { captionText, cutText, meaning, parentsText, scaleText, shapeText, signed } from "./texts.js";
 
-const present = kinds.filter((kind) => frames.some((frame) => frame.kinds[kind]));
+/** @typedef {import("./data.js").Frame} Frame */
+/** @typedef {import("./solid.js").Solid} Solid */
 
-function buildLegend(changed) {
+/** @param {() => void} changed */
+export function buildLegend(changed) {
   for (const kind of present) {
     const box = node("input", { type: "checkbox", id: `show-${kind}`, checked: "" });
     box.addEventListener("change", changed);
@@ -16,52 +19,53 @@ function buildLegend(changed) {
       node("b", {}, kind), node("span", {}, meaning[kind]), node("output", { class: "many", id: `count-${kind}` }))));
   }
 }
-const isShown = (kind) => element(`show-${kind}`).checked;
+/** @param {string} kind */
+export const isShown = (kind) => isChecked(`show-${kind}`);
 
+/** @param {HTMLElement} list @param {string[][]} rows */
 function facts(list, rows) {
   list.replaceChildren(...rows.flatMap(([name, value, title]) => [
     node("dt", {}, name), node("dd", title ? { title, class: "long" } : {}, value),
   ]));
 }
 
-function tellFrame(index) {
-  const frame = frames[index];
+/** @param {number} index */
+export function tellFrame(index) {
+  const frame = frames[index], slider = input("slider");
   element("scale").textContent = `S = ${scaleText(frame.scale)}`;
   element("scale").title = scaleText(frame.scale, true);
   element("number").textContent = `frame ${index + 1} of ${frames.length}`;
   element("caption").textContent = captionText(frame);
-  element("slider").value = index;
-  element("slider").setAttribute("aria-valuetext", `frame ${index + 1}, S = ${scaleText(frame.scale)}`);
-  element("previous").disabled = index === 0;
-  element("next").disabled = index === frames.length - 1;
+  slider.value = String(index);
+  slider.setAttribute("aria-valuetext", `frame ${index + 1}, S = ${scaleText(frame.scale)}`);
+  element("previous", HTMLButtonElement).disabled = index === 0;
+  element("next", HTMLButtonElement).disabled = index === frames.length - 1;
   for (const kind of present) {
-    element(`count-${kind}`).textContent = counted(frame.kinds[kind]);
-    element(`count-${kind}`).closest("label").classList.toggle("none", !frame.kinds[kind]);
+    const count = element(`count-${kind}`);
+    count.textContent = counted(frame.kinds[kind]);
+    count.closest("label")?.classList.toggle("none", !frame.kinds[kind]);
   }
   const volume = fraction(frame.volume);
   const exact = written(volume);
   facts(element("facts"), [
-    ["volume", cut(exact), exact],
+    ["volume", cutText(exact), exact],
     ...(exact.length > 10 ? [["", `≈ ${about(volume)}`]] : []),
     ...(frame.pairs ? [] : [["shape", shapeText(frame)]]),
     ["SHA-256", frame.digest, frame.digest],
   ]);
   tellStep(index);
-  for (const [which, scaled] of [["P", true], ["Q", false]]) {
+  for (const [which, scaled] of /** @type {const} */ ([["P", true], ["Q", false]])) {
     const body = operands[which];
     element(`told-${which}`).textContent = `${which} = ${body.name.split("/").pop()}${scaled ? ", scaled" : ""}: ` +
       `${counted(body.points.length)} vertices, ${several(body.faces.length, "facet")}`;
   }
 }
 
+/** @param {number} index */
 function tellStep(index) {
   const frame = frames[index], box = element("step");
-  if (!frame.pairs) {
-    box.replaceChildren(node("p", {}, "Nothing: each frame is found from scratch."));
-    return;
-  }
-  if (index === 0) {
-    box.replaceChildren(node("p", {}, "Nothing: the first frame is found from scratch."));
+  if (!frame.pairs || index === 0) {
+    box.replaceChildren(node("p", {}, `Nothing: ${frame.pairs ? "the first" : "each"} frame is found from scratch.`));
     return;
   }
   const found = [several(frame.fv_errors, "fv-error"), several(frame.vf_errors, "vf-error"), several(frame.ee_errors, "ee-error")];
@@ -70,42 +74,43 @@ function tellStep(index) {
     node("b", {}, found.join(", ")), `; ${walked}.`));
 }
 
-const cornersTold = 60;
+const MOST_CORNERS = 60;
+/** @param {import("./data.js").Fraction[]} point */
 const exactly = (point) => node("span", { class: "exact", title: `(${point.map(written).join(", ")})` },
-  `(${point.map((number) => signed(cut(written(number)))).join(", ")})`);
+  `(${point.map((number) => signed(cutText(written(number)))).join(", ")})`);
 
-function tellChosen(frame, picture, chosen) {
-  const box = element("chosen");
-  element("clear").disabled = !chosen;
-  element("facet").value = chosen?.what === "facet" ? chosen.number : "";
-  element("vertex").value = chosen?.what === "vertex" ? chosen.number : "";
-  element("facet").max = frame.facets - 1;
-  element("vertex").max = frame.vertices - 1;
-  if (!chosen) {
-    box.replaceChildren(node("p", { class: "faint" }, "Click one in the picture, or type its number: its parents are marked in P and Q."));
-    return;
+/** @typedef {{ what: string, number: number } | null} Chosen a facet or a vertex of the sum */
+
+/** @type {(frame: Frame, picture: Solid, chosen: Chosen) => void} */
+export function tellChosen(frame, picture, chosen) {
+  element("clear", HTMLButtonElement).disabled = !chosen;
+  for (const [what, count] of /** @type {const} */ ([["facet", frame.facets], ["vertex", frame.vertices]])) {
+    input(what).value = chosen?.what === what ? String(chosen.number) : "";
+    input(what).max = String(count - 1);
   }
-  const { what, number } = chosen;
-  if (what === "vertex" && !frame.pairs) {
-    const point = exactPoint(frame, number);
-    box.replaceChildren(node("p", {}, node("b", {}, `vertex ${number}`)), node("p", {}, exactly(point)),
-      node("p", { class: "faint" }, `≈ (${point.map(about).join(", ")})`));
-    return;
-  }
-  if (what === "vertex") {
-    const [p, q] = frame.pairs.slice(2 * number, 2 * number + 2);
-    const point = exactPoint(frame, number);
-    box.replaceChildren(
-      node("p", {}, node("b", {}, `vertex ${number}`), ` = vertex ${p} of P + vertex ${q} of Q`), node("p", {}, exactly(point)),
-      node("p", { class: "faint" }, `≈ (${point.map(about).join(", ")})`));
-    return;
-  }
+  const told = !chosen ? [node("p", { class: "faint" }, "Click one in the picture, or type its number: its parents are marked in P and Q.")]
+    : chosen.what === "vertex" ? tellVertex(frame, chosen.number) : tellFacet(frame, picture, chosen.number);
+  element("chosen").replaceChildren(...told);
+}
+
+/** @param {Frame} frame @param {number} number */
+function tellVertex(frame, number) {
+  const [p, q] = frame.pairs?.slice(2 * number, 2 * number + 2) ?? [], point = exactPoint(frame, number);
+  return [
+    node("p", {}, node("b", {}, `vertex ${number}`), ...(frame.pairs ? [` = vertex ${p} of P + vertex ${q} of Q`] : [])),
+    node("p", {}, exactly(point)), node("p", { class: "faint" }, `≈ (${point.map(about).join(", ")})`),
+  ];
+}
+
+/** @param {Frame} frame @param {Solid} picture @param {number} number */
+function tellFacet(frame, picture, number) {
   const ring = picture.outlines[number].flat(), parents = picture.parents[number], kind = picture.kinds[number];
-  const corners = ring.slice(0, cornersTold).map((vertex) =>
+  const corners = ring.slice(0, MOST_CORNERS).map((vertex) =>
     node("li", {}, node("span", { class: "faint" }, `vertex ${vertex} ${frame.pairs ? `= ${frame.pairs[2 * vertex]} + ${frame.pairs[2 * vertex + 1]} ` : ""}`),
       exactly(exactPoint(frame, vertex))));
-  if (ring.length > cornersTold) corners.push(node("li", {}, `and ${ring.length - cornersTold} more`));
-  box.replaceChildren(
-    node("p", {}, node("b", {}, `facet ${number}: ${kind}`), `${parents.length > 1 ? " in the plane of" : " ="} ${parentsText(parents, cornersTold, ", ")}`),
-    node("p", { class: "faint" }, `${several(ring.length, "corner")}, as vertices of the sum${frame.pairs ? " = of P + of Q" : ""}:`), node("ol", {}, ...corners));
+  if (ring.length > MOST_CORNERS) corners.push(node("li", {}, `and ${ring.length - MOST_CORNERS} more`));
+  return [
+    node("p", {}, node("b", {}, `facet ${number}: ${kind}`), `${parents.length > 1 ? " in the plane of" : " ="} ${parentsText(parents, MOST_CORNERS, ", ")}`),
+    node("p", { class: "faint" }, `${several(ring.length, "corner")}, as vertices of the sum${frame.pairs ? " = of P + of Q" : ""}:`), node("ol", {}, ...corners),
+  ];
 }

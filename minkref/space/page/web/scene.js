@@ -1,64 +1,84 @@
+// @ts-check
 // A picture in space, drawn by plotly.js: facets by kind, edges, vertices, and what is chosen.
-const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name.replace("+", "-")}`).trim();
+import { colour } from "../../../page/web/colours.js";
+import { clamped, roundStep } from "../../../page/web/numbers.js";
+import { isLeft, leftOf, partLeft } from "./cut.js";
+import { signed } from "./texts.js";
+import { addFan, columns, meshTrace, newMesh, STAND_OFF } from "./traces.js";
+
+/** @typedef {import("./data.js").Point} Point */
+/** @typedef {import("./solid.js").Solid} Solid */
+/** @typedef {import("./cut.js").Cut} Cut */
+/** @typedef {import("./traces.js").Trace} Trace */
+/** @typedef {{ x: number, y: number, z: number }} Direction */
+/** @typedef {{ eye: Direction, up: Direction, center: Direction }} Camera */
+
+/** @param {string} kind */
+export const colourOf = (kind) => colour(kind.replace("+", "-"));
+/** @param {string} hex */
 const channels = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
-const light = ((direction) => direction.map((axis) => axis / Math.hypot(...direction)))([0.75, -0.35, 1]);
-const standOff = 0.0012;  // of vertices before the facets, in the unit of the picture
-const home = { eye: { x: 1.3, y: -1.25, z: 0.85 }, up: { x: 0, y: 0, z: 1 }, center: { x: 0, y: 0, z: 0 } };
-const views = {
+const light = [0.75, -0.35, 1].map((axis, _, direction) => axis / Math.hypot(...direction));
+/** @type {Camera} */
+export const home = { eye: { x: 1.3, y: -1.25, z: 0.85 }, up: { x: 0, y: 0, z: 1 }, center: { x: 0, y: 0, z: 0 } };
+/** @type {Record<string, Direction>} */
+export const views = {
   home: home.eye, x: { x: 2.05, y: 0, z: 0 }, y: { x: 0, y: -2.05, z: 0 }, z: { x: 0, y: 0, z: 2.05 },
 };
 
+/** @param {string} hex @param {Point} normal */
 function shaded(hex, normal) {
   const towards = normal.reduce((sum, axis, i) => sum + axis * light[i], 0);
   const strength = 0.79 + 0.21 * towards;
   return `rgb(${channels(hex).map((channel) => Math.round(channel * strength)).join()})`;
 }
 
-const off = (body, vertex, direction, distance = standOff) =>
+/** @type {(body: Solid, vertex: number, direction: Point, distance?: number) => Point} */
+const off = (body, vertex, direction, distance = STAND_OFF) =>
   body.points[vertex].map((axis, i) => axis + distance * direction[i]);
-const columns = (points) => ({ x: points.map((p) => p?.[0] ?? null), y: points.map((p) => p?.[1] ?? null), z: points.map((p) => p?.[2] ?? null) });
 
-// Facets of one kind, as far as the cut leaves them, the vertices of each triangle its own: a point of the mesh tells the facet.
-function facets(body, kind, visible, cut) {
-  const points = [], facetOf = [], facecolor = [], i = [], j = [], k = [];
-  const tint = colour(kind);
+/**
+ * Facets of one kind, as far as the cut leaves them, the vertices of each triangle its own: a point of the mesh tells the facet.
+ * @type {(body: Solid, kind: string, visible: boolean, cut: Cut) => Trace}
+ */
+export function facets(body, kind, visible, cut) {
+  const mesh = newMesh();
+  /** @type {number[]} */
+  const numbers = [];
+  /** @type {string[]} */
+  const facecolor = [];
+  const tint = colourOf(kind);
   body.triangles.forEach((triangles, facet) => {
     if (body.kinds[facet] !== kind) return;
     const shade = shaded(tint, body.normals[facet]);
     for (const triangle of triangles) {
-      const first = points.length, kept = leftOf(body.points, triangle, cut);
-      for (const point of kept) {
-        points.push(point);
-        facetOf.push(facet);
-      }
-      for (let corner = 1; corner + 1 < kept.length; ++corner) {
-        i.push(first);
-        j.push(first + corner);
-        k.push(first + corner + 1);
-        facecolor.push(shade);
-      }
+      const kept = leftOf(body.points, triangle, cut);
+      addFan(mesh, kept);
+      numbers.push(...kept.map(() => facet));
+      facecolor.push(...kept.slice(2).map(() => shade));
     }
   });
-  return {
-    type: "mesh3d", name: kind, ...columns(points), i, j, k, facecolor, visible, hoverinfo: "none", showscale: false,
-    lighting: { ambient: 1, diffuse: 0, specular: 0, fresnel: 0, roughness: 1 }, meta: { what: "facet", numbers: facetOf },
-  };
+  return { ...meshTrace(kind, mesh), facecolor, visible, hoverinfo: "none", meta: { what: "facet", numbers } };
 }
 
-// How long, in the unit of plotly.js, a side of 2 is drawn; and how much is seen from top to bottom.
-const drawnLength = (halves, share) => (1.62 * share) / Math.hypot(...halves);
-const seenHeight = 1.66;
+/** How long, in the unit of plotly.js, a side of 2 is drawn. @param {number[]} halves @param {number} share */
+export const drawnLength = (halves, share) => (1.62 * share) / Math.hypot(...halves);
+export const SEEN_HEIGHT = 1.66;  // from top to bottom
 
-// Pixels between edges, roughly. `pixels`: of the longest side of the body.
+/** Pixels between edges, roughly. `pixels`: of the longest side of the body. @param {Solid} body @param {number} pixels */
 function roominess(body, pixels) {
   const [, middle, long] = [...body.sides].sort((a, b) => a - b);
   return (pixels * Math.sqrt(middle * long)) / Math.sqrt(body.edges.length);
 }
 
-// They stand off a third of their width, so that a slanting facet does not cut them in two.
-function edgeLines(body, pixels, visible, cut) {
-  const points = [], width = Math.min(Math.max(roominess(body, pixels) / 9, 0.35), 3);
-  const distance = Math.max((0.2 * width) / pixels, standOff / 1.2);
+/**
+ * They stand off a third of their width, so that a slanting facet does not cut them in two.
+ * @type {(body: Solid, pixels: number, visible: boolean, cut: Cut) => Trace}
+ */
+export function edgeLines(body, pixels, visible, cut) {
+  /** @type {(Point | null)[]} */
+  const points = [];
+  const width = clamped(roominess(body, pixels) / 9, 0.35, 3);
+  const distance = Math.max((0.2 * width) / pixels, STAND_OFF / 1.2);
   for (const [a, b, one, other] of body.edges) {
     const direction = body.normals[one].map((axis, i) => axis + body.normals[other][i]);
     const length = Math.hypot(...direction) || 1;
@@ -72,9 +92,10 @@ function edgeLines(body, pixels, visible, cut) {
   };
 }
 
-function vertexMarks(body, pixels, visible, cut) {
+/** @type {(body: Solid, pixels: number, visible: boolean, cut: Cut) => Trace} */
+export function vertexMarks(body, pixels, visible, cut) {
   const numbers = body.points.map((_, v) => v).filter((v) => isLeft(body.points[v], cut));
-  const size = Math.min(Math.max(roominess(body, pixels) / 4.5, 0.5), 5);
+  const size = clamped(roominess(body, pixels) / 4.5, 0.5, 5);
   return {
     type: "scatter3d", mode: "markers", name: "vertices", ...columns(numbers.map((v) => off(body, v, body.outward[v]))),
     visible, hoverinfo: "none", marker: { size, color: colour("vertex"), opacity: 1, line: { width: 0 } },
@@ -82,9 +103,9 @@ function vertexMarks(body, pixels, visible, cut) {
   };
 }
 
-// `marks`: lists of the vertices of a vertex, an edge or a ring.
-function chosenMark(body, pixels, marks) {
-  const distance = Math.max(3 * standOff, 0.9 / pixels);
+/** `marks`: lists of the vertices of a vertex, an edge or a ring. @type {(body: Solid, pixels: number, marks: number[][]) => Trace} */
+export function chosenMark(body, pixels, marks) {
+  const distance = Math.max(3 * STAND_OFF, 0.9 / pixels);
   const closed = marks.flatMap((ring) => [...ring, ...(ring.length > 2 ? [ring[0]] : []), null]).slice(0, -1);
   return {
     type: "scatter3d", mode: "lines+markers", name: "chosen", hoverinfo: "skip", visible: closed.length > 0,
@@ -93,18 +114,20 @@ function chosenMark(body, pixels, marks) {
   };
 }
 
+/** @param {number} value */
 function tickText(value) {
   const size = Math.abs(value);
   if (size && (size >= 1e7 || size < 1e-4)) return value.toExponential(6).replace(/\.?0*e\+?/, "e");
   return Number(value.toPrecision(10)).toLocaleString("en", { maximumFractionDigits: 10 });
 }
 
-// Round numbers of an axis on which the picture shows `centre + size * u` for u within `half`.
+/**
+ * Round numbers of an axis on which the picture shows `centre + size * u` for u within `half`.
+ * @type {(centre: number | null, size: number | null, half: number) => { tickvals: number[], ticktext: string[] }}
+ */
 function ticks(centre, size, half) {
   if (centre === null || size === null || !(size > 1e-9 * Math.abs(centre))) return { tickvals: [], ticktext: [] };
-  const length = 2 * half * size, unit = 10 ** Math.floor(Math.log10(length / 3));
-  const step = [1, 2, 5, 10].map((n) => n * unit).find((n) => length / n <= 5);
-  const values = [];
+  const step = roundStep(2 * half * size, 3, 5), values = [];
   for (let n = Math.ceil((centre - half * size) / step); n * step <= centre + half * size; ++n) values.push(n * step);
   return {
     tickvals: values.map((value) => (value - centre) / size),
@@ -112,10 +135,15 @@ function ticks(centre, size, half) {
   };
 }
 
-// `halves`: half the sides of the box that is shown; `frame` gives the axes their numbers, null for no axes. `share`: of the
-// height that a picture may fill.
-function layout(halves, frame, camera, share) {
+/**
+ * @param {number[]} halves half the sides of the box that is shown
+ * @param {import("./data.js").Frame | null} frame gives the axes their numbers, null for no axes
+ * @param {Camera} camera
+ * @param {number} share of the height that a picture may fill
+ */
+export function layout(halves, frame, camera, share) {
   const font = { family: getComputedStyle(document.body).fontFamily, size: 11, color: colour("soft") };
+  /** @param {number} i */
   const axis = (i) => ({
     visible: frame !== null, range: [-halves[i], halves[i]], title: { text: "xyz"[i] }, showbackground: false, showspikes: false,
     zeroline: false, gridcolor: colour("rule"), linecolor: colour("rule"), tickfont: font,
@@ -132,6 +160,6 @@ function layout(halves, frame, camera, share) {
   };
 }
 
-const config = {
+export const config = {
   displaylogo: false, responsive: true, displayModeBar: false, doubleClick: false, plotGlPixelRatio: Math.max(2, devicePixelRatio),
 };
