@@ -16,6 +16,7 @@ SHELL := /bin/bash
 .PHONY: run test test-clang test-flushed evidence proofs checker lint format docs wheel sdist sbom lock setup environment clean
 
 CXX_SOURCES = $(shell find reference formats certify oracle bindings fuzz tests -name '*.cpp' -o -name '*.hpp')
+JAVASCRIPT_SOURCES = docs/site fuzz minkref reports tests
 PYTHON_SOURCES = minkref certify degeneracies docs/site fuzz oracle reports tests tools
 
 setup:
@@ -61,6 +62,8 @@ lint: setup
 	.venv/bin/python tools/scripts/check_includes.py
 	.venv/bin/lint-imports --no-cache pyproject.toml
 	.venv/bin/python tools/scripts/check_counts.py
+	.venv/bin/oxlint $(JAVASCRIPT_SOURCES)
+	tools/scripts/check_types.sh
 
 format: environment
 	.venv/bin/clang-format -i $(CXX_SOURCES)

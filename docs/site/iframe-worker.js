@@ -15,7 +15,7 @@ class IFrameWorker extends EventTarget {
       this.inside.postMessage = (data) => this.inside.eval("(data) => parent.postMessage(data, '*')")(data);
       const script = inside.createElement("script");
       script.src = url;
-      script.onload = resolve;
+      script.addEventListener("load", resolve);
       inside.head.append(script);
     });
   }

@@ -6,7 +6,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 # Packages that the site shares with the checkout have one version in both.
-for source in requirements.in docs/site/requirements.in fuzz/libraries/*/requirements.in tools/packaging/*.requirements.in; do
+for source in requirements.in docs/site/requirements.in fuzz/libraries/*/requirements.in tools/packaging/*.requirements.in \
+  tools/javascript/requirements.in; do
   lock=${source%.in}.txt
   shared=()
   [[ $source != docs/* ]] || shared=(--constraints requirements.txt)
