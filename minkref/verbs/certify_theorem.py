@@ -32,10 +32,11 @@ def theorem_of(certificate: Checked) -> bytes:
     """States the sum of a certificate and proves it by computation. Raises RuntimeError where the
     proved checker refuses the certificate: a fault of minkref."""
     with scratch_folder() as folder:
-        for path, content in certificate.contents().items():
-            (folder / path.name).write_bytes(content)
-        name, part = certificate.files.output.name, folder / "theorem.v"
-        found = check_proved.follow(folder / name, f"--theorem={part}")
+        plain, part = folder / "it.cert.json", folder / "theorem.v"
+        plain.write_bytes(certificate.text.encode())
+        (folder / certificate.files.case.name).write_bytes(certificate.case.encode())
+        name = certificate.files.output.name
+        found = check_proved.follow(plain, f"--theorem={part}")
         if found.word != "verified":
             raise RuntimeError(f"no theorem of {name}: {found.word}: {found.why}")
         return part.read_bytes()

@@ -101,6 +101,17 @@ def test_no_theorem(holed: str, tmp_path: Path, capsys: Any, options: list[str],
 
 
 @pytest.mark.usefixtures("proved")
+def test_a_compressed_certificate_has_the_same_theorem(holed: str, tmp_path: Path) -> None:
+    texts = []
+    for name in ("it.cert.json", "packed.cert.json.gz"):
+        theorem = tmp_path / "it.v"
+        out = ["-o", str(tmp_path / name), "--theorem", str(theorem)]
+        assert run(["certify", holed, holed, "--scale", "1/5", *out]) == 0
+        texts.append(theorem.read_text(encoding="utf-8"))
+    assert texts[0] == texts[1] != ""
+
+
+@pytest.mark.usefixtures("proved")
 def test_a_theorem_is_taken_by_coq_and_a_false_one_is_not(holed: str, tmp_path: Path) -> None:
     """The sum of a square ring and a smaller one, which has a hole."""
     coqc = shutil.which("coqc")
