@@ -69,13 +69,11 @@ def main(folder: Path) -> None:
     schemas = list(tool_pages.schema_pages(ROOT))
     for page, text in schemas:
         write(pages / page, text)
-        sources.add(Path("minkref/schemas", f"{page.stem.removesuffix('-json')}.json"))
-    sources.discard(Path("minkref/schemas/README.json"))
     write(pages / gallery.PLACE / "README.md", gallery.make(ROOT, pages))
     shown = list(repository_pages.place_sources(ROOT, pages, sources))
     repository_pages.rank_all(pages)
 
-    navigation = _navigation(pages, headers, [page for page, _ in schemas])
+    navigation = _navigation(pages, headers, [page for page, _ in schemas if page.suffix == ".md"])
     settings = {
         "INHERIT": str(ROOT / "docs/site/mkdocs.yml"),
         "docs_dir": str(pages),

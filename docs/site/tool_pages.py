@@ -23,6 +23,11 @@ WORDS = {  # of the library, and ours
 }
 # Links to a service that explains patterns.
 PATTERN = re.compile(r"\[(`[^`]+`)\]\(https://regex101\.com/[^)]*\)")
+ALL_SCHEMAS = """
+import json
+from minkref.schemas import names, result_schema
+print(json.dumps({name: result_schema(name) for name in sorted(names())}))
+"""
 COMMAND = re.compile(r"^(\.venv/bin/)?(\w+=\S+ )*(minkref|cat|echo|printf|python3?) ")
 
 
@@ -57,22 +62,23 @@ def _with_examples(lines: list[str]) -> Iterator[str]:
 
 
 def schema_pages(root: Path) -> Iterator[tuple[Path, str]]:
-    """A page for each schema, the index last."""
+    """A page and a file for each schema, the index last."""
     logger.disable("jsonschema_markdown")  # it tells of forms that it shows as they are
+    words = [root / ".venv/bin/python", "-c", ALL_SCHEMAS]
+    done = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
     listed = []
-    for path in sorted((root / "minkref/schemas").glob("*.json")):
-        schema = json.loads(path.read_text(encoding="utf-8"))
-        title = schema.get("title", path.stem)
+    for name, schema in json.loads(done.stdout).items():
+        file = SCHEMAS / f"{name}.json"
+        yield file, json.dumps(schema, indent=2) + "\n"
         text = jsonschema_markdown.generate(
-            schema, title=title, footer=False, hide_empty_columns=True
+            schema, title=schema["title"], footer=False, hide_empty_columns=True
         )
         for before, after in WORDS.items():
             text = text.replace(before, after)
         text = PATTERN.sub(r"\1", text)
-        page = SCHEMAS / f"{path.stem}-json.md"
-        listed.append(f"- [{title}]({page.name})")
-        source = f"../../minkref/schemas/{path.name}.md"
-        yield page, f"{text.strip()}\n\n[The schema itself]({source})\n"
+        page = SCHEMAS / f"{name}-json.md"
+        listed.append(f"- [{schema['title']}]({page.name})")
+        yield page, f"{text.strip()}\n\n[The schema itself]({file.name})\n"
     yield (
         SCHEMAS / "README.md",
         "# JSON schemas\n\nEvery command prints one JSON document with `--json`, and the schema "

@@ -1,9 +1,8 @@
-"""The published JSON schemas of what `--json` prints."""
+"""The published JSON schemas of what `--json` prints. Each is made of the type of its document."""
 
 from __future__ import annotations
 
 import json
-from importlib import resources
 from typing import Any
 
 KINDS = ("in_space", "with_disc", "with_disc_pairs", "with_path")
@@ -16,17 +15,17 @@ def schema(command: str) -> dict[str, Any]:
     top = {"$schema": result.pop("$schema"), "title": result.pop("title")}
     kinds = {"result": result, "error": error}
     for where in KINDS:
-        if _file(f"{command}_{where}").is_file():
+        if f"{command}_{where}" in names():
             kinds[f"result_{where}"] = result_schema(f"{command}_{where}")
             del kinds[f"result_{where}"]["title"]
     shared: dict[str, Any] = {}
     for kind in kinds.values():
         kind.pop("$schema", None)
         shared |= kind.pop("$defs", {})
-    names = ("result", *(f"result_{where}" for where in KINDS), "error")
+    ordered = ("result", *(f"result_{where}" for where in KINDS), "error")
     return {
         **top,
-        "oneOf": [{"$ref": f"#/$defs/{name}"} for name in names if name in kinds],
+        "oneOf": [{"$ref": f"#/$defs/{name}"} for name in ordered if name in kinds],
         "$defs": {**kinds, **shared},
     }
 
@@ -35,20 +34,21 @@ def schema_text(command: str) -> str:
     return json.dumps(schema(command), indent=2) + "\n"
 
 
-def result_schema(command: str) -> dict[str, Any]:
+def result_schema(name: str) -> dict[str, Any]:
     """The schema of the document of a command that did its work."""
-    return _read(command)
+    from minkref.schemas.documents import DOCUMENTS
+    from minkref.schemas.make import made
+
+    return made(DOCUMENTS[name])
 
 
 def error_schema() -> dict[str, Any]:
     """The schema of a refusal."""
-    return _read("error")
+    return result_schema("error")
 
 
-def _read(name: str) -> dict[str, Any]:
-    value: dict[str, Any] = json.loads(_file(name).read_text(encoding="utf-8"))
-    return value
+def names() -> tuple[str, ...]:
+    """All documents, by the command and the kind of its operands."""
+    from minkref.schemas.documents import DOCUMENTS
 
-
-def _file(name: str) -> Any:
-    return resources.files(__name__).joinpath(f"{name}.json")
+    return tuple(DOCUMENTS)

@@ -8,12 +8,14 @@ import shutil
 from collections.abc import Callable, Iterator
 from contextlib import redirect_stdout
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import jsonschema
 import pytest
 from minkref.cli.cli import run
+from minkref.schemas import error_schema, schema
 
 pytest.register_assert_rewrite("index_runs")
 
@@ -54,9 +56,21 @@ def minkref(capsys: pytest.CaptureFixture[str]) -> Minkref:
     def call(*arguments: str | Path) -> Ran:
         code = run([str(argument) for argument in arguments])
         captured = capsys.readouterr()
+        if "--json" in arguments and captured.out.startswith("{"):
+            follow_schema(json.loads(captured.out))
         return Ran(code, captured.out, captured.err)
 
     return call
+
+
+def follow_schema(document: dict[str, Any]) -> None:
+    """Raises where a document does not follow the published schema of its command."""
+    _validator("error" if "error" in document else document["command"]).validate(document)
+
+
+@cache
+def _validator(name: str) -> Any:
+    return jsonschema.Draft202012Validator(error_schema() if name == "error" else schema(name))
 
 
 def wkt_square(x: int, y: int, side: int) -> str:

@@ -18,7 +18,8 @@ finally:
 """
 #: Modules that a start without work must not import.
 HEAVY = ("jinja2", "jsonschema", "matplotlib", "minkref.degeneracies", "minkref.fuzz",
-         "minkref.reports", "multiprocessing", "numpy", "plotly", "pyarrow", "sympy")  # fmt: skip
+         "minkref.reports", "msgspec", "multiprocessing", "numpy", "plotly", "pyarrow",
+         "sympy")  # fmt: skip
 
 
 def modules(*arguments: str) -> set[str]:

@@ -1,0 +1,64 @@
+"""Documents of `certify` and `check`."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, NotRequired, TypedDict
+
+from minkref.schemas.grammar import ruled
+from minkref.schemas.values import Count, Head
+from msgspec import Meta
+
+CheckVerdict = Literal["verified", "refuted", "malformed", "out of budget", "declined"]
+
+
+@ruled(additionalProperties=True)
+class Claim(TypedDict):
+    claim: str
+
+
+class CertifyDocument(Head):
+    """The document of `minkref certify --json`."""
+
+    command: Literal["certify"]
+    output: Annotated[str, Meta(description="The certificate.")]
+    case: Annotated[str, Meta(description="The file of its case.")]
+    bytes: Annotated[Count, Meta(description="Of the certificate, not compressed.")]
+    verified: Annotated[
+        bool | None,
+        Meta(
+            description="Whether the checker verified it before it was written; false where its "
+            "budget did not suffice, null with --no-check."
+        ),
+    ]
+    theorem: NotRequired[Annotated[str, Meta(description="With --theorem: the file of Coq.")]]
+    claims: Annotated[
+        list[Claim], Meta(description="As in the certificate (docs/certificates.md).")
+    ]
+
+
+class CheckedFile(TypedDict):
+    file: str
+    verdict: CheckVerdict
+    message: Annotated[str, Meta(description="Why it is not verified.")]
+    claims: Annotated[list[str], Meta(description="What is proven.")]
+    proved: NotRequired[
+        Annotated[
+            list[str],
+            Meta(
+                description="With --proved, of what is verified: what the checker that is proved "
+                "right has found (docs/proved.md)."
+            ),
+        ]
+    ]
+    not_proved: NotRequired[
+        Annotated[
+            list[str], Meta(description="With --proved: what rests on the other checker alone.")
+        ]
+    ]
+
+
+class CheckDocument(Head):
+    """The document of `minkref check --json`."""
+
+    command: Literal["check"]
+    files: list[CheckedFile]

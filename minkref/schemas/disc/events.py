@@ -1,0 +1,48 @@
+"""The document of `events` with a disc."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, TypedDict
+
+from minkref.schemas.disc.values import DiscEvent, DiscEventCounts, RadiusWindow, ShapeAndDisc
+from minkref.schemas.values import Amount, Count, LastingHead, Pair, Written
+from msgspec import Meta
+
+DiscEventsKind = Literal["boundary", "topology"]
+
+
+class BornHole(TypedDict):
+    hole: Count
+    of: Count
+
+
+class HoleChanges(TypedDict):
+    born: list[BornHole]
+    ended: list[Count]
+    joined: list[Pair]
+
+
+class ChangingDiscEvent(DiscEvent):
+    changes: Annotated[
+        HoleChanges | None,
+        Meta(
+            description="With --kind topology: holes that are born, each with the hole that it was "
+            "a part of (0: the outside), holes that end, polygons whose components are one from "
+            "here on. Holes are numbered from 1 on, those of P first. Otherwise null."
+        ),
+    ]
+
+
+class DiscEventsDocument(LastingHead, ShapeAndDisc, RadiusWindow, Written):
+    """The document of `minkref events --json` with a disc."""
+
+    command: Literal["events"]
+    kind: DiscEventsKind
+    compute_seconds: Amount | None
+    exact_signs: Annotated[Count, Meta(description="That roots had to decide.")]
+    counts: DiscEventCounts
+    count: Annotated[Count, Meta(description="Of events of the kind.")]
+    events: Annotated[
+        list[ChangingDiscEvent] | None,
+        Meta(description="By radius; null where they were written to a file."),
+    ]

@@ -1,0 +1,90 @@
+"""All documents."""
+
+from __future__ import annotations
+
+from minkref.schemas.bench.document import BenchDocument
+from minkref.schemas.cases import GenerateDocument
+from minkref.schemas.certificates import CertifyDocument, CheckDocument
+from minkref.schemas.disc.events import DiscEventsDocument
+from minkref.schemas.disc.index import DiscIndexDocument
+from minkref.schemas.disc.pair_events import DiscPairEventsDocument
+from minkref.schemas.disc.sum import DiscSumDocument
+from minkref.schemas.disc.sweep import DiscSweepDocument
+from minkref.schemas.disc.values import CurvedRing, ExactPoint, Radius
+from minkref.schemas.disc.view import DiscViewDocument
+from minkref.schemas.error import ErrorDocument
+from minkref.schemas.lists import FamiliesDocument, ModelsDocument, TargetsDocument
+from minkref.schemas.motion.fit import FitDocument, SpaceFitDocument
+from minkref.schemas.motion.path import PathDocument, SpacePathDocument
+from minkref.schemas.motion.trap import TrapDocument
+from minkref.schemas.motion.view import PathViewDocument
+from minkref.schemas.plane.convolution import ConvolutionDocument
+from minkref.schemas.plane.events import EventsDocument
+from minkref.schemas.plane.index import IndexDocument
+from minkref.schemas.plane.sum import SumDocument
+from minkref.schemas.plane.sweep import SweepDocument
+from minkref.schemas.plane.values import Ring
+from minkref.schemas.plane.view import ViewDocument
+from minkref.schemas.report import ReportDocument
+from minkref.schemas.space.convolution import SpaceConvolutionDocument
+from minkref.schemas.space.events import SpaceEventsDocument
+from minkref.schemas.space.sum import SpaceSumDocument
+from minkref.schemas.space.sweep import SpaceSweepDocument
+from minkref.schemas.space.values import FlatRing
+from minkref.schemas.space.view import SpaceViewDocument
+from minkref.schemas.values import Digest, Fraction, Number, Point, SpacePoint
+from minkref.schemas.verify.adapter_check import AdapterCheckDocument
+from minkref.schemas.verify.cases import AnyPoint, CaseRing
+from minkref.schemas.verify.document import ShrinkDocument, VerifyDocument
+
+DOCUMENTS = {
+    "adapter_check": AdapterCheckDocument,
+    "bench": BenchDocument,
+    "certify": CertifyDocument,
+    "check": CheckDocument,
+    "convolution": ConvolutionDocument,
+    "convolution_in_space": SpaceConvolutionDocument,
+    "error": ErrorDocument,
+    "events": EventsDocument,
+    "events_in_space": SpaceEventsDocument,
+    "events_with_disc": DiscEventsDocument,
+    "events_with_disc_pairs": DiscPairEventsDocument,
+    "families": FamiliesDocument,
+    "fit": FitDocument,
+    "fit_in_space": SpaceFitDocument,
+    "generate": GenerateDocument,
+    "index": IndexDocument,
+    "index_with_disc": DiscIndexDocument,
+    "models": ModelsDocument,
+    "path": PathDocument,
+    "path_in_space": SpacePathDocument,
+    "report": ReportDocument,
+    "shrink": ShrinkDocument,
+    "sum": SumDocument,
+    "sum_in_space": SpaceSumDocument,
+    "sum_with_disc": DiscSumDocument,
+    "sweep": SweepDocument,
+    "sweep_in_space": SpaceSweepDocument,
+    "sweep_with_disc": DiscSweepDocument,
+    "targets": TargetsDocument,
+    "trap": TrapDocument,
+    "verify": VerifyDocument,
+    "view": ViewDocument,
+    "view_in_space": SpaceViewDocument,
+    "view_with_disc": DiscViewDocument,
+    "view_with_path": PathViewDocument,
+}
+NAMED = {
+    "Number": Number,
+    "Fraction": Fraction,
+    "Digest": Digest,
+    "Radius": Radius,
+    "Point": Point,
+    "SpacePoint": SpacePoint,
+    "AnyPoint": AnyPoint,
+    "Ring": Ring,
+    "FlatRing": FlatRing,
+    "CaseRing": CaseRing,
+    "ExactPoint": ExactPoint,
+    "CurvedRing": CurvedRing,
+}
