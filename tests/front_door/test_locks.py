@@ -15,7 +15,11 @@ from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parents[2]
 ADAPTERS = sorted(ROOT.glob("fuzz/libraries/*/requirements.txt"))
-OTHERS = [ROOT / "docs/site/requirements.txt", ROOT / "tools/packaging/tools.requirements.txt"]
+OTHERS = [
+    ROOT / "docs/site/requirements.txt",
+    ROOT / "tools/javascript/requirements.txt",
+    ROOT / "tools/packaging/tools.requirements.txt",
+]
 LOCKS = [ROOT / "requirements.txt", *OTHERS, *ADAPTERS]
 
 
@@ -42,7 +46,7 @@ def test_each_package_has_one_version_and_its_digests(file: Path) -> None:
 
 def test_locks_hold_what_is_asked_for() -> None:
     sources = [file for lock in LOCKS if (file := lock.with_suffix(".in")).is_file()]
-    assert ROOT / "requirements.in" in sources and len(sources) == 5
+    assert ROOT / "requirements.in" in sources and len(sources) == 6
     for source in sources:
         held = locked(source.with_suffix(".txt"))
         for line in source.read_text(encoding="utf-8").splitlines():
