@@ -81,7 +81,7 @@ struct DiscIndex {
 
   PolygonSet P;
   OffsetCurves curves;
-  OffsetIndex index;
+  DiscIndex index;
   OffsetHistory history;
   IndexRegions regions;
   IndexMeasures measures;
@@ -403,7 +403,7 @@ class Drawing {
   }
 
   const DiscIndex& self_;
-  const OffsetIndex& index_;
+  const DiscIndex& index_;
   const DiagramEvents& diagram_;
   double unit_;                                                    ///< a power of two
   std::vector<Numbers> near_;                                      ///< features of events

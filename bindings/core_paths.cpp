@@ -82,13 +82,13 @@ DiagramAnswer<Number> answer(const PathDiagram& found, Number (*number)(const Ra
 }
 
 template <typename Number>
-DiagramAnswer<Number> diagram_of(const Set& robot, const Set& obstacles,
+DiagramAnswer<Number> diagram_of(const Set& part, const Set& obstacles,
                                  const std::vector<ExactPoint>& path, const std::string& contact,
                                  const OptionalText& from, const std::string& to, std::size_t most,
                                  Number (*number)(const Rational&)) {
   std::vector<Point> points;
   for (const ExactPoint& p : path) points.push_back(point_of(p));
-  return answer(path_diagram(robot.value, obstacles.value, points, contact_rule(contact),
+  return answer(path_diagram(part.value, obstacles.value, points, contact_rule(contact),
                              window_of(from, to), most),
                 number);
 }
@@ -120,45 +120,45 @@ FreeAnswer answer(const FreeScales& found) {
 void bind_paths(nb::module_& module) {
   module.def(
       "valid_scales",
-      [](const Set& robot, const Set& obstacles, const std::vector<ExactPoint>& path,
+      [](const Set& part, const Set& obstacles, const std::vector<ExactPoint>& path,
          const std::string& contact, const OptionalText& from, const OptionalText& to,
          const std::string& route) {
         std::vector<Point> points;
         for (const ExactPoint& p : path) points.push_back(point_of(p));
         const Computing computing;
-        return answer(valid_scales(robot.value, obstacles.value, points, contact_rule(contact),
+        return answer(valid_scales(part.value, obstacles.value, points, contact_rule(contact),
                                    window_of(from, to), path_route(route)));
       },
-      "robot"_a, "obstacles"_a, "path"_a, "contact"_a = "allowed", "from_scale"_a = nb::none(),
+      "part"_a, "obstacles"_a, "path"_a, "contact"_a = "allowed", "from_scale"_a = nb::none(),
       "to_scale"_a = nb::none(), "route"_a = "pieces",
       "(ranges, bounds, statistics) of a polyline: a range is (from, with it, to, with it), a "
       "bound (scale, blocks, segment, t, place, part, obstacle, where they touch).");
   module.def(
       "path_diagram",
-      [](const Set& robot, const Set& obstacles, const std::vector<ExactPoint>& path,
+      [](const Set& part, const Set& obstacles, const std::vector<ExactPoint>& path,
          const std::string& contact, const OptionalText& from, const std::string& to,
          std::size_t most) {
-        return diagram_of<std::string>(robot, obstacles, path, contact, from, to, most,
+        return diagram_of<std::string>(part, obstacles, path, contact, from, to, most,
                                        [](const Rational& x) { return to_string(x); });
       },
-      "robot"_a, "obstacles"_a, "path"_a, "contact"_a, "from_scale"_a.none(), "to_scale"_a,
-      "most"_a, Released(),
+      "part"_a, "obstacles"_a, "path"_a, "contact"_a, "from_scale"_a.none(), "to_scale"_a, "most"_a,
+      Released(),
       "(pieces of the part, of the obstacles, bad polygons) of a path; a polygon is (segment, "
       "piece "
       "of the part, of the obstacles, corners (t, s)). Refuses more than `most` of them.");
   module.def(
       "path_drawing",
-      [](const Set& robot, const Set& obstacles, const std::vector<ExactPoint>& path,
+      [](const Set& part, const Set& obstacles, const std::vector<ExactPoint>& path,
          const std::string& contact, const OptionalText& from, const std::string& to,
          std::size_t most) {
-        return diagram_of<double>(robot, obstacles, path, contact, from, to, most,
+        return diagram_of<double>(part, obstacles, path, contact, from, to, most,
                                   [](const Rational& x) { return to_double(x); });
       },
-      "robot"_a, "obstacles"_a, "path"_a, "contact"_a, "from_scale"_a.none(), "to_scale"_a,
-      "most"_a, Released(), "As path_diagram, in doubles.");
+      "part"_a, "obstacles"_a, "path"_a, "contact"_a, "from_scale"_a.none(), "to_scale"_a, "most"_a,
+      Released(), "As path_diagram, in doubles.");
   module.def(
-      "star_shaped", [](const Set& robot) { return star_shaped(robot.value); }, "robot"_a,
-      Released(), "Whether each point of the set sees the origin in it.");
+      "star_shaped", [](const Set& part) { return star_shaped(part.value); }, "part"_a, Released(),
+      "Whether each point of the set sees the origin in it.");
   module.def(
       "fit_at",
       [](const Set& part, const Set& container, const ExactPoint& at, const std::string& contact) {
@@ -186,13 +186,13 @@ void bind_paths(nb::module_& module) {
       "As fit_anywhere, of the scales at which the part gets from one place to the other.");
   module.def(
       "trapped_scales",
-      [](const Set& part, const Set& assembly, const ExactPoint& at, const std::string& contact,
+      [](const Set& part, const Set& obstacles, const ExactPoint& at, const std::string& contact,
          const OptionalText& from, const OptionalText& to) {
-        refuse_large_convolution(part.value, assembly.value);
-        return answer(trapped_scales(part.value, assembly.value, point_of(at),
+        refuse_large_convolution(part.value, obstacles.value);
+        return answer(trapped_scales(part.value, obstacles.value, point_of(at),
                                      contact_rule(contact), window_of(from, to)));
       },
-      "part"_a, "assembly"_a, "at"_a, "contact"_a = "allowed", "from_scale"_a = nb::none(),
+      "part"_a, "obstacles"_a, "at"_a, "contact"_a = "allowed", "from_scale"_a = nb::none(),
       "to_scale"_a = nb::none(), Released(),
       "As fit_anywhere, of the scales at which no translation takes the part away.");
 }

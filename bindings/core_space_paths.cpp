@@ -60,23 +60,23 @@ SpacePathAnswer space_answer(const SpaceValidScales& found) {
 void bind_space_paths(nb::module_& module) {
   module.def(
       "valid_scales_in_space",
-      [](const Surface& robot, const Surface& obstacles, const std::vector<ExactSpacePoint>& path,
+      [](const Surface& part, const Surface& obstacles, const std::vector<ExactSpacePoint>& path,
          const std::string& contact, const OptionalText& from, const OptionalText& to,
          const std::string& route) {
         std::vector<SpacePoint> points;
         for (const ExactSpacePoint& p : path) points.push_back(to_point(p));
         const Computing computing;
-        return space_answer(valid_scales(robot.value(), obstacles.value(), points,
+        return space_answer(valid_scales(part.value(), obstacles.value(), points,
                                          contact_rule(contact), window_of(from, to),
                                          path_route(route)));
       },
-      "robot"_a, "obstacles"_a, "path"_a, "contact"_a = "allowed", "from_scale"_a = nb::none(),
+      "part"_a, "obstacles"_a, "path"_a, "contact"_a = "allowed", "from_scale"_a = nb::none(),
       "to_scale"_a = nb::none(), "route"_a = "pieces",
       "As valid_scales, of polyhedra and a polyline in space; a feature is (vertex, edge or face, "
       "its number or the two vertices).");
   module.def(
-      "star_shaped_in_space", [](const Surface& robot) { return star_shaped(robot.value()); },
-      "robot"_a, Released(), "Whether each point of the polyhedron sees the origin in it.");
+      "star_shaped_in_space", [](const Surface& part) { return star_shaped(part.value()); },
+      "part"_a, Released(), "Whether each point of the polyhedron sees the origin in it.");
   module.def(
       "fit_at_in_space",
       [](const Surface& part, const Surface& container, const ExactSpacePoint& at,

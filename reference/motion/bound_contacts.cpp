@@ -53,11 +53,11 @@ struct TouchingPoint {
   Point at;
   TouchingFeature part, obstacle;
 };
-std::optional<TouchingPoint> touching(const PathProblem& problem, const ConvexCorners& robot,
+std::optional<TouchingPoint> touching(const PathProblem& problem, const ConvexCorners& part,
                                       const ConvexCorners& obstacle, const Point& x,
                                       const Rational& scale) {
   std::vector<Point> placed;  // pieces belong to -R
-  for (const Point& p : robot) placed.push_back({x.x - scale * p.x, x.y - scale * p.y});
+  for (const Point& p : part) placed.push_back({x.x - scale * p.x, x.y - scale * p.y});
   std::vector<Point> candidates;
   for (const Point& p : placed) {
     if (holds_point(obstacle, p)) candidates.push_back(p);
@@ -68,7 +68,7 @@ std::optional<TouchingPoint> touching(const PathProblem& problem, const ConvexCo
   std::sort(candidates.begin(), candidates.end(),
             [](const Point& a, const Point& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
   for (const Point& p : candidates) {
-    const auto part = feature_at(problem.robot, {(p.x - x.x) / scale, (p.y - x.y) / scale});
+    const auto part = feature_at(problem.part, {(p.x - x.x) / scale, (p.y - x.y) / scale});
     const auto other = feature_at(problem.obstacles, p);
     if (part && other) return TouchingPoint{p, *part, *other};
   }
@@ -78,12 +78,12 @@ std::optional<TouchingPoint> touching(const PathProblem& problem, const ConvexCo
 }  // namespace
 
 std::vector<PathBound> bounds_of(const PathProblem& problem, const std::vector<ScaleRange>& valid) {
-  const MovingPieces pieces(problem.robot, problem.obstacles, problem.path,
+  const MovingPieces pieces(problem.part, problem.obstacles, problem.path,
                             problem.rule == ContactRule::allowed);
   std::vector<PathBound> bounds;
   for (const auto& [scale, blocks, at, triple] :
        ends_of_collisions(pieces, problem.window, valid)) {
-    const auto where = touching(problem, pieces.robot()[triple.robot].corners,
+    const auto where = touching(problem, pieces.part()[triple.part].corners,
                                 pieces.obstacles()[triple.obstacle].corners, at.point, scale);
     if (!where) throw std::logic_error("pieces do not touch at a bound of the valid scales");
     bounds.push_back({scale, blocks, at, where->part, where->obstacle, where->at});

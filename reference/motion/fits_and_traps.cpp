@@ -338,13 +338,13 @@ std::optional<FreeScales> narrowed_trap(const FreeProblem& problem, const Questi
 
 }  // namespace
 
-FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, const Point& at,
+FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& obstacles, const Point& at,
                           ContactRule rule, const ScaleWindow& window, FitSearch search) {
   const FloatEnvironment standard;
   refuse_bad_window(window);
-  if (part.empty() || assembly.empty()) return {};
-  refuse_bad_operands(part, assembly, 1);
-  const FreeProblem problem(part, assembly, {at}, rule);
+  if (part.empty() || obstacles.empty()) return {};
+  refuse_bad_operands(part, obstacles, 1);
+  const FreeProblem problem(part, obstacles, {at}, rule);
   const auto trapped = [&](const FreeSpace& free) {
     const auto place = free.part_of(at);
     return place && *place != 0;

@@ -44,7 +44,7 @@ enum class FitSearch : std::uint8_t { narrowed, all };
 /// place's freedom, and, if contact is allowed, from three contacts that meet at a free place.
 /// Exact. Throws BadInput as valid_scales, and "touching-rings" if contact is allowed and rings of
 /// a set touch.
-FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, const Point& at,
+FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& obstacles, const Point& at,
                           ContactRule rule = ContactRule::allowed, const ScaleWindow& window = {},
                           FitSearch search = FitSearch::narrowed);
 

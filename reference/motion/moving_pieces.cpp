@@ -40,14 +40,14 @@ std::vector<NearVector<2>> PathsInThePlane::across(const Point& from, const Poin
   return {near({to.y - from.y, from.x - to.x}), near({from.y - to.y, to.x - from.x})};
 }
 
-std::vector<StripCondition> PathsInThePlane::conditions(const SidedPiece& robot,
+std::vector<StripCondition> PathsInThePlane::conditions(const SidedPiece& part,
                                                         const SidedPiece& obstacle,
                                                         const Point& from, const Point& to) {
   const Point along{to.x - from.x, to.y - from.y};
   std::vector<StripCondition> conditions;
-  for (const SidedPiece* piece : {&obstacle, &robot}) {
+  for (const SidedPiece* piece : {&obstacle, &part}) {
     for (const Point& n : piece->across) {
-      conditions.push_back({n.x * along.x + n.y * along.y, -robot.reach(n),
+      conditions.push_back({n.x * along.x + n.y * along.y, -part.reach(n),
                             n.x * from.x + n.y * from.y - obstacle.reach(n)});
     }
   }
@@ -56,9 +56,9 @@ std::vector<StripCondition> PathsInThePlane::conditions(const SidedPiece& robot,
 
 template class MovingPiecesOf<PathsInThePlane>;
 
-MovingPieces::MovingPieces(const PolygonSet& robot, const PolygonSet& obstacles,
+MovingPieces::MovingPieces(const PolygonSet& part, const PolygonSet& obstacles,
                            const std::vector<Point>& path, bool strict)
-    : MovingPiecesOf(sided(open_pieces(half_turned(robot), strict && !obstacles.is_region())),
-                     sided(open_pieces(obstacles, strict && !robot.is_region())), path, strict) {}
+    : MovingPiecesOf(sided(open_pieces(half_turned(part), strict && !obstacles.is_region())),
+                     sided(open_pieces(obstacles, strict && !part.is_region())), path, strict) {}
 
 }  // namespace minkref::inline paths

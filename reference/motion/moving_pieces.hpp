@@ -25,7 +25,7 @@ struct PathsInThePlane {
   static NearVector<2> near(const Point& p) { return {Interval(p.x), Interval(p.y)}; }
   static Point point_at(const Point& from, const Point& to, const Rational& t);
   static std::vector<NearVector<2>> across(const Point& from, const Point& to);
-  static std::vector<StripCondition> conditions(const SidedPiece& robot, const SidedPiece& obstacle,
+  static std::vector<StripCondition> conditions(const SidedPiece& part, const SidedPiece& obstacle,
                                                 const Point& from, const Point& to);
   /// Returns false: the sides alone tell everything.
   static bool apart(const SidedPiece&, const SidedPiece&, const NearVector<2>&,
@@ -38,7 +38,7 @@ extern template class MovingPiecesOf<PathsInThePlane>;
 class MovingPieces : public MovingPiecesOf<PathsInThePlane> {
  public:
   /// Takes the pieces of -R, which slide over the obstacles, and of the obstacles.
-  MovingPieces(const PolygonSet& robot, const PolygonSet& obstacles, const std::vector<Point>& path,
+  MovingPieces(const PolygonSet& part, const PolygonSet& obstacles, const std::vector<Point>& path,
                bool strict);
 };
 

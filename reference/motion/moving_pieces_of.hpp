@@ -46,15 +46,15 @@ using ScaleGap = std::array<double, 2>;
 
 /// Indices of a segment, a piece of the part and a piece of the obstacles.
 struct PieceTriple {
-  std::uint32_t segment = 0, robot = 0, obstacle = 0;
+  std::uint32_t segment = 0, part = 0, obstacle = 0;
 };
 
 /// The room that a direction leaves, over the gap, between an obstacle piece that reaches
-/// `obstacle` and a piece of -R that reaches `robot`; `least`: the segment's least product. Never
+/// `obstacle` and a piece of -R that reaches `part`; `least`: the segment's least product. Never
 /// more than the true room; negative if there may be no room.
-inline double room_across(double least, const Interval& robot, const Interval& obstacle,
+inline double room_across(double least, const Interval& part, const Interval& obstacle,
                           const ScaleGap& gap) {
-  const double none = -1, reach = robot.upper();
+  const double none = -1, reach = part.upper();
   if (std::isinf(gap[1]) && reach > 0) return none;
   const Interval at(reach > 0 ? gap[1] : gap[0]);
   if (std::isinf(reach) || std::isinf(obstacle.upper()) || std::isinf(least)) return none;
@@ -66,8 +66,8 @@ inline double room_across(double least, const Interval& robot, const Interval& o
 /// the outside), the number of `dimensions`, and
 /// - near(point), point_at(from, to, t);
 /// - across(from, to): directions at right angles to a segment;
-/// - conditions(robot, obstacle, from, to): the colliding places of a segment and scales; exact;
-/// - apart(robot, obstacle, from, to, gap, strict): whether doubles prove by other means that the
+/// - conditions(part, obstacle, from, to): the colliding places of a segment and scales; exact;
+/// - apart(part, obstacle, from, to, gap, strict): whether doubles prove by other means that the
 ///   two never collide, or (unless `strict`) touch, at scales of the gap.
 template <class Geometry>
 class MovingPiecesOf {
@@ -80,7 +80,7 @@ class MovingPiecesOf {
 
   /// Takes the pieces of -R, which slide over the obstacles, and of the obstacles. O((a + k) b)
   /// doubles for a, b sides of pieces and k segments.
-  MovingPiecesOf(std::vector<Piece> robot, std::vector<Piece> obstacles, std::vector<Point> path,
+  MovingPiecesOf(std::vector<Piece> part, std::vector<Piece> obstacles, std::vector<Point> path,
                  bool strict);
 
   /// Calls `take` with each triple that may collide at some scale of any gap, likely triples first.
@@ -106,10 +106,10 @@ class MovingPiecesOf {
     return polygon_of(triple, all);
   }
 
-  const std::vector<Piece>& robot() const { return robot_; }
+  const std::vector<Piece>& part() const { return part_; }
   const std::vector<Piece>& obstacles() const { return obstacles_; }
   bool is_strict() const { return strict_; }
-  std::uint64_t triples() const { return segments() * robot_.size() * obstacles_.size(); }
+  std::uint64_t triples() const { return segments() * part_.size() * obstacles_.size(); }
   std::uint64_t segments() const { return path_.size() > 1 ? path_.size() - 1 : 1; }
   PathPlaceOf<Point> place(std::uint32_t segment, const Rational& t) const {
     return {segment, t, Geometry::point_at(path_[segment], end_of(segment), t)};
@@ -120,31 +120,31 @@ class MovingPiecesOf {
   struct Side {
     Near direction;
     std::vector<Interval> path;       ///< products with the vertices of the path
-    std::vector<Interval> robot;      ///< reaches of the pieces of -R (of one, for its own sides)
+    std::vector<Interval> part;       ///< reaches of the pieces of -R (of one, for its own sides)
     std::vector<Interval> obstacles;  ///< and of the obstacles
-    Interval all_of_robot;
+    Interval all_of_part;
   };
   std::size_t next(std::uint32_t segment) const {
     return std::min<std::size_t>(segment + 1, path_.size() - 1);
   }
   const Point& end_of(std::uint32_t segment) const { return path_[next(segment)]; }
   std::vector<StripCondition> conditions(const Triple& triple) const {
-    return Geometry::conditions(robot_[triple.robot], obstacles_[triple.obstacle],
+    return Geometry::conditions(part_[triple.part], obstacles_[triple.obstacle],
                                 path_[triple.segment], end_of(triple.segment));
   }
   std::optional<StripPolygon> polygon_of(const Triple& triple,
                                          const std::vector<StripCondition>& all) const {
     return strip_polygon(all, strict_, path_[triple.segment] == end_of(triple.segment));
   }
-  Side side(const Near& direction, bool robots, bool all_obstacles) const;
-  bool apart(const Side& side, std::uint32_t segment, const Interval& robot,
+  Side side(const Near& direction, bool parts, bool all_obstacles) const;
+  bool apart(const Side& side, std::uint32_t segment, const Interval& part,
              const Interval& obstacle, const Gap& gap, bool touching) const;
   bool apart_from_all(std::uint32_t segment, std::uint32_t obstacle, const Gap& gap,
                       bool touching) const;
   bool apart(const Triple& triple, const Gap& gap, bool touching) const;
   void put_in_order();
 
-  std::vector<Piece> robot_, obstacles_;
+  std::vector<Piece> part_, obstacles_;
   std::vector<Point> path_;
   std::vector<Near> near_path_;
   bool strict_;
@@ -153,19 +153,19 @@ class MovingPiecesOf {
 };
 
 template <class Geometry>
-MovingPiecesOf<Geometry>::MovingPiecesOf(std::vector<Piece> robot, std::vector<Piece> obstacles,
+MovingPiecesOf<Geometry>::MovingPiecesOf(std::vector<Piece> part, std::vector<Piece> obstacles,
                                          std::vector<Point> path, bool strict)
-    : robot_(std::move(robot)),
+    : part_(std::move(part)),
       obstacles_(std::move(obstacles)),
       path_(std::move(path)),
       strict_(strict) {
   for (const Point& p : path_) near_path_.push_back(Geometry::near(p));
-  if (robot_.empty() || obstacles_.empty()) return;
-  for (const Piece& piece : robot_) {
+  if (part_.empty() || obstacles_.empty()) return;
+  for (const Piece& piece : part_) {
     look_for_interrupt();
     auto& sides = of_robot_.emplace_back();
     for (const auto& direction : piece.near_across) sides.push_back(side(direction, false, true));
-    for (Side& s : sides) s.robot = {reach_of(piece.near_corners, s.direction)};
+    for (Side& s : sides) s.part = {reach_of(piece.near_corners, s.direction)};
   }
   for (const Piece& piece : obstacles_) {
     look_for_interrupt();
@@ -186,15 +186,14 @@ MovingPiecesOf<Geometry>::MovingPiecesOf(std::vector<Piece> robot, std::vector<P
 }
 
 template <class Geometry>
-auto MovingPiecesOf<Geometry>::side(const Near& direction, bool robots, bool all_obstacles) const
+auto MovingPiecesOf<Geometry>::side(const Near& direction, bool parts, bool all_obstacles) const
     -> Side {
   Side result;
   result.direction = direction;
   for (const Near& p : near_path_) result.path.push_back(product(direction, p));
-  for (std::size_t k = 0; robots && k < robot_.size(); ++k) {
-    result.robot.push_back(reach_of(robot_[k].near_corners, direction));
-    result.all_of_robot =
-        k == 0 ? result.robot[0] : greater(result.all_of_robot, result.robot.back());
+  for (std::size_t k = 0; parts && k < part_.size(); ++k) {
+    result.part.push_back(reach_of(part_[k].near_corners, direction));
+    result.all_of_part = k == 0 ? result.part[0] : greater(result.all_of_part, result.part.back());
   }
   for (std::size_t k = 0; all_obstacles && k < obstacles_.size(); ++k) {
     result.obstacles.push_back(reach_of(obstacles_[k].near_corners, direction));
@@ -237,11 +236,11 @@ void MovingPiecesOf<Geometry>::put_in_order() {
 }
 
 template <class Geometry>
-bool MovingPiecesOf<Geometry>::apart(const Side& side, std::uint32_t segment, const Interval& robot,
+bool MovingPiecesOf<Geometry>::apart(const Side& side, std::uint32_t segment, const Interval& part,
                                      const Interval& obstacle, const Gap& gap,
                                      bool touching) const {
   const double least = std::min(side.path[segment].lower(), side.path[next(segment)].lower());
-  const double free = room_across(least, robot, obstacle, gap);
+  const double free = room_across(least, part, obstacle, gap);
   return strict_ && !touching ? free >= 0 : free > 0;
 }
 
@@ -249,27 +248,27 @@ template <class Geometry>
 bool MovingPiecesOf<Geometry>::apart_from_all(std::uint32_t segment, std::uint32_t obstacle,
                                               const Gap& gap, bool touching) const {
   for (const Side& s : of_obstacles_[obstacle]) {
-    if (apart(s, segment, s.all_of_robot, s.obstacles[0], gap, touching)) return true;
+    if (apart(s, segment, s.all_of_part, s.obstacles[0], gap, touching)) return true;
   }
   for (const Side& s : of_path_[segment]) {
-    if (apart(s, segment, s.all_of_robot, s.obstacles[obstacle], gap, touching)) return true;
+    if (apart(s, segment, s.all_of_part, s.obstacles[obstacle], gap, touching)) return true;
   }
   return false;
 }
 
 template <class Geometry>
 bool MovingPiecesOf<Geometry>::apart(const Triple& triple, const Gap& gap, bool touching) const {
-  const auto [segment, robot, obstacle] = triple;
+  const auto [segment, part, obstacle] = triple;
   for (const Side& s : of_obstacles_[obstacle]) {
-    if (apart(s, segment, s.robot[robot], s.obstacles[0], gap, touching)) return true;
+    if (apart(s, segment, s.part[part], s.obstacles[0], gap, touching)) return true;
   }
-  for (const Side& s : of_robot_[robot]) {
-    if (apart(s, segment, s.robot[0], s.obstacles[obstacle], gap, touching)) return true;
+  for (const Side& s : of_robot_[part]) {
+    if (apart(s, segment, s.part[0], s.obstacles[obstacle], gap, touching)) return true;
   }
   for (const Side& s : of_path_[segment]) {
-    if (apart(s, segment, s.robot[robot], s.obstacles[obstacle], gap, touching)) return true;
+    if (apart(s, segment, s.part[part], s.obstacles[obstacle], gap, touching)) return true;
   }
-  return Geometry::apart(robot_[robot], obstacles_[obstacle], near_path_[segment],
+  return Geometry::apart(part_[part], obstacles_[obstacle], near_path_[segment],
                          near_path_[next(segment)], gap, strict_ && !touching);
 }
 
@@ -286,8 +285,8 @@ void MovingPiecesOf<Geometry>::each(const std::vector<Gap>& gaps, bool touching,
         })) {
       continue;
     }
-    for (std::uint32_t robot = 0; robot < robot_.size(); ++robot) {
-      const Triple triple{pair.first, robot, pair.second};
+    for (std::uint32_t part = 0; part < part_.size(); ++part) {
+      const Triple triple{pair.first, part, pair.second};
       if (near_some_gap([&](const Gap& gap) { return apart(triple, gap, touching); })) {
         take(triple);
       }

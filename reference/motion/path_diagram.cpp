@@ -19,15 +19,15 @@ void refuse_endless(const ScaleWindow& window) {
 
 }  // namespace
 
-PathDiagram path_diagram(const PolygonSet& robot, const PolygonSet& obstacles,
+PathDiagram path_diagram(const PolygonSet& part, const PolygonSet& obstacles,
                          const std::vector<Point>& path, ContactRule rule,
                          const ScaleWindow& window, std::size_t most) {
   const FloatEnvironment standard;
-  refuse_bad_problem(robot, obstacles, path, window);
+  refuse_bad_problem(part, obstacles, path, window);
   refuse_endless(window);
   PathDiagram result;
-  if (robot.empty() || obstacles.empty()) return result;
-  const MovingPieces pieces(robot, obstacles, path, rule == ContactRule::allowed);
+  if (part.empty() || obstacles.empty()) return result;
+  const MovingPieces pieces(part, obstacles, path, rule == ContactRule::allowed);
   const Rational from = window.from ? *window.from : Rational(0);
   const std::vector<MovingPieces::Gap> gaps{{enclose(from).lower, enclose(*window.to).upper}};
   pieces.each(gaps, false, [&](const MovingPieces::Triple& triple) {
@@ -39,13 +39,13 @@ PathDiagram path_diagram(const PolygonSet& robot, const PolygonSet& obstacles,
                           "choose a narrower window or a shorter path");
     }
     result.polygons.push_back(
-        {triple.segment, triple.robot, triple.obstacle, std::move(polygon->corners)});
+        {triple.segment, triple.part, triple.obstacle, std::move(polygon->corners)});
   });
   std::sort(
       result.polygons.begin(), result.polygons.end(), [](const BadPolygon& a, const BadPolygon& b) {
         return std::tie(a.segment, a.part, a.obstacle) < std::tie(b.segment, b.part, b.obstacle);
       });
-  for (const SidedPiece& piece : pieces.robot()) {
+  for (const SidedPiece& piece : pieces.part()) {
     ConvexCorners& corners = result.part_pieces.emplace_back();
     for (const Point& p : piece.corners) corners.push_back({-p.x, -p.y});  // pieces belong to -R
   }

@@ -33,7 +33,7 @@ struct PathDiagram {
 /// scale. Exact. Throws what valid_scales throws, and LimitExceeded for more than `most` polygons.
 /// O(k a b) doubles for k segments and a, b pieces, and an exact polygon for each triple that
 /// doubles do not leave out.
-PathDiagram path_diagram(const PolygonSet& robot, const PolygonSet& obstacles,
+PathDiagram path_diagram(const PolygonSet& part, const PolygonSet& obstacles,
                          const std::vector<Point>& path, ContactRule rule,
                          const ScaleWindow& window, std::size_t most);
 

@@ -83,8 +83,8 @@ void add_meeting_scales(const PathEdge& edge, const std::vector<Point>& path,
   }
 }
 
-std::vector<PathEdge> contact_edges(const PolygonSet& robot, const PolygonSet& obstacles) {
-  const std::vector<Ring> of_robot = walks_of(robot), of_obstacles = walks_of(obstacles);
+std::vector<PathEdge> contact_edges(const PolygonSet& part, const PolygonSet& obstacles) {
+  const std::vector<Ring> of_robot = walks_of(part), of_obstacles = walks_of(obstacles);
   std::vector<PathEdge> edges;
   each_contact(of_obstacles, of_robot, [&](const Point& a, const Point& b, const Point& v) {
     edges.push_back({{a, opposite(v)}, {b, opposite(v)}, minus(b, a)});

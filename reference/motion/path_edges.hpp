@@ -24,6 +24,6 @@ void add_meeting_scales(const PathEdge& edge, const std::vector<Point>& path,
 /// whose sides lie on the outer side of an edge of the obstacles, or with the roles exchanged;
 /// touching rings count as ordered wedges. Every contact of R and O without an overlap lies on such
 /// an edge, and equals an edge's end if two vertices touch. Exact. O(m n).
-std::vector<PathEdge> contact_edges(const PolygonSet& robot, const PolygonSet& obstacles);
+std::vector<PathEdge> contact_edges(const PolygonSet& part, const PolygonSet& obstacles);
 
 }  // namespace minkref::inline paths

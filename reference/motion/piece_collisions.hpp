@@ -33,7 +33,7 @@ ScaleSet collisions_of(const MovingPiecesOf<Geometry>& pieces, const ScaleWindow
     collisions.add(from, to);
     gaps = gaps_of(collisions.left_of(window));
   });
-  statistics.pieces_of_part = pieces.robot().size();
+  statistics.pieces_of_part = pieces.part().size();
   statistics.pieces_of_obstacles = pieces.obstacles().size();
   statistics.triples = pieces.triples();
   return collisions;
@@ -80,7 +80,7 @@ std::vector<CollisionEnd<typename Geometry::Point>> ends_of_collisions(
       if (end == ends.end()) return;
       const Place place = pieces.place(triple.segment, t);
       const auto order = [](const Place& at, const PieceTriple& of) {
-        return std::tie(at.segment, at.t, of.robot, of.obstacle);
+        return std::tie(at.segment, at.t, of.part, of.obstacle);
       };
       if (end->second.at && order(*end->second.at, end->second.triple) <= order(place, triple)) {
         return;

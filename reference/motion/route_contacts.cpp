@@ -31,10 +31,10 @@ bool meets_sum(const PathProblem& problem, const PolygonSet& turned,
 }  // namespace
 
 ScaleSet collisions_by_contacts(const PathProblem& problem, PathStatistics& statistics) {
-  const std::vector<PathEdge> edges = contact_edges(problem.robot, problem.obstacles);
+  const std::vector<PathEdge> edges = contact_edges(problem.part, problem.obstacles);
   std::vector<Rational> critical;
   for (const PathEdge& edge : edges) add_meeting_scales(edge, problem.path, critical);
-  const PolygonSet turned = half_turned(problem.robot);
+  const PolygonSet turned = half_turned(problem.part);
   return decided_at(std::move(critical), problem.window, [&](const Rational& scale) {
     ++statistics.critical_scales;
     return meets_sum(problem, turned, edges, scale);

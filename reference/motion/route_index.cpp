@@ -111,11 +111,11 @@ std::vector<Rational> meetings_with(const ScaleIndex& index, const std::vector<P
 }  // namespace
 
 ScaleSet collisions_by_index(const PathProblem& problem, PathStatistics& statistics) {
-  const IndexedSums sums(problem, half_turned(problem.robot));
+  const IndexedSums sums(problem, half_turned(problem.part));
   std::vector<Rational> critical = meetings_with(sums.index(), problem.path);
   // An opening at a single scale leaves no trace on the closed sums' boundary.
   if (problem.rule == ContactRule::allowed) {
-    for (const PathEdge& edge : contact_edges(problem.robot, problem.obstacles)) {
+    for (const PathEdge& edge : contact_edges(problem.part, problem.obstacles)) {
       add_meeting_scales(edge, problem.path, critical);
     }
   }

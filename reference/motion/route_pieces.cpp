@@ -17,7 +17,7 @@ std::vector<ScaleGap> gaps_of(const std::vector<ScaleRange>& ranges) {
 }
 
 ScaleSet collisions_of_pieces(const PathProblem& problem, PathStatistics& statistics) {
-  const MovingPieces pieces(problem.robot, problem.obstacles, problem.path,
+  const MovingPieces pieces(problem.part, problem.obstacles, problem.path,
                             problem.rule == ContactRule::allowed);
   return collisions_of(pieces, problem.window, statistics);
 }

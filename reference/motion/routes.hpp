@@ -10,7 +10,7 @@ namespace minkref::inline paths {
 /// Requires operands that are not empty and not both without area, a path with a vertex, and a
 /// valid window.
 struct PathProblem {
-  const PolygonSet& robot;
+  const PolygonSet& part;
   const PolygonSet& obstacles;
   const std::vector<Point>& path;
   ContactRule rule;
@@ -18,7 +18,7 @@ struct PathProblem {
 };
 
 /// Throws BadInput: a window that is none, a path without vertices, both sets without area.
-void refuse_bad_problem(const PolygonSet& robot, const PolygonSet& obstacles,
+void refuse_bad_problem(const PolygonSet& part, const PolygonSet& obstacles,
                         const std::vector<Point>& path, const ScaleWindow& window);
 
 ScaleSet collisions_of_pieces(const PathProblem& problem, PathStatistics& statistics);

@@ -44,30 +44,30 @@ ScaleSet decided_at(std::vector<Rational> critical, const ScaleWindow& window,
   return result;
 }
 
-void refuse_bad_problem(const PolygonSet& robot, const PolygonSet& obstacles,
+void refuse_bad_problem(const PolygonSet& part, const PolygonSet& obstacles,
                         const std::vector<Point>& path, const ScaleWindow& window) {
   refuse_bad_window(window);
   if (path.empty()) {
     throw BadInput("bad-path", "a path has at least one vertex", "give it one");
   }
-  if (robot.empty() || obstacles.empty()) return;
-  if (!robot.is_region() && !obstacles.is_region()) {
+  if (part.empty() || obstacles.empty()) return;
+  if (!part.is_region() && !obstacles.is_region()) {
     throw BadInput("degenerate-operands", "both the part and the obstacles are without area",
                    "only one of them may be a point or a segment");
   }
 }
 
-ValidScales valid_scales(const PolygonSet& robot, const PolygonSet& obstacles,
+ValidScales valid_scales(const PolygonSet& part, const PolygonSet& obstacles,
                          const std::vector<Point>& path, ContactRule rule,
                          const ScaleWindow& window, PathRoute route) {
   const FloatEnvironment standard;
-  refuse_bad_problem(robot, obstacles, path, window);
+  refuse_bad_problem(part, obstacles, path, window);
   ValidScales result;
-  if (robot.empty() || obstacles.empty()) {
+  if (part.empty() || obstacles.empty()) {
     result.valid = ScaleSet().left_of(window);
     return result;
   }
-  const PathProblem problem{robot, obstacles, path, rule, window};
+  const PathProblem problem{part, obstacles, path, rule, window};
   const auto collisions = route == PathRoute::pieces     ? collisions_of_pieces
                           : route == PathRoute::contacts ? collisions_by_contacts
                                                          : collisions_by_index;
@@ -91,7 +91,7 @@ PathRoute path_route(std::string_view name) {
                  "choose pieces, contacts or index");
 }
 
-bool star_shaped(const PolygonSet& robot) {
+bool star_shaped(const PolygonSet& part) {
   const FloatEnvironment standard;
   const auto sees = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -100,13 +100,13 @@ bool star_shaped(const PolygonSet& robot) {
     }
     return true;
   };
-  if (robot.empty()) return true;
-  if (robot.is_point()) return robot.polygons[0].outer[0] == Point{};
-  if (robot.is_segment()) {
-    const Point &a = robot.polygons[0].outer[0], &b = robot.polygons[0].outer[1];
+  if (part.empty()) return true;
+  if (part.is_point()) return part.polygons[0].outer[0] == Point{};
+  if (part.is_segment()) {
+    const Point &a = part.polygons[0].outer[0], &b = part.polygons[0].outer[1];
     return a.x * b.y == a.y * b.x && a.x * b.x + a.y * b.y <= 0;
   }
-  return std::all_of(robot.polygons.begin(), robot.polygons.end(), [&](const Polygon& polygon) {
+  return std::all_of(part.polygons.begin(), part.polygons.end(), [&](const Polygon& polygon) {
     return sees(polygon.outer) && std::all_of(polygon.holes.begin(), polygon.holes.end(), sees);
   });
 }

@@ -72,13 +72,13 @@ using ValidScales = ValidScalesOf<PathBound>;
 /// intervals, single scales included. Both sets must have passed `validate`. Throws BadInput
 /// ("bad-path" for a path without vertices, "bad-window", "degenerate-operands" if both are a point
 /// or a segment). O(k a b) doubles for k segments and a, b convex pieces, memory O(k (a + b)).
-ValidScales valid_scales(const PolygonSet& robot, const PolygonSet& obstacles,
+ValidScales valid_scales(const PolygonSet& part, const PolygonSet& obstacles,
                          const std::vector<Point>& path, ContactRule rule = ContactRule::allowed,
                          const ScaleWindow& window = {}, PathRoute route = PathRoute::pieces);
 
 /// Whether each point of the set sees the origin within the set. Such a part's valid scales form
 /// one interval from 0. Exact. O(n).
-bool star_shaped(const PolygonSet& robot);
+bool star_shaped(const PolygonSet& part);
 
 /// Throw BadInput; names are "allowed", "forbidden" and the routes' names.
 ContactRule contact_rule(std::string_view name);

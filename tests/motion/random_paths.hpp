@@ -21,9 +21,9 @@ inline std::vector<Point> corners_of(const PolygonSet& set) {
 
 /// One vertex to four, on a grid, on corners of contact positions (o - s r), or along an edge of
 /// such a position; some closed, some with a vertex twice in a row.
-inline std::vector<Point> random_path(Source& random, const PolygonSet& robot,
+inline std::vector<Point> random_path(Source& random, const PolygonSet& part,
                                       const PolygonSet& obstacles) {
-  const std::vector<Point> r = corners_of(robot), o = corners_of(obstacles);
+  const std::vector<Point> r = corners_of(part), o = corners_of(obstacles);
   const Rational scale = random_scale(random);
   const auto position = [&]() -> Point {
     if (random.below(3) != 0) {

@@ -67,10 +67,10 @@ TEST(ValidScales, OfThreeRoutesAgreeOnPointsAndSegments) {
 
 /// Whether a place of the path collides, by the static sum at this scale alone: its boundary and
 /// tight passages cut the path, and single points are decided from the definition.
-bool is_valid_by_static_sum(const PolygonSet& robot, const PolygonSet& obstacles,
+bool is_valid_by_static_sum(const PolygonSet& part, const PolygonSet& obstacles,
                             const std::vector<Point>& path, ContactRule rule,
                             const Rational& scale) {
-  const PolygonSet turned = reflected_set(robot);
+  const PolygonSet turned = reflected_set(part);
   std::vector<Segment> segments;
   for (const ConvolutionEdge& edge : full_convolution(turned, obstacles)) {
     segments.push_back(at_scale(edge, turned, obstacles, scale));
@@ -182,11 +182,11 @@ PolygonSet both(PolygonSet a, const PolygonSet& b) {
   return a;
 }
 
-void expect_valid(const PolygonSet& robot, const PolygonSet& obstacles,
+void expect_valid(const PolygonSet& part, const PolygonSet& obstacles,
                   const std::vector<Point>& path, ContactRule rule, const std::string& expected,
                   const ScaleWindow& window = {}) {
   for (const PathRoute route : {PathRoute::pieces, PathRoute::contacts, PathRoute::index}) {
-    EXPECT_EQ(text(valid_scales(robot, obstacles, path, rule, window, route).valid), expected);
+    EXPECT_EQ(text(valid_scales(part, obstacles, path, rule, window, route).valid), expected);
   }
 }
 

@@ -33,7 +33,7 @@ Vector<Interval> middle_between(const Direction& first, const Direction& last) {
 
 }  // namespace
 
-IndexMeasures::IndexMeasures(const OffsetIndex& index)
+IndexMeasures::IndexMeasures(const DiscIndex& index)
     : index_(index), middles_(index.diagram().curves.features.size()), area_(0) {
   const FloatEnvironment standard;
   const DiagramEvents& diagram = index.diagram();
@@ -152,8 +152,7 @@ Interval IndexMeasures::area_between(std::uint32_t half, const Seen& a, const Se
   return magnitude(sum(foot(b)) - sum(foot(a)));
 }
 
-OffsetMeasures IndexMeasures::at(const OffsetIndex::Place& at,
-                                 const Rational& squared_radius) const {
+OffsetMeasures IndexMeasures::at(const DiscIndex::Place& at, const Rational& squared_radius) const {
   const FloatEnvironment standard;
   const DiagramGraph& graph = index_.graph();
   const OffsetCurves& curves = index_.diagram().curves;

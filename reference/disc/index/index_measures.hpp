@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/disc/index/offset_index.hpp"
+#include "reference/disc/index/disc_index.hpp"
 #include "reference/disc/region/offset_region.hpp"
 
 namespace minkref::inline disc {
@@ -16,11 +16,11 @@ namespace minkref::inline disc {
 class IndexMeasures {
  public:
   /// `index` must outlive it. O(n log n).
-  explicit IndexMeasures(const OffsetIndex& index);
+  explicit IndexMeasures(const DiscIndex& index);
 
   /// Enclosed, but perhaps not sharply (is_sharp). `at` is the radius's place. O(n) comparisons of
   /// whole numbers, and O(k) for k corners.
-  OffsetMeasures at(const OffsetIndex::Place& at, const Rational& squared_radius) const;
+  OffsetMeasures at(const DiscIndex::Place& at, const Rational& squared_radius) const;
 
  private:
   /// A point of the diagram as a half sees it: how far along the half's line, or at which angle
@@ -34,7 +34,7 @@ class IndexMeasures {
   Seen seen_at_node(std::uint32_t half, bool at_end) const;
   Interval area_between(std::uint32_t half, const Seen& a, const Seen& b) const;
 
-  const OffsetIndex& index_;
+  const DiscIndex& index_;
   std::vector<Vector<Interval>> middles_;      ///< by feature: of the arc about a vertex
   std::vector<Equidistant<Interval>> places_;  ///< of events, with radii that are not squared
   std::vector<std::pair<Seen, Seen>> ends_;    ///< of halves

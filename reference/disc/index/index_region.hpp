@@ -21,7 +21,7 @@ class IndexRegions {
  public:
   /// All arguments must outlive the object. `curves` holds the unmodified curves of P: names for
   /// the form.
-  IndexRegions(const OffsetIndex& index, const OffsetHistory& history, const OffsetCurves& curves)
+  IndexRegions(const DiscIndex& index, const OffsetHistory& history, const OffsetCurves& curves)
       : index_(index), history_(history), curves_(curves) {}
 
   /// Exact. O(n log n).
@@ -32,7 +32,7 @@ class IndexRegions {
   std::uint32_t outer_ring(std::uint32_t polygon, const IndexBoundary& boundary) const;
   std::vector<std::uint32_t> curves_of(const IndexBoundary& boundary, const IndexRing& ring) const;
 
-  const OffsetIndex& index_;
+  const DiscIndex& index_;
   const OffsetHistory& history_;
   const OffsetCurves& curves_;
 };

@@ -18,7 +18,7 @@ constexpr std::uint32_t none = DiagramGraph::none;
 /// Parts of the diagram farther from P than a radius, as that shrinks.
 class Parts {
  public:
-  explicit Parts(const OffsetIndex& index)
+  explicit Parts(const DiscIndex& index)
       : index_(index),
         graph_(index.graph()),
         outside_(static_cast<std::uint32_t>(nodes())),
@@ -99,7 +99,7 @@ class Parts {
     last_[sets_.root(a)] = of_b != none ? of_b : of_a;
   }
 
-  const OffsetIndex& index_;
+  const DiscIndex& index_;
   const DiagramGraph& graph_;
   std::uint32_t outside_;
   DisjointSets sets_;
@@ -126,14 +126,14 @@ void name_holes(std::vector<OffsetHole>& holes) {
 }  // namespace
 
 /// A hole, being an open set, exists at its birth radius.
-std::uint32_t OffsetHistory::holes(const OffsetIndex::Place& at) const {
+std::uint32_t OffsetHistory::holes(const DiscIndex::Place& at) const {
   return static_cast<std::uint32_t>(std::count_if(
       all_holes.begin(), all_holes.end(),
       [&](const OffsetHole& hole) { return hole.birth <= at.gap && at.gap < hole.end; }));
 }
 
 /// Components that only touch still count separately.
-std::uint32_t OffsetHistory::components(const OffsetIndex::Place& at) const {
+std::uint32_t OffsetHistory::components(const DiscIndex::Place& at) const {
   return polygons - static_cast<std::uint32_t>(
                         std::count_if(joins.begin(), joins.end(), [&](const ComponentJoin& join) {
                           if (at.at_event && join.radius == at.gap) return join.at_radius;
@@ -141,7 +141,7 @@ std::uint32_t OffsetHistory::components(const OffsetIndex::Place& at) const {
                         }));
 }
 
-OffsetHistory offset_history(const OffsetIndex& index) {
+OffsetHistory offset_history(const DiscIndex& index) {
   const FloatEnvironment standard;
   OffsetHistory history{Parts(index).holes(), {}, 0};
   name_holes(history.all_holes);

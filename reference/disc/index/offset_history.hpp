@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/disc/index/offset_index.hpp"
+#include "reference/disc/index/disc_index.hpp"
 
 namespace minkref::inline disc {
 
-/// A hole that exists for birth <= radius < end. Radius numbers start from 1, as for OffsetIndex; a
+/// A hole that exists for birth <= radius < end. Radius numbers start from 1, as for DiscIndex; a
 /// hole of P has birth 0.
 struct OffsetHole {
   std::uint32_t birth, end;
@@ -33,11 +33,11 @@ struct OffsetHistory {
   std::vector<ComponentJoin> joins;   ///< ascending
   std::uint32_t polygons;
 
-  std::uint32_t holes(const OffsetIndex::Place& at) const;
-  std::uint32_t components(const OffsetIndex::Place& at) const;
+  std::uint32_t holes(const DiscIndex::Place& at) const;
+  std::uint32_t components(const DiscIndex::Place& at) const;
 };
 
 /// Exact. O(n log n).
-OffsetHistory offset_history(const OffsetIndex& index);
+OffsetHistory offset_history(const DiscIndex& index);
 
 }  // namespace minkref::inline disc

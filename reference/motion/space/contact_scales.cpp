@@ -82,9 +82,9 @@ bool is_in(const TouchingParts::Triangle& triangle, const SpacePoint& p) {  // i
 
 class ContactScales {
  public:
-  ContactScales(const Polyhedron& robot, const Polyhedron& obstacles,
+  ContactScales(const Polyhedron& part, const Polyhedron& obstacles,
                 const std::vector<SpacePoint>& path)
-      : robot_(robot), obstacles_(obstacles), path_(path) {}
+      : part_(part), obstacles_(obstacles), path_(path) {}
 
   std::vector<Rational> run() {
     for (std::size_t k = 0; k < path_.size(); ++k) {
@@ -108,12 +108,12 @@ class ContactScales {
     const SpacePoint way = to - from;
     for (const auto& edge : obstacles_.edges) {
       look_for_interrupt();
-      for (const auto& vertex : robot_.vertices) {
+      for (const auto& vertex : part_.vertices) {
         // from + t way + s r = e + u along.
         meet(way, vertex.at, Rational(-1) * edge.along, edge.from - from, false);
       }
     }
-    for (const auto& edge : robot_.edges) {
+    for (const auto& edge : part_.edges) {
       look_for_interrupt();
       for (const auto& vertex : obstacles_.vertices) {
         // from + t way + s e + u along = o, where u = s times how far along.
@@ -163,7 +163,7 @@ class ContactScales {
   void at_vertex(const SpacePoint& x) {
     for (const auto& triangle : obstacles_.triangles) {
       look_for_interrupt();
-      for (const auto& vertex : robot_.vertices) {
+      for (const auto& vertex : part_.vertices) {
         if (!are_all(vertex.leaving, triangle.normal, 1)) continue;
         const Rational rise = dot(triangle.normal, vertex.at);
         if (rise == 0) continue;
@@ -171,7 +171,7 @@ class ContactScales {
         if (s > 0 && is_in(triangle, x + s * vertex.at)) add(s);
       }
     }
-    for (const auto& triangle : robot_.triangles) {
+    for (const auto& triangle : part_.triangles) {
       look_for_interrupt();
       const Rational rise = dot(triangle.normal, triangle.corners[0]);
       if (rise == 0) continue;
@@ -183,7 +183,7 @@ class ContactScales {
     }
     for (const auto& edge : obstacles_.edges) {
       look_for_interrupt();
-      for (const auto& other : robot_.edges) cross_at(x, edge, other);
+      for (const auto& other : part_.edges) cross_at(x, edge, other);
     }
   }
 
@@ -198,7 +198,7 @@ class ContactScales {
     if (!apart(1) && !apart(-1)) return;
     const Rational s = dot(n, edge.from - x) / rise;
     if (s <= 0) return;
-    // e + u along = x + s (r + v along of the robot).
+    // e + u along = x + s (r + v along of the part).
     const SpacePoint between = x + s * of_robot.from - edge.from;
     const Rational size = dot(n, n);
     const Rational u = dot(cross(between, of_robot.along), n) / size;
@@ -206,16 +206,16 @@ class ContactScales {
     if (u >= 0 && u <= 1 && v >= 0 && v <= s) add(s);
   }
 
-  TouchingParts robot_, obstacles_;
+  TouchingParts part_, obstacles_;
   const std::vector<SpacePoint>& path_;
   std::vector<Rational> scales_;
 };
 
 }  // namespace
 
-std::vector<Rational> contact_scales(const Polyhedron& robot, const Polyhedron& obstacles,
+std::vector<Rational> contact_scales(const Polyhedron& part, const Polyhedron& obstacles,
                                      const std::vector<SpacePoint>& path) {
-  return ContactScales(robot, obstacles, path).run();
+  return ContactScales(part, obstacles, path).run();
 }
 
 }  // namespace minkref::inline space

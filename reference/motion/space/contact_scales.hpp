@@ -12,7 +12,7 @@ namespace minkref::inline space {
 /// a vertex lies on a face with all edges at it on the outer side, or two edges cross with their
 /// faces on either side of their plane. Between two of these nothing changes (docs/paths.md).
 /// Either operand may be thin. Exact. O(m n k) for m and n edges and k segments.
-std::vector<Rational> contact_scales(const Polyhedron& robot, const Polyhedron& obstacles,
+std::vector<Rational> contact_scales(const Polyhedron& part, const Polyhedron& obstacles,
                                      const std::vector<SpacePoint>& path);
 
 }  // namespace minkref::inline space

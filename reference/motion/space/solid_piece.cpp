@@ -73,8 +73,8 @@ struct FarSides {
 
 }  // namespace
 
-Polyhedron half_turned(const Polyhedron& robot) {
-  Polyhedron result = robot;
+Polyhedron half_turned(const Polyhedron& part) {
+  Polyhedron result = part;
   for (SpacePoint& v : result.vertices) v = opposite_vector(v);
   for (Face& face : result.faces) std::reverse(face.begin(), face.end());
   return result;
@@ -163,7 +163,7 @@ std::vector<NearVector<3>> PathsInSpace::across(const SpacePoint& from, const Sp
   return result;
 }
 
-std::vector<StripCondition> PathsInSpace::conditions(const SolidPiece& robot,
+std::vector<StripCondition> PathsInSpace::conditions(const SolidPiece& part,
                                                      const SolidPiece& obstacle,
                                                      const SpacePoint& from, const SpacePoint& to) {
   const SpacePoint along = to - from;
@@ -171,10 +171,10 @@ std::vector<StripCondition> PathsInSpace::conditions(const SolidPiece& robot,
   const auto add = [&](const SpacePoint& n, const Rational& of_robot, const Rational& of_obstacle) {
     result.push_back({dot(n, along), -of_robot, dot(n, from) - of_obstacle});
   };
-  for (const SolidPiece* piece : {&obstacle, &robot}) {
-    for (const SpacePoint& n : piece->across) add(n, robot.reach(n), obstacle.reach(n));
+  for (const SolidPiece* piece : {&obstacle, &part}) {
+    for (const SpacePoint& n : piece->across) add(n, part.reach(n), obstacle.reach(n));
   }
-  const std::vector<FarEdge> of_robot = far_edges(robot), of_obstacle = far_edges(obstacle);
+  const std::vector<FarEdge> of_robot = far_edges(part), of_obstacle = far_edges(obstacle);
   for (std::size_t i = 0; i < of_robot.size(); ++i) {
     look_for_interrupt();
     for (std::size_t k = 0; k < of_obstacle.size(); ++k) {
@@ -183,13 +183,13 @@ std::vector<StripCondition> PathsInSpace::conditions(const SolidPiece& robot,
       sides.look(near, of_robot[i]);
       sides.look(near, of_obstacle[k]);
       if (sides.none()) continue;
-      const SolidPiece::Edge &a = robot.edges[i], &b = obstacle.edges[k];
-      const SpacePoint n = cross(robot.corners[a.to] - robot.corners[a.from],
+      const SolidPiece::Edge &a = part.edges[i], &b = obstacle.edges[k];
+      const SpacePoint n = cross(part.corners[a.to] - part.corners[a.from],
                                  obstacle.corners[b.to] - obstacle.corners[b.from]);
       if (is_zero(n)) continue;
-      sides.look(n, robot, a);
+      sides.look(n, part, a);
       sides.look(n, obstacle, b);
-      const Rational reach = dot(n, robot.corners[a.from]);
+      const Rational reach = dot(n, part.corners[a.from]);
       const Rational other = dot(n, obstacle.corners[b.from]);
       if (sides.plus) add(n, reach, other);
       if (sides.minus) add(opposite_vector(n), -reach, -other);
@@ -198,7 +198,7 @@ std::vector<StripCondition> PathsInSpace::conditions(const SolidPiece& robot,
   return result;
 }
 
-bool PathsInSpace::apart(const SolidPiece& robot, const SolidPiece& obstacle,
+bool PathsInSpace::apart(const SolidPiece& part, const SolidPiece& obstacle,
                          const NearVector<3>& from, const NearVector<3>& to, const ScaleGap& gap,
                          bool strict) {
   if (std::isinf(gap[1])) return false;
@@ -219,7 +219,7 @@ bool PathsInSpace::apart(const SolidPiece& robot, const SolidPiece& obstacle,
   // The least point along n of x - b - s a, with a, b in the pieces.
   const auto least = [&](const RoundedVector& n) {
     const bool first = rounded_dot(n, ends[0]) < rounded_dot(n, ends[1]);
-    const RoundedVector &x = ends[first ? 0 : 1], b = farthest(obstacle, n), a = farthest(robot, n);
+    const RoundedVector &x = ends[first ? 0 : 1], b = farthest(obstacle, n), a = farthest(part, n);
     const double s = rounded_dot(n, a) > 0 ? gap[1] : gap[0];
     return RoundedVector{x[0] - b[0] - s * a[0], x[1] - b[1] - s * a[1], x[2] - b[2] - s * a[2]};
   };
@@ -227,7 +227,7 @@ bool PathsInSpace::apart(const SolidPiece& robot, const SolidPiece& obstacle,
     const NearVector<3> direction{Interval(n[0]), Interval(n[1]), Interval(n[2])};
     const double nearest =
         std::min(product(direction, from).lower(), product(direction, to).lower());
-    const double room = room_across(nearest, reach_of(robot.near_corners, direction),
+    const double room = room_across(nearest, reach_of(part.near_corners, direction),
                                     reach_of(obstacle.near_corners, direction), gap);
     return strict ? room >= 0 : room > 0;
   };

@@ -13,7 +13,7 @@ namespace minkref::inline space {
 inline bool is_thin(const Polyhedron& polyhedron) { return polyhedron.faces.size() < 2; }
 
 /// The set -R, its faces turned outwards again.
-Polyhedron half_turned(const Polyhedron& robot);
+Polyhedron half_turned(const Polyhedron& part);
 
 /// A convex polyhedron or plane polygon, a segment or a point, with all that its sums with others
 /// take their planes from.
@@ -53,11 +53,11 @@ struct PathsInSpace {
   }
   static std::vector<NearVector<3>> across(const SpacePoint& from, const SpacePoint& to);
   /// Each facet of B ⊕ -sA is parallel to a face of A or B, or to an edge from each.
-  static std::vector<StripCondition> conditions(const SolidPiece& robot, const SolidPiece& obstacle,
+  static std::vector<StripCondition> conditions(const SolidPiece& part, const SolidPiece& obstacle,
                                                 const SpacePoint& from, const SpacePoint& to);
   /// Looks for a plane between the obstacle and the part's sweep at all scales of the gap
   /// (Gilbert's descent, with doubles), and proves the plane by intervals.
-  static bool apart(const SolidPiece& robot, const SolidPiece& obstacle, const NearVector<3>& from,
+  static bool apart(const SolidPiece& part, const SolidPiece& obstacle, const NearVector<3>& from,
                     const NearVector<3>& to, const ScaleGap& gap, bool strict);
 };
 

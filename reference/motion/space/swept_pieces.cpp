@@ -47,11 +47,11 @@ SpaceBox box_around(const std::vector<SpacePoint>& points) {
 
 }  // namespace
 
-SweptPieces::SweptPieces(const Polyhedron& robot, const Polyhedron& obstacles,
+SweptPieces::SweptPieces(const Polyhedron& part, const Polyhedron& obstacles,
                          const std::vector<SpacePoint>& path, ContactRule rule)
     : strict_(rule == ContactRule::allowed),
-      robot_(open_pieces(robot, strict_ && is_thin(obstacles))),
-      obstacles_(open_pieces(obstacles, strict_ && is_thin(robot))) {
+      part_(open_pieces(part, strict_ && is_thin(obstacles))),
+      obstacles_(open_pieces(obstacles, strict_ && is_thin(part))) {
   for (const SolidPiece& piece : obstacles_) {
     auto& planes = planes_.emplace_back();
     for (std::size_t f = 0; f < piece.across.size(); ++f) {
@@ -63,8 +63,8 @@ SweptPieces::SweptPieces(const Polyhedron& robot, const Polyhedron& obstacles,
   for (std::uint32_t segment = 0; segment < segments; ++segment) {
     const SpacePoint& from = path[segment];
     const SpacePoint along = path[std::min<std::size_t>(segment + 1, path.size() - 1)] - from;
-    for (std::uint32_t r = 0; r < robot_.size(); ++r) {
-      const SolidPiece& piece = robot_[r];
+    for (std::uint32_t r = 0; r < part_.size(); ++r) {
+      const SolidPiece& piece = part_[r];
       Sweep sweep{segment, r, from, along, piece.across, piece.is_solid()};
       if (piece.faces.size() == 1 && dot(piece.across[0], along) != 0) sweep.is_solid = true;
       for (const SolidPiece::Edge& edge : piece.edges) {
@@ -79,7 +79,7 @@ SweptPieces::SweptPieces(const Polyhedron& robot, const Polyhedron& obstacles,
 }
 
 SweptPieces::Placed SweptPieces::placed(const Sweep& sweep, const Rational& scale) const {
-  const SolidPiece& piece = robot_[sweep.robot];
+  const SolidPiece& piece = part_[sweep.part];
   std::vector<SpacePoint> start, all;
   for (const SpacePoint& p : piece.corners) start.push_back(sweep.from + scale * p);
   all = start;

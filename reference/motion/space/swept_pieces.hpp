@@ -13,18 +13,18 @@ namespace minkref::inline space {
 class SweptPieces {
  public:
   /// Requires that at most one operand is thin.
-  SweptPieces(const Polyhedron& robot, const Polyhedron& obstacles,
+  SweptPieces(const Polyhedron& part, const Polyhedron& obstacles,
               const std::vector<SpacePoint>& path, ContactRule rule);
 
   /// Exact. O(a b k) for a and b pieces and k segments.
   bool collide(const Rational& scale);
 
-  std::size_t pieces_of_robot() const { return robot_.size(); }
+  std::size_t pieces_of_robot() const { return part_.size(); }
   std::size_t pieces_of_obstacles() const { return obstacles_.size(); }
 
  private:
   struct Sweep {
-    std::uint32_t segment, robot;
+    std::uint32_t segment, part;
     SpacePoint from, along;
     std::vector<SpacePoint> normals;  ///< of the sweep, and perhaps more
     bool is_solid;
@@ -39,7 +39,7 @@ class SweptPieces {
   bool collides(const Sweep& sweep, const Placed& at, std::size_t obstacle) const;
 
   bool strict_;  ///< interiors meet
-  std::vector<SolidPiece> robot_, obstacles_;
+  std::vector<SolidPiece> part_, obstacles_;
   std::vector<std::vector<HalfSpace>> planes_;               ///< of obstacles
   std::vector<std::vector<std::vector<SpacePoint>>> faces_;  ///< of obstacles; thin ones whole
   std::vector<Sweep> sweeps_;

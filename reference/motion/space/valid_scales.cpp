@@ -19,7 +19,7 @@ namespace {
 
 /// The part, the obstacles and a path, all non-empty.
 struct SpaceProblem {
-  const Polyhedron& robot;
+  const Polyhedron& part;
   const Polyhedron& obstacles;
   const std::vector<SpacePoint>& path;
   ContactRule rule;
@@ -28,10 +28,10 @@ struct SpaceProblem {
   bool is_strict() const { return rule == ContactRule::allowed; }
 };
 
-void refuse_too_many(std::size_t robot, std::size_t obstacles, std::size_t vertices) {
-  if (robot * obstacles + vertices * (robot + obstacles) <= most_pairs_on_a_path) return;
+void refuse_too_many(std::size_t part, std::size_t obstacles, std::size_t vertices) {
+  if (part * obstacles + vertices * (part + obstacles) <= most_pairs_on_a_path) return;
   throw LimitExceeded("too-many-pairs",
-                      "the part has " + std::to_string(robot) + " convex pieces, the obstacles " +
+                      "the part has " + std::to_string(part) + " convex pieces, the obstacles " +
                           std::to_string(obstacles) + ", and the path " + std::to_string(vertices) +
                           " vertices: more pairs of them than the " +
                           std::to_string(most_pairs_on_a_path) + " that are looked at",
@@ -39,19 +39,19 @@ void refuse_too_many(std::size_t robot, std::size_t obstacles, std::size_t verti
 }
 
 MovingSolids moving_solids(const SpaceProblem& problem) {
-  std::vector<SolidPiece> robot =
-      open_pieces(half_turned(problem.robot), problem.is_strict() && is_thin(problem.obstacles));
+  std::vector<SolidPiece> part =
+      open_pieces(half_turned(problem.part), problem.is_strict() && is_thin(problem.obstacles));
   std::vector<SolidPiece> obstacles =
-      open_pieces(problem.obstacles, problem.is_strict() && is_thin(problem.robot));
-  refuse_too_many(robot.size(), obstacles.size(), problem.path.size());
-  return {std::move(robot), std::move(obstacles), problem.path, problem.is_strict()};
+      open_pieces(problem.obstacles, problem.is_strict() && is_thin(problem.part));
+  refuse_too_many(part.size(), obstacles.size(), problem.path.size());
+  return {std::move(part), std::move(obstacles), problem.path, problem.is_strict()};
 }
 
 ScaleSet collisions_by_contacts_in_space(const SpaceProblem& problem, PathStatistics& statistics) {
-  SweptPieces swept(problem.robot, problem.obstacles, problem.path, problem.rule);
+  SweptPieces swept(problem.part, problem.obstacles, problem.path, problem.rule);
   statistics.pieces_of_part = swept.pieces_of_robot();
   statistics.pieces_of_obstacles = swept.pieces_of_obstacles();
-  return decided_at(contact_scales(problem.robot, problem.obstacles, problem.path), problem.window,
+  return decided_at(contact_scales(problem.part, problem.obstacles, problem.path), problem.window,
                     [&](const Rational& scale) {
                       ++statistics.critical_scales;
                       return swept.collide(scale);
@@ -71,10 +71,10 @@ std::vector<SpacePathBound> bounds_in_space(const SpaceProblem& problem, const M
   std::vector<SpacePathBound> bounds;
   for (const auto& [scale, blocks, at, triple] :
        ends_of_collisions(pieces, problem.window, valid)) {
-    const SolidPiece part = placed_piece(pieces.robot()[triple.robot], at.point, scale);
+    const SolidPiece part = placed_piece(pieces.part()[triple.part], at.point, scale);
     std::optional<SpacePathBound> bound;
     for (const SpacePoint& p : touching_points(part, pieces.obstacles()[triple.obstacle])) {
-      const auto of_part = feature_at(problem.robot, 1 / scale * (p - at.point));
+      const auto of_part = feature_at(problem.part, 1 / scale * (p - at.point));
       const auto of_obstacles = feature_at(problem.obstacles, p);
       if (!of_part || !of_obstacles) continue;
       bound = SpacePathBound{scale, blocks, at, *of_part, *of_obstacles, p};
@@ -102,7 +102,7 @@ bool contains_origin_in_plane(const Polyhedron& polygon) {
 
 }  // namespace
 
-SpaceValidScales valid_scales(const Polyhedron& robot, const Polyhedron& obstacles,
+SpaceValidScales valid_scales(const Polyhedron& part, const Polyhedron& obstacles,
                               const std::vector<SpacePoint>& path, ContactRule rule,
                               const ScaleWindow& window, PathRoute route) {
   const FloatEnvironment standard;
@@ -114,16 +114,16 @@ SpaceValidScales valid_scales(const Polyhedron& robot, const Polyhedron& obstacl
     throw BadInput("no-route", "the route index is of paths in the plane",
                    "choose pieces or contacts");
   }
-  if (robot.empty() || obstacles.empty()) {
+  if (part.empty() || obstacles.empty()) {
     SpaceValidScales result;
     result.valid = ScaleSet().left_of(window);
     return result;
   }
-  if (is_thin(robot) && is_thin(obstacles)) {
+  if (is_thin(part) && is_thin(obstacles)) {
     throw BadInput("degenerate-operands", "both the part and the obstacles are without volume",
                    "only one of them may be a point, a segment or a plane polygon");
   }
-  const SpaceProblem problem{robot, obstacles, path, rule, window};
+  const SpaceProblem problem{part, obstacles, path, rule, window};
   const MovingSolids pieces = moving_solids(problem);
   SpaceValidScales result;
   const ScaleSet collisions = route == PathRoute::pieces
@@ -134,20 +134,20 @@ SpaceValidScales valid_scales(const Polyhedron& robot, const Polyhedron& obstacl
   return result;
 }
 
-bool star_shaped(const Polyhedron& robot) {
+bool star_shaped(const Polyhedron& part) {
   const FloatEnvironment standard;
-  if (robot.empty()) return true;
-  if (robot.is_point()) return is_zero(robot.vertices[0]);
-  if (robot.is_segment()) {
-    const SpacePoint &a = robot.vertices[0], &b = robot.vertices[1];
+  if (part.empty()) return true;
+  if (part.is_point()) return is_zero(part.vertices[0]);
+  if (part.is_segment()) {
+    const SpacePoint &a = part.vertices[0], &b = part.vertices[1];
     return is_zero(cross(a, b)) && dot(a, b) <= 0;
   }
-  if (robot.faces.size() == 1) return contains_origin_in_plane(robot);
-  return std::all_of(robot.faces.begin(), robot.faces.end(), [&](const Face& face) {
+  if (part.faces.size() == 1) return contains_origin_in_plane(part);
+  return std::all_of(part.faces.begin(), part.faces.end(), [&](const Face& face) {
     SpacePoint normal;
-    const SpacePoint& first = robot.vertices[face[0]];
+    const SpacePoint& first = part.vertices[face[0]];
     for (std::size_t k = 2; k < face.size(); ++k) {
-      normal = normal + cross(robot.vertices[face[k - 1]] - first, robot.vertices[face[k]] - first);
+      normal = normal + cross(part.vertices[face[k - 1]] - first, part.vertices[face[k]] - first);
     }
     return dot(normal, first) >= 0;
   });

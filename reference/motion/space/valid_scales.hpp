@@ -28,7 +28,7 @@ using SpaceValidScales = ValidScalesOf<SpacePathBound>;
 /// "degenerate-operands" if both lack volume; "no-route" for `index`, a route of the plane only),
 /// and as convex_pieces does. For a and b convex pieces and k segments O(k a b) doubles, memory O(k
 /// (a + b)); beside them some ten planes for each piece.
-SpaceValidScales valid_scales(const Polyhedron& robot, const Polyhedron& obstacles,
+SpaceValidScales valid_scales(const Polyhedron& part, const Polyhedron& obstacles,
                               const std::vector<SpacePoint>& path,
                               ContactRule rule = ContactRule::allowed,
                               const ScaleWindow& window = {}, PathRoute route = PathRoute::pieces);
@@ -38,7 +38,7 @@ constexpr std::size_t most_pairs_on_a_path = std::size_t{1} << 22;
 
 /// Whether the segment from each point of the part to the origin lies inside the part. Exact.
 /// Linear.
-bool star_shaped(const Polyhedron& robot);
+bool star_shaped(const Polyhedron& part);
 
 /// A scale at which the sweeps of the pieces confirmed the answer (swept_pieces.hpp).
 struct SweptProof {

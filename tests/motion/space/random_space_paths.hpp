@@ -19,7 +19,7 @@ namespace minkref::testing {
 using SpacePath = std::vector<SpacePoint>;
 
 struct SpaceCase {
-  Polyhedron robot, obstacles;
+  Polyhedron part, obstacles;
   SpacePath path;
 };
 
@@ -72,9 +72,9 @@ inline Polyhedron drawn_thin(std::mt19937& dice) {
 
 /// One vertex to four, on a grid, on corners of contact positions (o - s r), or along an edge of
 /// the obstacles; some closed, some with a vertex twice in a row.
-inline SpacePath drawn_path(std::mt19937& dice, const Polyhedron& robot,
+inline SpacePath drawn_path(std::mt19937& dice, const Polyhedron& part,
                             const Polyhedron& obstacles) {
-  const std::vector<SpacePoint>&r = robot.vertices, &o = obstacles.vertices;
+  const std::vector<SpacePoint>&r = part.vertices, &o = obstacles.vertices;
   const auto any = [&](const std::vector<SpacePoint>& all) -> const SpacePoint& {
     return all[static_cast<std::size_t>(below_in(dice, static_cast<int>(all.size())))];
   };
@@ -164,7 +164,7 @@ inline std::string text(const Polyhedron& body) {
 }
 
 inline std::string text(const SpaceCase& c) {
-  return "robot " + text(c.robot) + "\nobstacles " + text(c.obstacles) + "\npath " +
+  return "part " + text(c.part) + "\nobstacles " + text(c.obstacles) + "\npath " +
          text(Polyhedron{c.path, {}});
 }
 

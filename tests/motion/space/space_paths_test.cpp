@@ -17,9 +17,9 @@ constexpr std::array routes{PathRoute::pieces, PathRoute::contacts};
 
 std::string routes_agree(const SpaceCase& c) {
   for (const ContactRule rule : rules) {
-    const auto expected = valid_scales(c.robot, c.obstacles, c.path, rule).valid;
+    const auto expected = valid_scales(c.part, c.obstacles, c.path, rule).valid;
     const auto found =
-        valid_scales(c.robot, c.obstacles, c.path, rule, {}, PathRoute::contacts).valid;
+        valid_scales(c.part, c.obstacles, c.path, rule, {}, PathRoute::contacts).valid;
     if (found != expected) {
       return std::string(rule == ContactRule::allowed ? "allowed" : "forbidden") +
              ", pieces: " + text(expected) + ", contacts: " + text(found);
@@ -35,8 +35,8 @@ void with_cases(unsigned count, bool thin, const Law& law) {
                         [&](std::mt19937& dice) {
                           SpaceCase c{drawn_solid(dice), drawn_solid(dice), {}};
                           if (thin)
-                            (below_in(dice, 2) == 0 ? c.robot : c.obstacles) = drawn_thin(dice);
-                          c.path = drawn_path(dice, c.robot, c.obstacles);
+                            (below_in(dice, 2) == 0 ? c.part : c.obstacles) = drawn_thin(dice);
+                          c.path = drawn_path(dice, c.part, c.obstacles);
                           ASSERT_EQ(law(c), "") << text(c);
                         });
 }
@@ -52,17 +52,17 @@ Polyhedron sheared(Polyhedron body) {
 }
 
 /// Prisms of the same heights about the path's plane meet iff their polygons do.
-std::string prisms_are_as_polygons(const PolygonSet& robot, const PolygonSet& obstacles,
+std::string prisms_are_as_polygons(const PolygonSet& part, const PolygonSet& obstacles,
                                    const std::vector<Point>& path, bool with_contacts) {
-  const auto part = prism(robot, -1, 1), walls = prism(obstacles, -3, 2);
-  if (!part || !walls || (!robot.is_region() && !obstacles.is_region())) return "";
+  const auto part = prism(part, -1, 1), walls = prism(obstacles, -3, 2);
+  if (!part || !walls || (!part.is_region() && !obstacles.is_region())) return "";
   SpacePath flat, oblique;
   for (const Point& p : path) {
     flat.push_back({p.x, p.y, 0});
     oblique.push_back(sheared(flat.back()));
   }
   for (const ContactRule rule : rules) {
-    const ValidScales expected = valid_scales(robot, obstacles, path, rule);
+    const ValidScales expected = valid_scales(part, obstacles, path, rule);
     const auto differs = [&](const SpaceValidScales& found) -> std::string {
       if (found.valid != expected.valid) {
         return "plane: " + text(expected.valid) + ", space: " + text(found.valid);
@@ -114,10 +114,10 @@ Polyhedron box_from(const SpacePoint& low, const SpacePoint& high) {
   return result;
 }
 
-void expect_valid(const Polyhedron& robot, const Polyhedron& obstacles, const SpacePath& path,
+void expect_valid(const Polyhedron& part, const Polyhedron& obstacles, const SpacePath& path,
                   ContactRule rule, const std::string& expected, const ScaleWindow& window = {}) {
   for (const PathRoute route : routes) {
-    EXPECT_EQ(text(valid_scales(robot, obstacles, path, rule, window, route).valid), expected);
+    EXPECT_EQ(text(valid_scales(part, obstacles, path, rule, window, route).valid), expected);
   }
 }
 
@@ -255,7 +255,7 @@ TEST(SpacePaths, RefuseMoreThanTheyHoldInMemory) {
 
 /// All scaled together, all moved together, the way back, and a segment cut in two.
 std::string does_not_change(const SpaceCase& c) {
-  const auto expected = valid_scales(c.robot, c.obstacles, c.path).valid;
+  const auto expected = valid_scales(c.part, c.obstacles, c.path).valid;
   const Rational factor(7, 3);
   const Scaling by{factor, factor, factor};
   SpacePath larger, moved, halved;
@@ -268,17 +268,17 @@ std::string does_not_change(const SpaceCase& c) {
     larger.push_back({p.x * factor, p.y * factor, p.z * factor});
     moved.push_back({p.x + 5, p.y - factor, p.z});
   }
-  if (valid_scales(scaled(c.robot, by), scaled(c.obstacles, by), larger).valid != expected) {
+  if (valid_scales(scaled(c.part, by), scaled(c.obstacles, by), larger).valid != expected) {
     return "scaled together, other scales are valid";
   }
-  if (valid_scales(c.robot, translated(c.obstacles, {5, -factor, 0}), moved).valid != expected) {
+  if (valid_scales(c.part, translated(c.obstacles, {5, -factor, 0}), moved).valid != expected) {
     return "moved together, other scales are valid";
   }
-  if (valid_scales(c.robot, c.obstacles, SpacePath(c.path.rbegin(), c.path.rend())).valid !=
+  if (valid_scales(c.part, c.obstacles, SpacePath(c.path.rbegin(), c.path.rend())).valid !=
       expected) {
     return "another answer on the way back";
   }
-  if (valid_scales(c.robot, c.obstacles, halved).valid != expected) {
+  if (valid_scales(c.part, c.obstacles, halved).valid != expected) {
     return "another answer where a segment is cut in two";
   }
   return "";
@@ -288,21 +288,21 @@ TEST(SpacePaths, DoNotChangeWhereAllIsScaledOrMoved) { with_cases(40, false, doe
 /// Scales are valid among two obstacles iff they are valid among each.
 TEST(SpacePaths, AmongTwoObstaclesAreThoseOfBoth) {
   bodies::for_each_seed(static_cast<unsigned>(repetitions(40)), [](std::mt19937& dice) {
-    const Polyhedron robot = drawn_solid(dice), first = bodies::random_tetrahedron(dice, 3);
+    const Polyhedron part = drawn_solid(dice), first = bodies::random_tetrahedron(dice, 3);
     const Polyhedron second = translated(bodies::random_tetrahedron(dice, 3), at(7, 1, 0));
     const Polyhedron both = surfaces::together({first, second});
-    const SpacePath path = drawn_path(dice, robot, both);
+    const SpacePath path = drawn_path(dice, part, both);
     for (const ContactRule rule : rules) {
       ScaleSet bad;
       for (const Polyhedron& one : {first, second}) {
         ScaleSet valid;
-        for (const ScaleRange& range : valid_scales(robot, one, path, rule).valid) {
+        for (const ScaleRange& range : valid_scales(part, one, path, rule).valid) {
           valid.add(range.from, range.to);
         }
         for (const ScaleRange& range : valid.left_of({})) bad.add(range.from, range.to);
       }
-      ASSERT_EQ(text(valid_scales(robot, both, path, rule).valid), text(bad.left_of({})))
-          << text(SpaceCase{robot, both, path});
+      ASSERT_EQ(text(valid_scales(part, both, path, rule).valid), text(bad.left_of({})))
+          << text(SpaceCase{part, both, path});
     }
   });
 }
@@ -310,13 +310,13 @@ TEST(SpacePaths, AmongTwoObstaclesAreThoseOfBoth) {
 /// Also where a window begins or ends at a bound.
 std::string windows_cut(const SpaceCase& c) {
   for (const ContactRule rule : rules) {
-    const SpaceValidScales all = valid_scales(c.robot, c.obstacles, c.path, rule);
+    const SpaceValidScales all = valid_scales(c.part, c.obstacles, c.path, rule);
     ScaleWindow window{Rational(1, 3), 2};
     if (!all.bounds.empty()) window = {all.bounds.front().scale, all.bounds.back().scale};
     for (const PathRoute route : routes) {
       ScaleSet found;
       for (const ScaleRange& range :
-           valid_scales(c.robot, c.obstacles, c.path, rule, window, route).valid) {
+           valid_scales(c.part, c.obstacles, c.path, rule, window, route).valid) {
         found.add(range.from, range.to);
       }
       ScaleSet expected;
@@ -355,18 +355,18 @@ std::string bounds_touch(const SpaceCase& c) {
                  minus(p, v[face[0]])) == 0;
   };
   for (const ContactRule rule : rules) {
-    for (const SpacePathBound& bound : valid_scales(c.robot, c.obstacles, c.path, rule).bounds) {
+    for (const SpacePathBound& bound : valid_scales(c.part, c.obstacles, c.path, rule).bounds) {
       const SpacePoint &p = bound.touching, &x = bound.at.point;
       const SpacePoint on_part{(p.x - x.x) / bound.scale, (p.y - x.y) / bound.scale,
                                (p.z - x.z) / bound.scale};
-      if (!holds(c.robot, bound.part, on_part)) return "the part does not touch there";
+      if (!holds(c.part, bound.part, on_part)) return "the part does not touch there";
       if (!holds(c.obstacles, bound.obstacle, p)) return "the obstacle does not touch there";
       // With the path shortened to the place, both touch but do not overlap.
       const ScaleWindow here{bound.scale, bound.scale};
-      if (valid_scales(c.robot, c.obstacles, {x}, ContactRule::allowed, here).valid.empty()) {
+      if (valid_scales(c.part, c.obstacles, {x}, ContactRule::allowed, here).valid.empty()) {
         return "they do not only touch";
       }
-      if (!valid_scales(c.robot, c.obstacles, {x}, ContactRule::forbidden, here).valid.empty()) {
+      if (!valid_scales(c.part, c.obstacles, {x}, ContactRule::forbidden, here).valid.empty()) {
         return "they do not touch";
       }
     }
@@ -381,9 +381,9 @@ TEST(SpacePaths, HaveBoundsAtContacts) {
 TEST(SpacePaths, OfAStarShapedPartAreOneIntervalFromZero) {
   unsigned stars = 0;
   const auto law = [&](const SpaceCase& c) -> std::string {
-    if (!star_shaped(c.robot)) return "";
+    if (!star_shaped(c.part)) return "";
     ++stars;
-    const auto valid = valid_scales(c.robot, c.obstacles, c.path).valid;
+    const auto valid = valid_scales(c.part, c.obstacles, c.path).valid;
     const bool is_one = valid.size() == 1 && valid[0].from.scale == 0;
     return valid.empty() || is_one ? "" : "valid: " + text(valid);
   };

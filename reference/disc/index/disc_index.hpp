@@ -48,13 +48,13 @@ struct FrameRadius {
 };
 
 /// Built once. Each decision of a query compares the radius with event radii: exact.
-class OffsetIndex {
+class DiscIndex {
  public:
   /// The index of a valid polygon set, a point or a segment. Errors and cost as for diagram_events.
-  explicit OffsetIndex(const PolygonSet& P, const BuildOptions& options = {})
-      : OffsetIndex(diagram_events(P, options)) {}
+  explicit DiscIndex(const PolygonSet& P, const BuildOptions& options = {})
+      : DiscIndex(diagram_events(P, options)) {}
   /// Builds the index from a complete event list.
-  explicit OffsetIndex(DiagramEvents diagram);
+  explicit DiscIndex(DiagramEvents diagram);
 
   const DiagramEvents& diagram() const { return diagram_; }
   const DiagramGraph& graph() const { return graph_; }

@@ -1,6 +1,6 @@
 // At any radius, the region read off the index is the static sum, and the history's counts are the
 // static sum's counts.
-#include "reference/disc/index/offset_index.hpp"
+#include "reference/disc/index/disc_index.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "reference/number/radicals/polynomial.hpp"
 #include "tests/plane/random_polygons.hpp"
 
-namespace minkref::of_offset_index {
+namespace minkref::of_disc_index {
 namespace {
 
 struct Built {
@@ -31,7 +31,7 @@ struct Built {
   }
 
   PolygonSet P;
-  OffsetIndex index;
+  DiscIndex index;
   OffsetHistory history;
   OffsetCurves curves;
 };
@@ -71,7 +71,7 @@ void check_gaps(const Built& built, testing::Source& random, int most) {
     if (low >= high) continue;
     const Rational radius = from_double(to_double(low + (high - low) * random.between(1, 9) / 10));
     if (radius <= low || radius >= high) continue;
-    const OffsetIndex::Place place = built.index.place(radius * radius);
+    const DiscIndex::Place place = built.index.place(radius * radius);
     ASSERT_EQ(place.gap, gap);
     ASSERT_FALSE(place.at_event);
     const OffsetRegion expected = offset_region(built.P, radius * radius);
@@ -100,7 +100,7 @@ std::size_t check_events(const Built& built) {
     if (polynomial.size() != 2) continue;
     ++looked_at;
     const OffsetRegion expected = offset_region(built.P, -polynomial[0]);
-    const OffsetIndex::Place place = built.index.place(-polynomial[0]);
+    const DiscIndex::Place place = built.index.place(-polynomial[0]);
     EXPECT_TRUE(place.at_event);
     EXPECT_EQ(place.gap, k + 1);
     EXPECT_EQ(built.history.holes(place), expected.holes) << k;
@@ -109,7 +109,7 @@ std::size_t check_events(const Built& built) {
   return looked_at;
 }
 
-TEST(OffsetIndex, IsTheStaticSumInGaps) {
+TEST(DiscIndex, IsTheStaticSumInGaps) {
   for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
@@ -120,7 +120,7 @@ TEST(OffsetIndex, IsTheStaticSumInGaps) {
 }
 
 /// Diamonds touch a frame's sides from either side: less than half a turn stays free there.
-TEST(OffsetIndex, WhereVerticesTouchEdges) {
+TEST(DiscIndex, WhereVerticesTouchEdges) {
   std::size_t looked_at = 0;
   for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
@@ -142,7 +142,7 @@ TEST(OffsetIndex, WhereVerticesTouchEdges) {
   EXPECT_GE(looked_at, testing::repetitions(20U));
 }
 
-TEST(OffsetIndex, HasTheCountsAtEvents) {
+TEST(DiscIndex, HasTheCountsAtEvents) {
   std::size_t looked_at = 0;
   for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
@@ -153,7 +153,7 @@ TEST(OffsetIndex, HasTheCountsAtEvents) {
 }
 
 /// A bound of 0 at a radius below the range of doubles was no bound.
-TEST(OffsetIndex, HasBoundsAtRadiiOfAllMagnitudes) {
+TEST(DiscIndex, HasBoundsAtRadiiOfAllMagnitudes) {
   const Rational third(1, 3);
   const Built built({{{{{0, 0}, {third, 0}, {third, third}, {0, third}}, {}}}});
   for (const double radius : {0x1p-1073, 1e-320, 1e-300, 0.1, 7.0, 1e300}) {
@@ -180,7 +180,7 @@ TEST(OffsetIndex, HasBoundsAtRadiiOfAllMagnitudes) {
   }
 }
 
-TEST(OffsetIndex, OfAPointASegmentAndNothing) {
+TEST(DiscIndex, OfAPointASegmentAndNothing) {
   for (const PolygonSet& P : {PolygonSet{{{{{1, 2}}, {}}}}, PolygonSet{{{{{0, 0}, {3, 4}}, {}}}},
                               PolygonSet{}, PolygonSet{{{{{0, 0}, {3, 0}, {1, 2}}, {}}}}}) {
     const Built built(P);
@@ -195,7 +195,7 @@ TEST(OffsetIndex, OfAPointASegmentAndNothing) {
 }
 
 /// A square frame: its hole ends at the radius that reaches the middle.
-TEST(OffsetIndex, FollowsAHole) {
+TEST(DiscIndex, FollowsAHole) {
   const Ring outer{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, hole{{2, 2}, {2, 6}, {6, 6}, {6, 2}};
   const Built built(PolygonSet{{{outer, {hole}}}});
   ASSERT_EQ(built.history.all_holes.size(), 1U);
@@ -208,7 +208,7 @@ TEST(OffsetIndex, FollowsAHole) {
 
 /// A hole with two chambers of different width: the narrower chamber leaves the hole and ends
 /// first. Its largest disc leans on the door's corners.
-TEST(OffsetIndex, NamesTheHoleThatEndsLast) {
+TEST(DiscIndex, NamesTheHoleThatEndsLast) {
   const Ring outer{{0, 0}, {40, 0}, {40, 20}, {0, 20}};
   const Ring hole{{2, 2},   {2, 18}, {18, 18}, {18, 11}, {20, 11}, {20, 16},
                   {30, 16}, {30, 4}, {20, 4},  {20, 9},  {18, 9},  {18, 2}};
@@ -227,7 +227,7 @@ TEST(OffsetIndex, NamesTheHoleThatEndsLast) {
 
 /// Two holes are born at the same radius, at which an outside corner is equally far from the boxes:
 /// each is born at the door that cuts it off.
-TEST(OffsetIndex, PutsEachBirthAtItsOwnDoor) {
+TEST(DiscIndex, PutsEachBirthAtItsOwnDoor) {
   const auto box = [](int x, int y, int high) {
     return Polygon{{{x, y}, {x + 1, y}, {x + 1, y + high}, {x, y + high}}, {}};
   };
@@ -278,7 +278,7 @@ TEST(RadiusLevel, CutsOffPartsDoorByDoor) {
 }
 
 /// Squares side by side join when their discs reach the middle, at that very radius.
-TEST(OffsetIndex, JoinsFacingSquares) {
+TEST(DiscIndex, JoinsFacingSquares) {
   const Ring a{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, b{{4, 0}, {6, 0}, {6, 2}, {4, 2}};
   const Built built(PolygonSet{{{a, {}}, {b, {}}}});
   ASSERT_EQ(built.history.joins.size(), 1U);
@@ -288,4 +288,4 @@ TEST(OffsetIndex, JoinsFacingSquares) {
 }
 
 }  // namespace
-}  // namespace minkref::of_offset_index
+}  // namespace minkref::of_disc_index

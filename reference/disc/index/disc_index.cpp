@@ -1,4 +1,4 @@
-#include "reference/disc/index/offset_index.hpp"
+#include "reference/disc/index/disc_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ BoundedPoint corner_of(const CornerMotion& m, const TwoDoubles& rho, double off)
 
 }  // namespace
 
-OffsetIndex::OffsetIndex(DiagramEvents diagram)
+DiscIndex::DiscIndex(DiagramEvents diagram)
     : diagram_(std::move(diagram)), graph_(diagram_graph(diagram_)) {
   const FloatEnvironment standard;
   number_radii();
@@ -53,7 +53,7 @@ OffsetIndex::OffsetIndex(DiagramEvents diagram)
 }
 
 /// Numbers the radii; events come ordered by radius.
-void OffsetIndex::number_radii() {
+void DiscIndex::number_radii() {
   for (std::uint32_t k = 0; k < diagram_.events.size(); ++k) {
     const Interval& squared = diagram_.events[k].squared_radius;
     bool is_new = radii_.empty() || radii_.back().squared.upper() < squared.lower();
@@ -75,7 +75,7 @@ void OffsetIndex::number_radii() {
 
 /// Into so many spans that each has about as many halves as its gaps, and all together not too
 /// many.
-void OffsetIndex::part_gaps() {
+void DiscIndex::part_gaps() {
   const std::uint32_t gaps = radii() + 1;
   gaps_of_span_ = (gaps + most_spans - 1) / most_spans;
   spans_.resize((gaps + gaps_of_span_ - 1) / gaps_of_span_);
@@ -93,7 +93,7 @@ void OffsetIndex::part_gaps() {
 }
 
 /// Counts how far each half goes along the sides of its walk.
-void OffsetIndex::count_sides() {
+void DiscIndex::count_sides() {
   for (std::size_t number = 0; number < graph_.walks.size(); ++number) {
     const DiagramGraph::Walk& walk = graph_.walks[number];
     const BoundaryWalk& own = diagram_.walks.walks[number];
@@ -115,7 +115,7 @@ void OffsetIndex::count_sides() {
   }
 }
 
-void OffsetIndex::place_joints() {
+void DiscIndex::place_joints() {
   const std::vector<BoundarySide>& sides = diagram_.walks.sides;
   for (const BoundaryWalk& walk : diagram_.walks.walks) {
     for (std::uint32_t k = walk.first; k < walk.last; ++k) {
@@ -129,7 +129,7 @@ void OffsetIndex::place_joints() {
   joints_before_.push_back(static_cast<std::uint32_t>(joints_.size()));
 }
 
-OffsetIndex::Place OffsetIndex::place(const Rational& squared_radius) const {
+DiscIndex::Place DiscIndex::place(const Rational& squared_radius) const {
   const FloatEnvironment standard;
   const Rational squared = squared_radius * diagram_.factor * diagram_.factor;
   const Interval near(squared);
@@ -147,13 +147,13 @@ OffsetIndex::Place OffsetIndex::place(const Rational& squared_radius) const {
   return {static_cast<std::uint32_t>(found - radii_.begin()), at_event};
 }
 
-std::uint32_t OffsetIndex::sides_between(std::uint32_t walk, std::uint32_t entry,
-                                         std::uint32_t exit) const {
+std::uint32_t DiscIndex::sides_between(std::uint32_t walk, std::uint32_t entry,
+                                       std::uint32_t exit) const {
   const BoundaryWalk& own = diagram_.walks.walks[walk];
   return ways_[exit].start + 1 - ways_[entry].end + (exit <= entry ? own.last - own.first : 0);
 }
 
-void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
+void DiscIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
   const FloatEnvironment standard;
   found.clear();
   const auto walks = static_cast<std::uint32_t>(graph_.walks.size());
@@ -207,14 +207,14 @@ void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
   }
 }
 
-FrameRadius OffsetIndex::in_frame(const Rational& squared_radius) const {
+FrameRadius DiscIndex::in_frame(const Rational& squared_radius) const {
   const FloatEnvironment standard;
   const Rational squared = squared_radius * diagram_.factor * diagram_.factor;
   const TwoDoubles near = two_doubles(root_of(RootNumber(squared)));
   return {squared, near, 0x1p-99 * near.high + least};
 }
 
-BoundedPoint OffsetIndex::corner(std::uint32_t half, const FrameRadius& radius) const {
+BoundedPoint DiscIndex::corner(std::uint32_t half, const FrameRadius& radius) const {
   const FloatEnvironment standard;
   const BoundedPoint found = corner_of(motions_[half], radius.near, radius.off);
   if (found.error <= widest_error * (1 + radius.near.high)) return found;
@@ -226,17 +226,17 @@ BoundedPoint OffsetIndex::corner(std::uint32_t half, const FrameRadius& radius) 
 /// Calls do(first, last) for the joints at the ends of so many consecutive sides; the walk may go
 /// on from the last side to the first.
 template <class Do>
-void OffsetIndex::for_joints(std::uint32_t walk, std::uint32_t side, std::uint32_t sides,
-                             Do&& act) const {
+void DiscIndex::for_joints(std::uint32_t walk, std::uint32_t side, std::uint32_t sides,
+                           Do&& act) const {
   const BoundaryWalk& own = diagram_.walks.walks[walk];
   const std::uint32_t end = side + sides, stop = std::min(end, own.last);
   act(joints_before_[side], joints_before_[stop]);
   if (end > stop) act(joints_before_[own.first], joints_before_[own.first + (end - stop)]);
 }
 
-void OffsetIndex::vertices(const IndexBoundary& boundary, double radius,
-                           std::vector<BoundedPoint>& found,
-                           std::vector<std::uint32_t>& starts) const {
+void DiscIndex::vertices(const IndexBoundary& boundary, double radius,
+                         std::vector<BoundedPoint>& found,
+                         std::vector<std::uint32_t>& starts) const {
   const FloatEnvironment standard;
   starts.clear();
   const auto for_all = [&](auto&& start_ring, auto&& add_corner, auto&& add_joints) {
