@@ -22,8 +22,13 @@ _FRACTION = re.compile(r"([+-]?\d+)/(\d+)", re.ASCII)
 
 
 def read_scale(text: str, option: str = "--scale") -> str:
-    """Read a scale in lowest terms, `n` or `n/d`. Decimals and fractions count exactly. Refuses
-    anything but a finite positive number."""
+    """The scale in lowest terms, `n` or `n/d`, as `exact_scale` reads it."""
+    return str(exact_scale(text, option))
+
+
+def exact_scale(text: str, option: str) -> Fraction:
+    """Read a scale. Decimals and fractions count exactly. Refuses anything but a finite positive
+    number."""
     told = text if text.strip() else f'"{text}"'
     where = f"{option} {told[:40]}{'...' if len(told) > 40 else ''}"
     mend = "give a positive number, for example 1, 7/5, 0.25 or 541/186"
@@ -44,15 +49,12 @@ def read_scale(text: str, option: str = "--scale") -> str:
         raise Refusal("the scale is zero", where, mend, "scale-zero")
     if value < 0:
         raise Refusal("the scale is negative", where, mend, "scale-negative")
-    return str(value)
+    return value
 
 
-def read_window(first: str | None, last: str | None) -> list[str | None]:
-    """Read the bounds given by --from and --to; None for a missing bound."""
-    return [
-        None if scale is None else read_scale(scale, option)
-        for scale, option in ((first, "--from"), (last, "--to"))
-    ]
+def text_of_bounds(*bounds: Fraction | None) -> list[str | None]:
+    """The bounds of a window as the extension module takes them; None where there is none."""
+    return [None if bound is None else str(bound) for bound in bounds]
 
 
 def read_point(text: str, option: str = "--point") -> tuple[str, str]:
@@ -61,6 +63,11 @@ def read_point(text: str, option: str = "--point") -> tuple[str, str]:
     mend = "give two numbers, for example 1/3,-0.25"
     x, y = _coordinates(text, option, 2, "point-not-two-numbers", mend)
     return x, y
+
+
+def read_points(texts: Sequence[str], option: str) -> list[tuple[str, str]]:
+    """Several of them."""
+    return [read_point(text, option) for text in texts]
 
 
 def read_space_point(text: str, option: str) -> tuple[str, str, str]:

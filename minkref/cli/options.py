@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import sys
+from fractions import Fraction
 from typing import Annotated
 
 import typer
-from minkref.errors import Refusal
+from minkref.cli.request import Read
+from minkref.exact import exact_scale
 from minkref.schemas import schema_text
+from minkref.space.scaling import Scaling, read_scaling
 
 
 def _print_schema(context: typer.Context, wanted: bool) -> None:
@@ -18,31 +21,23 @@ def _print_schema(context: typer.Context, wanted: bool) -> None:
         raise typer.Exit
 
 
-def refuse_triangles(wanted: bool) -> None:
-    """For sums in the plane."""
-    if wanted:
-        raise Refusal("no mesh is written in the plane", "--triangles", "leave it out")
-
-
 FirstOperand = Annotated[
     str, typer.Argument(help="First operand, which is scaled: a file or a model.")
 ]
 SecondOperand = Annotated[str, typer.Argument(help="Second operand: a file or a model.")]
-WindowFrom = Annotated[
-    str | None,
-    typer.Option(
-        "--from", help="Smallest scale, included. Default: every scale above 0.", metavar="A"
-    ),
-]
-WindowTo = Annotated[
-    str | None, typer.Option("--to", help="Largest scale, included. Default: no end.", metavar="B")
-]
-Scale = Annotated[
-    str,
-    typer.Option(
-        "--scale", help="Scale of P, exact: 3, 7/5, 0.25; in space also SX,SY,SZ.", metavar="S"
-    ),
-]
+FROM = typer.Option(
+    "--from", help="Smallest scale, included. Default: every scale above 0.", metavar="A"
+)
+TO = typer.Option("--to", help="Largest scale, included. Default: no end.", metavar="B")
+SCALE = typer.Option(
+    "--scale", help="Scale of P, exact: 3, 7/5, 0.25; in space also SX,SY,SZ.", metavar="S"
+)
+READ_SCALE = Read(exact_scale)
+LeastScale = Annotated[Fraction | None, FROM, READ_SCALE]
+GreatestScale = Annotated[Fraction | None, TO, READ_SCALE]
+Scale = Annotated[Fraction, SCALE, READ_SCALE]
+ScaleInSpace = Annotated[Scaling, SCALE, Read(read_scaling)]
+ONE = Fraction(1)
 Triangles = Annotated[
     bool,
     typer.Option(

@@ -65,3 +65,25 @@ def read_disc(name: str) -> Disc:
         what = "zero" if value == 0 else "negative"
         raise Refusal(f"the radius is {what}", where, MEND, "bad-radius")
     return Disc(name, value if is_root else value**2)
+
+
+def read_tolerance(text: str, option: str) -> Fraction:
+    """How far a polygon may be off. Refuses what is not above 0."""
+    where = f"{option} {text[:40]}"
+    mend = "give a positive number, as 0.001"
+    value = read_number(text.strip(), "tolerance", where, mend)
+    if value <= 0:
+        raise Refusal("the tolerance is not above 0", where, mend)
+    return value
+
+
+def check_radii(first: Fraction | None, last: Fraction | None) -> None:
+    """Refuses a window without a radius in it."""
+    if first is not None and last is not None and first > last:
+        where = f"--from {first} --to {last}"
+        raise Refusal("no radius is in the window", where, "exchange the bounds")
+
+
+def squares_of(*radii: Fraction | None) -> list[str | None]:
+    """The squares of the radii, as the extension module takes them; None where there is none."""
+    return [None if radius is None else str(radius**2) for radius in radii]

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from minkref.errors import Refusal
-from minkref.exact import read_scale
+from minkref.exact import exact_scale
 from minkref.file_text import text_of_file
 from minkref.output.terminal import escaped
 
@@ -17,19 +17,46 @@ S = TypeVar("S")
 MOST_SCALES = 1_000_000
 
 
-def evenly_spaced(first: str, last: str, count: int) -> list[str]:
+def asked_scales(
+    first: Fraction | None, last: Fraction | None, steps: int | None, file: Path | None
+) -> list[Fraction]:
+    """The scales that --from, --to and --steps give together, or --scales."""
+    options = (("--from", first), ("--to", last), ("--steps", steps))
+    given = [option for option, value in options if value is not None]
+    if file is not None:
+        if given:
+            raise Refusal(
+                "the scales are given twice",
+                f"--scales and {', '.join(given)}",
+                "leave out --scales, or --from, --to and --steps",
+            )
+        return read_scales(file)
+    if first is None or steps is None or (last is None and steps != 1):
+        missing = ", ".join(option for option, value in options if value is None)
+        raise Refusal(
+            f"the scales are not given: {missing} missing",
+            f"minkref sweep {' '.join(given)}".rstrip(),
+            "give --from A --to B --steps N, or --scales FILE",
+        )
+    if not 1 <= steps <= MOST_SCALES:
+        raise Refusal(
+            f"there must be 1 to {MOST_SCALES:,} scales", f"--steps {steps}", "choose another N"
+        )
+    return evenly_spaced(first, first if last is None else last, steps)
+
+
+def evenly_spaced(first: Fraction, last: Fraction, count: int) -> list[Fraction]:
     """Return `count` scales from `first` to `last`, both included (a single scale is `first`),
     exact."""
     if count == 1:
         return [first]
-    begin, end = Fraction(first), Fraction(last)
-    return [str(begin + (end - begin) * i / (count - 1)) for i in range(count)]
+    return [first + (last - first) * i / (count - 1) for i in range(count)]
 
 
-def read_scales(path: Path) -> list[str]:
+def read_scales(path: Path) -> list[Fraction]:
     """Read the scales in a file, one per line, in file order. A # begins a comment; lines may be
     blank. Refusals name file and line."""
-    return lines_of_scales(path, read_scale)
+    return lines_of_scales(path, exact_scale)
 
 
 def lines_of_scales(path: Path, read: Callable[[str, str], S]) -> list[S]:

@@ -9,6 +9,7 @@ from minkref.exact import read_scale, scientific
 from minkref.plane.scales import lines_of_scales
 
 Scaling = tuple[str, str, str]
+UNIT: Scaling = ("1", "1", "1")
 
 
 def read_scaling(text: str, option: str = "--scale") -> Scaling:

@@ -14,11 +14,8 @@ NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\.v", re.ASCII)
 HOW = "coqc -Q build/proofs Proved"  # in the source tree, after make proofs
 
 
-def check_theorem(path: Path, in_the_plane: bool, about_a_sum: bool) -> None:
+def check_theorem(path: Path, about_a_sum: bool) -> None:
     """Refuses, before any work is done, what cannot be written."""
-    if not in_the_plane:
-        mend = "leave --theorem out"
-        raise Refusal("there are theorems of sums in the plane only", "--theorem", mend)
     if not about_a_sum:
         raise Refusal("a theorem is about a sum", "--theorem", "give --scale alone")
     if not NAME.fullmatch(path.name):

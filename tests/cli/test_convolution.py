@@ -11,9 +11,9 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
+from minkref.plane.commands import convolution as command
 from minkref.plane.operand import read_operand
 from minkref.schemas import schema
-from minkref.verbs import convolution as command
 
 Minkref = Callable[..., Any]
 SVG = "{http://www.w3.org/2000/svg}"

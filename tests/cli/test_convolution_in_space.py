@@ -169,8 +169,8 @@ def test_the_empty_set_has_no_facets(
     ("options", "code", "said"),
     [
         (("--full",), "usage", "no reflex edges"),
-        (("--compatible", "open"), "usage", "--compatible open"),
-        (("--limit", "3"), "usage", "--limit 3"),
+        (("--compatible", "open"), "usage", "ties are broken"),
+        (("--limit", "3"), "usage", "all facets"),
         (("--scale", "1,2"), "scale-not-three", "2 factors"),
         (("--scale", "1,0,2"), "scale-zero", "y"),
         (("--scale", "-1"), "scale-negative", "-1"),

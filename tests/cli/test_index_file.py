@@ -137,7 +137,7 @@ def test_a_pipe_is_written_to_and_stays_a_pipe(minkref: Minkref, tmp_path: Path)
 SLOW = """
 import os, signal, sys
 from minkref.output import documents
-from minkref.verbs import index
+from minkref.plane.commands import index
 from minkref.cli.cli import run
 build = index.build_index
 def telling(*arguments):

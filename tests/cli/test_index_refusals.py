@@ -249,7 +249,7 @@ class Differing:
 def test_an_index_that_differs_from_the_static_route_is_not_written(
     minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from minkref.verbs import index
+    from minkref.plane.commands import index
 
     build_index = index.build_index
     monkeypatch.setattr(index, "build_index", lambda *given: Differing(build_index(*given)))

@@ -116,8 +116,8 @@ def test_in_a_pipe_the_picture_has_no_colours() -> None:
         (("g1", "g2", "--plot", "-o", "-"), "only one of them"),
         (("g1", "g2", "--only-sum"), "add -o FILE.svg"),
         (("g1", "g2", "--only-sum", "-o", "sum.wkt"), "add -o FILE.svg"),
-        (("gs3", "rod", "--plot"), "no picture is drawn in space"),
-        (("gs3", "rod", "--only-sum", "-o", "sum.off"), "no picture is drawn in space"),
+        (("gs3", "rod", "--plot"), "in space; no picture is drawn"),
+        (("gs3", "rod", "--only-sum", "-o", "sum.off"), "in space; no picture is drawn"),
     ],
 )
 def test_what_is_refused(minkref: Minkref, words: tuple[str, ...], said: str) -> None:

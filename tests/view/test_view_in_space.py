@@ -246,7 +246,7 @@ def test_options_of_space_are_refused_in_the_plane(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert run(["view", "g1", "g2", *options]) == 2
-    assert "polyhedra in space" in capsys.readouterr().err
+    assert "does not have this option in the plane" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
 
 

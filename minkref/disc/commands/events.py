@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
 import math
 import sys
 from collections.abc import Iterator
-from fractions import Fraction
 from itertools import islice
-from pathlib import Path
+from json import dumps
 from typing import Any
 
 from minkref import _core
@@ -16,9 +14,9 @@ from minkref.certain_digits import between
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.disc.commands.index_file import Places, from_places
 from minkref.disc.commands.sum import enclosed
-from minkref.disc.disc import ANY
+from minkref.disc.disc import ANY, check_radii, is_disc, squares_of
 from minkref.errors import Refusal, choice
-from minkref.exact import read_scale
+from minkref.exact import text_of_bounds
 from minkref.output.documents import (
     Stopwatch,
     as_text,
@@ -31,6 +29,7 @@ from minkref.output.output_target import target_of
 from minkref.output.terminal import console, counted
 from minkref.plane.commands.scale_index import cores, refuse_overwriting_index
 from minkref.plane.operand import read_operand
+from minkref.verbs.events import EventsWithDisc, check_form, check_limit
 
 FORMATS = ("json", "jsonl")
 KINDS = ("boundary", "topology")
@@ -39,52 +38,31 @@ SHOWN = 10  # events that people see
 Row = dict[str, Any]
 
 
-def events_with_disc(
-    P: str,
-    Q: str,
-    kind: str | None,
-    first: str | None,
-    last: str | None,
-    limit: int | None,
-    output: Path | None,
-    form: str | None,
-    json_document: bool,
-    memory: int | None,
-    index: Path | None,
-    given: dict[str, bool],
-) -> None:
-    """The command, its options read but not yet checked. `given`: options that there are not."""
+def run(request: EventsWithDisc) -> None:
+    if not is_disc(request.Q):
+        mend = "give `minkref events P disc`"
+        raise Refusal("the disc is the second operand", request.P, mend)
+    if request.kind == "pair":
+        from minkref.disc.commands.pair_events import pair_events
+
+        pair_events(request)
+        return
     watch = Stopwatch()
-    if Q != ANY:
-        mend = "name the disc `disc`, and bounds of its radius by --from and --to"
-        raise Refusal("events are found for all radii", Q, mend)
-    for option, is_given in given.items():
-        if is_given:
-            raise Refusal("events of a disc do not have this option", option, "leave it out")
-    if kind is not None and kind not in KINDS:
-        raise Refusal(
-            f"there are no events {kind} of a disc", "--kind", choice(kind, (*KINDS, "pair"))
-        )
-    chosen = kind or "boundary"
-    if limit is not None and limit < 0:
-        raise Refusal("the limit is negative", f"--limit {limit}", "give a number of events")
-    bounds = [
-        None if bound is None else Fraction(read_scale(bound, option))
-        for bound, option in ((first, "--from"), (last, "--to"))
-    ]
-    if bounds[0] is not None and bounds[1] is not None and bounds[0] > bounds[1]:
-        raise Refusal(
-            "no radius is in the window", f"--from {first} --to {last}", "exchange the bounds"
-        )
-    target = target_of(output, form, FORMATS, "json", json_document)
-    with memory_wall(memory, "events of a disc", P, SIMPLER):
+    P, Q, output, limit, json = (
+        request.P, request.Q, request.output, request.limit, request.json,
+    )  # fmt: skip
+    chosen = _kind(request)
+    check_radii(request.from_scale, request.to_scale)
+    bounds = text_of_bounds(request.from_scale, request.to_scale)
+    target = target_of(output, request.file_format, FORMATS, "json", json)
+    with memory_wall(request.memory, "events of a disc", P, SIMPLER):
         operand = read_operand(P)
         if output is not None:
             refuse_overwriting(output, [operand.file])
-            refuse_overwriting_index(output, index)
-        squares = [None if bound is None else str(bound**2) for bound in bounds]
+            refuse_overwriting_index(output, request.index)
+        squares = squares_of(request.from_scale, request.to_scale)
         listed: Boundary | Topology = from_places(
-            index,
+            request.index,
             operand,
             lambda places: (Boundary if chosen == KINDS[0] else Topology)(
                 operand.set, squares, places
@@ -96,8 +74,8 @@ def events_with_disc(
         watch,
         P=operand.name,
         Q=Q,
-        **{"from": None if bounds[0] is None else str(bounds[0])},
-        to=None if bounds[1] is None else str(bounds[1]),
+        **{"from": bounds[0]},
+        to=bounds[1],
         kind=chosen,
         warnings=operand.warnings,
         output=str(output) if output else None,
@@ -107,16 +85,37 @@ def events_with_disc(
         count=len(listed.kinds),
     )
     if target is not None and target.form == "jsonl":
-        target.write_pieces(json.dumps(row) + "\n" for row in rows)
+        target.write_pieces(dumps(row) + "\n" for row in rows)
     elif target is not None:
         target.write_pieces(listing(lasting(head), "events", rows))
-    if json_document and target is None:
+    if json and target is None:
         sys.stdout.writelines(listing(head, "events", rows))
-    elif json_document:
+    elif json:
         sys.stdout.write(as_text({**head, "events": None}))
     elif target is None or not target.is_standard_output:
         shown = [] if target is not None else list(islice(rows, SHOWN if limit is None else limit))
         _print(head, shown)
+
+
+def _kind(request: EventsWithDisc) -> str:
+    """Refuses a kind that is none, and options that it does not have."""
+    if request.Q != ANY:
+        mend = "name the disc `disc`, and bounds of its radius by --from and --to"
+        raise Refusal("events are found for all radii", request.Q, mend)
+    kind = request.kind or KINDS[0]
+    if kind not in KINDS:
+        raise Refusal(
+            f"there are no events {kind} of a disc", "--kind", choice(kind, (*KINDS, "pair"))
+        )
+    check_form(request.form)
+    if request.form != "corrected":
+        what = "events of a disc of the kind pair alone have a printed form"
+        raise Refusal(what, f"--form {request.form}", "add --kind pair, or leave it out")
+    if request.route not in (None, "index"):
+        what = "events of a disc are found by an index alone"
+        raise Refusal(what, "--route", "leave it out")
+    check_limit(request.limit)
+    return kind
 
 
 class Boundary:

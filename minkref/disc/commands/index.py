@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 from minkref import _core
@@ -19,32 +18,22 @@ from minkref.output.documents import Stopwatch, document, lasting, listing, refu
 from minkref.output.output_target import target_of
 from minkref.plane.commands.scale_index import cores
 from minkref.plane.operand import read_operand
+from minkref.verbs.index import IndexWithDisc
 
 Row = dict[str, Any]
 
 
-def index_with_disc(
-    P: str,
-    Q: str,
-    given: dict[str, bool],
-    threads: int | None,
-    output: Path,
-    json_document: bool,
-    memory: int | None,
-) -> None:
-    """The command, its options read but not yet checked. `given`: options that there are not."""
+def run(request: IndexWithDisc) -> None:
     watch = Stopwatch()
+    P, Q, output, threads = request.P, request.Q, request.output, request.threads
     if Q != ANY or P == ANY:
         mend = "give `minkref index P disc`"
         raise Refusal("an index is of all radii", f"{P} {Q}", mend)
-    for option, is_given in given.items():
-        if is_given:
-            raise Refusal("an index of all radii does not have this option", option, "leave it out")
-    target = target_of(output, None, ("json",), "json", json_document)
+    target = target_of(output, None, ("json",), "json", request.json)
     assert target is not None
     operand = read_operand(P)
     refuse_overwriting(output, [operand.file])
-    with memory_wall(memory, "the index of all radii", P, SMALLER):
+    with memory_wall(request.memory, "the index of all radii", P, SMALLER):
         index = disc_index_of(None, operand, threads)
     parts = index.graph()
     value = document(
@@ -70,7 +59,7 @@ def index_with_disc(
     head["places"] = index.places()
     head["parts"] = [_part(*part) for part in parts]
     target.write_pieces(listing(lasting(head), "events", _events(index)))
-    give(value, json_document, _print)
+    give(value, request.json, _print)
 
 
 def _events(index: _core.DiscIndex) -> Iterator[Row]:

@@ -3,20 +3,18 @@ share points, as it is or as the Appendix prints it."""
 
 from __future__ import annotations
 
-import json
 import math
 import sys
 from collections.abc import Iterator
-from fractions import Fraction
-from pathlib import Path
+from json import dumps
 from typing import Any
 
 from minkref import _core
 from minkref.certain_digits import between
 from minkref.cli.memory import SMALLER, memory_wall
-from minkref.disc.disc import ANY, read_disc
-from minkref.errors import Refusal, choice, refusing
-from minkref.exact import read_scale
+from minkref.disc.disc import ANY, check_radii, read_disc, squares_of
+from minkref.errors import Refusal, refusing
+from minkref.exact import text_of_bounds
 from minkref.output.documents import (
     Stopwatch,
     as_text,
@@ -27,8 +25,8 @@ from minkref.output.documents import (
 )
 from minkref.output.output_target import target_of
 from minkref.output.terminal import counted, escaped, lines
-from minkref.plane.event_values import FORMS
 from minkref.plane.operand import read_operand
+from minkref.verbs.events import EventsWithDisc, check_form, check_limit
 
 FORMATS = ("json", "jsonl")
 CHANGES = ("birth", "death", "touch", "swap", "overlap", "none")
@@ -40,30 +38,21 @@ AT_ONCE = 1000  # rows that are made exact in one call
 Row = dict[str, Any]
 
 
-def pair_events_with_disc(
-    P: str,
-    Q: str,
-    form: str,
-    first: str | None,
-    last: str | None,
-    limit: int | None,
-    output: Path | None,
-    file_format: str | None,
-    json_document: bool,
-    memory: int | None,
-    given: dict[str, bool],
-) -> None:
-    """The command, its options read but not yet checked. `given`: options that there are not."""
+def pair_events(request: EventsWithDisc) -> None:
     watch = Stopwatch()
-    radius = _check(Q, form, limit, given)
-    window = _window(first, last)
-    target = target_of(output, file_format, FORMATS, "json", json_document)
-    most = limit if limit is not None or json_document or target is not None else SHOWN
-    with memory_wall(memory, "pair events of a disc", P, SMALLER):
+    P, Q, form, output, json = (
+        request.P, request.Q, request.form, request.output, request.json,
+    )  # fmt: skip
+    limit, radius = request.limit, _check(request)
+    check_radii(request.from_scale, request.to_scale)
+    window = text_of_bounds(request.from_scale, request.to_scale)
+    target = target_of(output, request.file_format, FORMATS, "json", json)
+    most = limit if limit is not None or json or target is not None else SHOWN
+    with memory_wall(request.memory, "pair events of a disc", P, SMALLER):
         operand = read_operand(P)
         if output is not None:
             refuse_overwriting(output, [operand.file])
-        squares = [None if bound is None else str(bound**2) for bound in window]
+        squares = squares_of(request.from_scale, request.to_scale)
         printed = list(SENTENCES) if form == "printed" else []
         is_unit = radius in (None, "1")
         found = refusing(
@@ -78,8 +67,8 @@ def pair_events_with_disc(
             watch,
             P=operand.name,
             Q=Q,
-            **{"from": None if window[0] is None else str(window[0])},
-            to=None if window[1] is None else str(window[1]),
+            **{"from": window[0]},
+            to=window[1],
             kind="pair",
             form=form,
             radius=radius,
@@ -94,42 +83,31 @@ def pair_events_with_disc(
             truth=_truth(counts) if form == "printed" else None,
         )
         if target is not None and target.form == "jsonl":
-            target.write_pieces(json.dumps(row) + "\n" for row in _rows(found))
+            target.write_pieces(dumps(row) + "\n" for row in _rows(found))
         elif target is not None:
             target.write_pieces(listing(lasting(head), "events", _rows(found)))
-        if json_document and target is None:
+        if json and target is None:
             sys.stdout.writelines(listing(head, "events", _rows(found)))
-        elif json_document:
+        elif json:
             sys.stdout.write(as_text({**head, "events": None}))
         elif target is None or not target.is_standard_output:
             _print(head, [] if target is not None else list(_rows(found)))
 
 
-def _check(Q: str, form: str, limit: int | None, given: dict[str, bool]) -> str | None:
+def _check(request: EventsWithDisc) -> str | None:
     """Refuses what there is not; the radius of the disc at the scale 1, for formulas as printed."""
-    if form not in FORMS:
-        raise Refusal(f"there is no form {form!r}", "--form", choice(form, FORMS))
-    for option, is_given in given.items():
-        if is_given:
-            raise Refusal("events of a disc do not have this option", option, "leave it out")
-    if limit is not None and limit < 0:
-        raise Refusal("the limit is negative", f"--limit {limit}", "give a number of events")
-    if form == "printed":
-        return "1" if Q == ANY else read_disc(Q).radius
-    if Q != ANY:
+    check_form(request.form)
+    for option, given in (("--index", request.index), ("--route", request.route)):
+        if given is not None:
+            what = "pair events of a disc come from no index"
+            raise Refusal(what, option, "leave it out")
+    check_limit(request.limit)
+    if request.form == "printed":
+        return "1" if request.Q == ANY else read_disc(request.Q).radius
+    if request.Q != ANY:
         mend = "name the disc `disc`; its radius matters to --form printed only"
-        raise Refusal("events are found for all radii", Q, mend)
+        raise Refusal("events are found for all radii", request.Q, mend)
     return None
-
-
-def _window(first: str | None, last: str | None) -> tuple[Fraction | None, Fraction | None]:
-    low = None if first is None else Fraction(read_scale(first, "--from"))
-    high = None if last is None else Fraction(read_scale(last, "--to"))
-    if low is not None and high is not None and low > high:
-        raise Refusal(
-            "no radius is in the window", f"--from {first} --to {last}", "exchange the bounds"
-        )
-    return low, high
 
 
 def _truth(counts: dict[str, Any]) -> dict[str, int]:

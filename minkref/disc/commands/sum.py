@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Sequence
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -18,49 +17,37 @@ from minkref.disc.commands.indexed_sum import IndexedSum
 from minkref.disc.disc import Disc, is_disc, read_disc
 from minkref.disc.polygons import sum_near
 from minkref.errors import Refusal, refusing
-from minkref.exact import digest, read_number, read_scale
+from minkref.exact import digest
 from minkref.output.documents import Stopwatch, document, refuse_overwriting
 from minkref.output.output_target import Target, target_of
 from minkref.plane.commands.scale_index import chosen_route, cores, refuse_overwriting_index
 from minkref.plane.commands.sum_table import passage_rows
 from minkref.plane.operand import Operand, read_operand
+from minkref.verbs.sum import SumWithDisc
 
 FORMATS = ("json", "svg", "dxf", "wkt", "geojson", "poly")
 WITH_ARCS = ("json", "svg", "dxf")
 DISC_ROUTES = ("definition", "paper", "index")
 
 
-def sum_with_disc(
-    P: str,
-    Q: str,
-    scale: str,
-    route: str | None,
-    output: Path | None,
-    form: str | None,
-    only_sum: bool,
-    tolerance: str | None,
-    outside: bool,
-    with_measures: bool,
-    memory: int | None,
-    index: Path | None,
-    json_document: bool,
-) -> None:
-    """The command, its options read but not yet checked: one of the operands names a disc."""
+def run(request: SumWithDisc) -> None:
     watch = Stopwatch()
-    factor = Fraction(read_scale(scale))
-    route = chosen_route(index, route, DISC_ROUTES)
+    P, Q, factor, index, output = (
+        request.P, request.Q, request.scale, request.index, request.output,
+    )  # fmt: skip
+    route = chosen_route(index, request.route, DISC_ROUTES)
     if index is not None and factor != 1:
         mend = "leave out the scale, or the index"
-        raise Refusal("the index is that of P as it is", f"--scale {scale}", mend)
-    offered = FORMATS if tolerance is not None else WITH_ARCS
-    target = target_of(output, form, FORMATS, "json", json_document, offered=offered)
-    within = _tolerance(tolerance, outside, target)
-    if with_measures and not json_document:
+        raise Refusal("the index is that of P as it is", f"--scale {factor}", mend)
+    offered = FORMATS if request.tolerance is not None else WITH_ARCS
+    target = target_of(output, request.form, FORMATS, "json", request.json, offered=offered)
+    _check_polygon(request, target)
+    if request.measures and not request.json:
         raise Refusal("the terms are in the document only", "--measures", "add --json")
     if is_disc(P) and is_disc(Q):
         raise Refusal("the sum of two discs is one", f"{P} and {Q}", "add their radii")
     disc = read_disc(P).scaled(factor) if is_disc(P) else read_disc(Q)
-    with memory_wall(memory, "the sum with a disc", f"{P} and {Q}", SIMPLER):
+    with memory_wall(request.memory, "the sum with a disc", f"{P} and {Q}", SIMPLER):
         operand = read_operand(Q if is_disc(P) else P)
         if output is not None:
             refuse_overwriting(output, [operand.file])
@@ -70,11 +57,11 @@ def sum_with_disc(
         canonical = found.canonical_json()
         written = None
         if target is not None:
-            written = _written(target, found, other, disc, canonical, only_sum, within, outside)
+            written = _written(target, found, other, disc, canonical, request)
         if target is not None and written is not None and target.write(*written):
             return
         passages = found.tight_passages(cores())
-        terms = found.exact_measures() if with_measures else None
+        terms = found.exact_measures() if request.measures else None
     value = document(
         "sum",
         watch,
@@ -84,7 +71,7 @@ def sum_with_disc(
         warnings=operand.warnings,
         output=str(output) if output else None,
         output_exact=written[1] if written else None,
-        tolerance=None if within is None else str(within),
+        tolerance=None if request.tolerance is None else str(request.tolerance),
         radius=disc.radius,
         squared_radius=str(disc.squared_radius),
         route=route,
@@ -93,7 +80,7 @@ def sum_with_disc(
         tight_passages=[_passage(*row) for row in passages],
         measures=None if terms is None else _measures(*terms),
     )
-    give(value, json_document, lambda value: _print(value, operand))
+    give(value, request.json, lambda value: _print(value, operand))
 
 
 def _found(
@@ -157,29 +144,23 @@ def enclosed(bounds: tuple[float, float]) -> dict[str, float | None]:
     return {"low": low, "high": high}
 
 
-def _tolerance(text: str | None, outside: bool, target: Target | None) -> Fraction | None:
-    is_polygon = target is not None and target.form not in WITH_ARCS
-    if not is_polygon:
-        for option, given in (("--tolerance", text is not None), ("--outside", outside)):
-            if given:
-                mend = "write a polygon: -o FILE.wkt, .geojson or .poly"
-                raise Refusal("no arc is replaced", option, mend)
-        return None
-    if text is None:
-        assert target is not None
-        raise Refusal(
-            "this format has no arcs",
-            target.name,
-            "say how far a polygon may be off, as --tolerance 1/1000; .json, .svg and .dxf have "
-            "arcs",
-            "no-arcs",
-        )
-    where = f"--tolerance {text[:40]}"
-    mend = "give a positive number, as 0.001"
-    value = read_number(text.strip(), "tolerance", where, mend)
-    if value <= 0:
-        raise Refusal("the tolerance is not above 0", where, mend)
-    return value
+def _check_polygon(request: SumWithDisc, target: Target | None) -> None:
+    """Refuses a polygon without a tolerance, and a tolerance without a polygon."""
+    given = {"--tolerance": request.tolerance is not None, "--outside": request.outside}
+    if target is not None and target.form not in WITH_ARCS:
+        if request.tolerance is None:
+            raise Refusal(
+                "this format has no arcs",
+                target.name,
+                "say how far a polygon may be off, as --tolerance 1/1000; .json, .svg and .dxf "
+                "have arcs",
+                "no-arcs",
+            )
+        return
+    for option, is_given in given.items():
+        if is_given:
+            mend = "write a polygon: -o FILE.wkt, .geojson or .poly"
+            raise Refusal("no arc is replaced", option, mend)
 
 
 def _written(
@@ -188,9 +169,7 @@ def _written(
     other: _core.PolygonSet,
     disc: Disc,
     canonical: str,
-    only_sum: bool,
-    within: Fraction | None,
-    outside: bool,
+    request: SumWithDisc,
 ) -> tuple[str, bool]:
     """The text of the output, and whether it is exact."""
     if target.form == "json":
@@ -204,10 +183,10 @@ def _written(
 
         caption = f"the sum with a disc of radius {root(disc.squared_radius, 6)}"
         passages = [points for _, points, _ in found.tight_passages(cores())]
-        own = None if only_sum else other
+        own = None if request.only_sum else other
         return offset_picture(_drawn(found), own, caption, passages), False
-    assert within is not None
-    near = sum_near(other, disc, within, outside)
+    assert request.tolerance is not None
+    near = sum_near(other, disc, request.tolerance, request.outside)
     return refusing(target.name, lambda: _core.write(near, target.form)), False
 
 

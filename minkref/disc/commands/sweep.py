@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 from minkref import _core
@@ -20,46 +19,35 @@ from minkref.errors import Refusal
 from minkref.exact import digest
 from minkref.output.documents import Stopwatch, document, listing
 from minkref.output.signals import ending_in_order
-from minkref.output.terminal import escaped
 from minkref.plane.commands.sweep_folder import sweep_folder
 from minkref.plane.commands.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
 from minkref.plane.operand import read_operand
+from minkref.plane.scales import asked_scales
+from minkref.verbs.sweep import SweepWithDisc
 
 FORMATS = ("json", "svg")
 
 
-def sweep_with_disc(
-    P: str,
-    Q: str,
-    radii: list[str],
-    index_file: Path | None,
-    given: dict[str, bool],
-    output: Path | None,
-    form: str | None,
-    json_document: bool,
-    memory: int | None,
-) -> None:
-    """The command, its radii read. `given`: options that there are not."""
+def run(request: SweepWithDisc) -> None:
     watch = Stopwatch()
+    P, Q, output, index_file = request.P, request.Q, request.output, request.index
     if Q != ANY or P == ANY:
         mend = "give `minkref sweep P disc`, and the radii by --from, --to and --steps or --scales"
         raise Refusal("the radii of a sweep are not those of an operand", f"{P} {Q}", mend)
-    for option, is_given in given.items():
-        if is_given:
-            raise Refusal("sweeps with a disc do not have this option", option, "leave it out")
-    for radius in radii:
-        if Fraction(radius) <= 0:
-            raise Refusal("the radius is not above 0", radius, "give radii above 0", "bad-radius")
-    folder = sweep_folder(output, form, FORMATS)
+    if request.route not in (None, "index"):
+        what = "sums with a disc are read off an index alone"
+        raise Refusal(what, "--route", "leave it out")
+    radii = asked_scales(request.from_scale, request.to_scale, request.steps, request.scales_file)
+    folder = sweep_folder(output, request.form, FORMATS)
     operand = read_operand(P)
     if folder is not None:
         folder.refuse_overwriting([operand.file, *([index_file] if index_file else [])])
-    wall = memory_wall(memory, "the index of all radii", P, SMALLER)
+    wall = memory_wall(request.memory, "the index of all radii", P, SMALLER)
     with wall, ending_in_order(), progress(len(radii)) as line:
         line.now("finding all events" if index_file is None else "proving all events again")
         index = disc_index_of(index_file, operand)
-        setting = Setting[str, tuple[str, str]](
-            lambda radius: escaped(radius)[:20],
+        setting = Setting[Fraction, tuple[Fraction, str]](
+            lambda radius: str(radius)[:20],
             lambda found, kind: _text(operand.set, *found, kind),
             lambda found, kind: kind == "json",
         )
@@ -80,22 +68,22 @@ def sweep_with_disc(
             },
         )
         write_index(folder, value, rows)
-    if json_document:
+    if request.json:
         sys.stdout.writelines(listing(value, "rows", rows))
     else:
         _print(value, rows)
 
 
-def _row(index: _core.DiscIndex, radius: str) -> tuple[Row, tuple[str, str]]:
+def _row(index: _core.DiscIndex, radius: Fraction) -> tuple[Row, tuple[Fraction, str]]:
     """The row that is read off at a radius; the radius and the canonical form."""
     watch = Stopwatch()
-    square = str(Fraction(radius) ** 2)
+    square = str(radius**2)
     canonical = index.canonical_json(square)
     components, holes = index.counts(square)
     area, length = index.measures(square)
     seconds = watch.seconds()
     return {
-        "radius": radius,
+        "radius": str(radius),
         "digest": digest(canonical),
         "components": components,
         "holes": holes,
@@ -107,15 +95,13 @@ def _row(index: _core.DiscIndex, radius: str) -> tuple[Row, tuple[str, str]]:
     }, (radius, canonical)
 
 
-def _text(P: _core.PolygonSet, radius: str, canonical: str, form: str) -> str:
+def _text(P: _core.PolygonSet, radius: Fraction, canonical: str, form: str) -> str:
     if form == "json":
         return canonical + "\n"
     from minkref.reports.offset_picture import offset_picture
 
-    found = _core.offset(P, str(Fraction(radius) ** 2))
-    return offset_picture(
-        found, P, f"the sum with a disc of radius {root(Fraction(radius) ** 2, 6)}"
-    )
+    found = _core.offset(P, str(radius**2))
+    return offset_picture(found, P, f"the sum with a disc of radius {root(radius**2, 6)}")
 
 
 def _print(value: dict[str, Any], rows: RowSpool) -> None:

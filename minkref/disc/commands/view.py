@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 from minkref import _core
@@ -15,49 +13,36 @@ from minkref.disc.disc import ANY
 from minkref.disc.page.picture import counts, picture, window_around
 from minkref.disc.page.write_page import page
 from minkref.errors import Refusal, refusing
-from minkref.exact import approximate, read_scale
+from minkref.exact import approximate
 from minkref.output.documents import Stopwatch, document, refuse_overwriting
-from minkref.output.output_target import Target
 from minkref.output.signals import ending_in_order
 from minkref.plane.commands.scale_index import refuse_overwriting_index
 from minkref.plane.operand import read_operand
 from minkref.plane.page.picture import Window
+from minkref.verbs.view import ViewWithDisc, page_target
 
 LEAST_WINDOW = 10  # the last radius over the first, where only one of them is given
 
 
-def view_with_disc(
-    P: str,
-    Q: str,
-    first: str | None,
-    last: str | None,
-    index_file: Path | None,
-    given: list[str],
-    target: Target,
-    json: bool,
-    memory: int | None,
-) -> None:
-    """The command, its options read but not yet checked. `given`: options that there are not."""
+def run(request: ViewWithDisc) -> None:
     watch = Stopwatch()
+    P, Q, index_file = request.P, request.Q, request.index
+    target = page_target(request.output, request.json)
     if Q != ANY or P == ANY:
         mend = "give `minkref view P disc`, and the radii by --from and --to"
         raise Refusal("the radius is that of the slider, and P stays", f"{P} {Q}", mend)
-    if given:
-        what = "the page of a disc does not have these options"
-        raise Refusal(what, ", ".join(given), "leave them out")
-    bounds = [
-        None if bound is None else Fraction(read_scale(bound, option))
-        for bound, option in ((first, "--from"), (last, "--to"))
-    ]
+    if request.route not in (None, "index"):
+        what = "the page of a disc is read off an index alone"
+        raise Refusal(what, "--route", "leave it out")
     operand = read_operand(P)
     if not target.is_standard_output:
         refuse_overwriting(target.path, [operand.file])
         refuse_overwriting_index(target.path, index_file)
-    with memory_wall(memory, "the index of all radii", P, SMALLER), ending_in_order():
+    with memory_wall(request.memory, "the index of all radii", P, SMALLER), ending_in_order():
         with progress(1) as line:
             line.now("finding all events" if index_file is None else "proving all events again")
             index = disc_index_of(index_file, operand)
-        window = _window(bounds, index, operand.set)
+        window = _window(request, index, operand.set)
         data = refusing(operand.name, lambda: picture(index, operand.set, window))
         count = target.write_pieces([page(operand.name, data)])
     if target.is_standard_output:
@@ -74,11 +59,11 @@ def view_with_disc(
         preprocessing_seconds=index.seconds,
         **counts(data),
     )
-    give(value, json, _print)
+    give(value, request.json, _print)
 
 
-def _window(bounds: list[Fraction | None], index: _core.DiscIndex, P: _core.PolygonSet) -> Window:
-    first, last = bounds
+def _window(request: ViewWithDisc, index: _core.DiscIndex, P: _core.PolygonSet) -> Window:
+    first, last = request.from_scale, request.to_scale
     if first is None or last is None:
         begin, end = window_around(index, P)
         if first is None:

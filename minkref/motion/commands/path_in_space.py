@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from minkref import _core
 from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.output import give
 from minkref.errors import Refusal, refusing
-from minkref.exact import read_space_point
+from minkref.exact import text_of_bounds
+from minkref.motion.commands.fit import print_fit
+from minkref.motion.commands.path_answer import finish
 from minkref.motion.commands.path_rows import (
     BY_TRANSLATION,
     extreme_scales,
@@ -18,37 +19,38 @@ from minkref.motion.commands.path_rows import (
     space_contact_document,
 )
 from minkref.motion.path_text import read_space_path
+from minkref.motion.scale_ranges import CONTACTS, PATH_ROUTES
 from minkref.output.documents import Stopwatch, document, refuse_overwriting
+from minkref.output.output_target import target_of
 from minkref.space.operand import read_summand
+from minkref.verbs.fit import PLACE, FitInSpace
+from minkref.verbs.path import PathInSpace, check_words
 
 
-def path_in_space(
-    watch: Stopwatch,
-    robot: str,
-    obstacles: str,
-    path: str,
-    contact: str,
-    window: Sequence[str | None],
-    route: str,
-    output: Path | None,
-    memory: int | None,
-) -> dict[str, Any]:
-    """The document of the command, its options read."""
-    if route == "index":
+def run(request: PathInSpace) -> None:
+    watch = Stopwatch()
+    robot, obstacles, output = request.robot, request.obstacles, request.output
+    path, contact, route = request.path, request.contact, request.route
+    window = text_of_bounds(request.from_scale, request.to_scale)
+    if route == PATH_ROUTES[2]:
         what = "this route is of paths in the plane"
         raise Refusal(what, "--route index", "choose pieces or contacts", "no-route")
+    check_words(contact=(contact, CONTACTS), route=(route, PATH_ROUTES[:2]))
+    if output is not None and output.suffix.lower() == ".svg":
+        raise Refusal("no picture is drawn in space", str(output), "name a .json file")
+    target = target_of(output, None, ("json",), "json", request.json)
     first, second, way = read_summand(robot), read_summand(obstacles), read_space_path(path)
     if output is not None:
         files = [first.file, second.file, *([way.file] if way.file else [])]
         refuse_overwriting(output, files)
-    with memory_wall(memory, "the path", f"{robot} and {obstacles}", SMALLER):
+    with memory_wall(request.memory, "the path", f"{robot} and {obstacles}", SMALLER):
         ranges, bounds, statistics = refusing(
             f"{robot}, {obstacles}",
             lambda: _core.valid_scales_in_space(
                 first.surface, second.surface, way.points, contact, window[0], window[1], route
             ),
         )
-    return document(
+    value = document(
         "path",
         watch,
         dimension=3,
@@ -69,23 +71,25 @@ def path_in_space(
         warnings=first.warnings + second.warnings,
         output=None if output is None else str(output),
     )
+    finish(value, target, request.json)
 
 
-def fit_in_space(
-    watch: Stopwatch, part: str, container: str, at: str | None, contact: str, memory: int | None
-) -> dict[str, Any]:
-    """The document of a fit at a place. Refuses the other questions."""
-    if at is None:
-        what = "in space a fit is found at one place"
-        raise Refusal(what, "minkref fit", "give --at X,Y,Z", "not-in-space")
-    place = read_space_point(at, "--at")
+def run_fit(request: FitInSpace) -> None:
+    """The fit at a place."""
+    watch = Stopwatch()
+    part, container, contact, place = (
+        request.part, request.container, request.contact, request.at,
+    )  # fmt: skip
+    check_words(contact=(contact, CONTACTS))
+    if place is None:
+        raise Refusal("in space a fit is found at one place", "minkref fit", PLACE)
     first, second = read_summand(part), read_summand(container)
-    with memory_wall(memory, "the fit", f"{part} and {container}", SMALLER):
+    with memory_wall(request.memory, "the fit", f"{part} and {container}", SMALLER):
         (ranges, bounds, _), proofs = refusing(
             f"{part}, {container}",
             lambda: _core.fit_at_in_space(first.surface, second.surface, place, contact),
         )
-    return document(
+    value = document(
         "fit",
         watch,
         dimension=3,
@@ -101,6 +105,7 @@ def fit_in_space(
         bounds=[_fit_bound(row) for row in bounds],
         proofs=proof_documents(proofs),
     )
+    give(value, request.json, print_fit)
 
 
 def _fit_bound(row: Any) -> dict[str, Any]:

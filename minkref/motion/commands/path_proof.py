@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
-import typer
 from minkref import _core
 from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.certify.plane.certificate import NoProof
@@ -15,16 +14,6 @@ from minkref.output.terminal import counted, escaped
 from minkref.verbs.certificate_output import CHECKED, CertificateFiles, Checked
 
 OPTION = "--certify"
-
-Certify = Annotated[
-    Path | None,
-    typer.Option(
-        OPTION,
-        help="Write a proof of the whole answer: FILE.cert.json or FILE.cert.json.gz, its case "
-        "beside it (docs/certificates-paths.md). It is checked before it is written.",
-        metavar="FILE",
-    ),
-]
 
 
 def proof_files(

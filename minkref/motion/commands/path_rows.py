@@ -7,6 +7,7 @@ from typing import Any
 
 from minkref.exact import rounded
 
+MOST_ROWS = 20  # that people see
 BY_TRANSLATION = "translations only: a rotation may do what they cannot"
 
 

@@ -7,48 +7,35 @@ from typing import Any
 
 from minkref.cli.memory import SMALLER, memory_wall
 from minkref.cli.output import give, print_lines
-from minkref.errors import Refusal, refusing
-from minkref.exact import read_scale
+from minkref.errors import refusing
+from minkref.exact import text_of_bounds
 from minkref.motion.commands.path_rows import number_text, range_documents, ranges_text
 from minkref.motion.page.picture import PathQuestion, picture, window_around
 from minkref.motion.page.write_page import page
 from minkref.motion.path_text import read_path
 from minkref.motion.scale_ranges import CONTACTS
 from minkref.output.documents import Stopwatch, document, refuse_overwriting
-from minkref.output.output_target import Target
 from minkref.output.terminal import counted
 from minkref.plane.operand import read_operand
 from minkref.verbs.path import check_words
+from minkref.verbs.view import ViewWithPath, page_target
 
 
-def view_with_path(
-    part: str,
-    obstacles: str,
-    path: str,
-    contact: str,
-    window: tuple[str | None, str | None],
-    given: list[str],
-    target: Target,
-    json: bool,
-    memory: int | None,
-) -> None:
-    """The command, its options read but not yet checked. `given`: options that there are not."""
+def run(request: ViewWithPath) -> None:
     watch = Stopwatch()
-    if given:
-        what = "the page of a path does not have these options"
-        raise Refusal(what, ", ".join(given), "leave them out")
+    part, obstacles, path = request.P, request.Q, request.path
+    contact = request.contact or CONTACTS[0]
+    assert path is not None  # it chooses this page
+    target = page_target(request.output, request.json)
     check_words(contact=(contact, CONTACTS))
-    ends = [
-        None if end is None else read_scale(end, option)
-        for end, option in zip(window, ("--from", "--to"), strict=True)
-    ]
+    ends = text_of_bounds(request.from_scale, request.to_scale)
     first, second, way = read_operand(part), read_operand(obstacles), read_path(path)
     if not target.is_standard_output:
         files = [first.file, second.file, *([way.file] if way.file else [])]
         refuse_overwriting(target.path, files)
     where = f"{part}, {obstacles}"
     question = PathQuestion(first.set, second.set, way.points, contact)
-    with memory_wall(memory, "the path", f"{part} and {obstacles}", SMALLER):
+    with memory_wall(request.memory, "the path", f"{part} and {obstacles}", SMALLER):
         ranges, bounds = refusing(where, question.valid)
         shown = window_around(bounds, ends[0], ends[1])
         data = refusing(where, lambda: picture(question, ranges, bounds, shown))
@@ -71,7 +58,7 @@ def view_with_path(
         output=str(target.path),
         bytes=count,
     )
-    give(value, json, _print)
+    give(value, request.json, _print)
 
 
 def _print(value: dict[str, Any]) -> None:

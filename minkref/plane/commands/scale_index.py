@@ -12,6 +12,7 @@ import typer
 from minkref import _core
 from minkref.cli.progress import Steps, progress
 from minkref.errors import Refusal, choice, refusing
+from minkref.exact import text_of_bounds
 from minkref.output.documents import refuse_overwriting
 from minkref.plane.operand import Operand
 
@@ -63,14 +64,19 @@ def chosen_route(
 
 
 def build_index(
-    P: Operand, Q: Operand, first: str | None, last: str | None, threads: int | None = None
+    P: Operand,
+    Q: Operand,
+    first: Fraction | None,
+    last: Fraction | None,
+    threads: int | None = None,
 ) -> _core.ScaleIndex:
     """The index of a closed window, which is open towards 0 or infinity where a bound is None."""
+    window = text_of_bounds(first, last)
     with progress(WHOLE) as line:
         tell = _teller(line)
         return refusing(
             f"{P.name} and {Q.name}",
-            lambda: _core.ScaleIndex(P.set, Q.set, first, last, threads or cores(), 0, tell),
+            lambda: _core.ScaleIndex(P.set, Q.set, *window, threads or cores(), 0, tell),
         )
 
 
@@ -88,14 +94,14 @@ def open_index(path: Path, P: Operand, Q: Operand) -> _core.ScaleIndex:
 
 
 def index_of(
-    path: Path | None, P: Operand, Q: Operand, first: str | None, last: str | None
+    path: Path | None, P: Operand, Q: Operand, first: Fraction | None, last: Fraction | None
 ) -> _core.ScaleIndex:
     """The index of a file, which has to hold the bounds that are given; without a file one that is
     built of the window."""
     if path is None:
         return build_index(P, Q, first, last)
     index = open_index(path, P, Q)
-    if first is not None and last is not None and Fraction(first) > Fraction(last):
+    if first is not None and last is not None and first > last:
         raise Refusal(
             f"the window [{first}, {last}] is empty",
             "--from, --to",
@@ -103,11 +109,11 @@ def index_of(
             "bad-window",
         )
     begin, end = index.window
-    given = [Fraction(bound) for bound in (first, last) if bound is not None]
+    given = [bound for bound in (first, last) if bound is not None]
     too_early = begin is not None and any(scale < Fraction(begin) for scale in given)
     too_late = end is not None and any(scale > Fraction(end) for scale in given)
     if too_early or too_late:
-        asked = " to ".join(bound for bound in dict.fromkeys((first, last)) if bound is not None)
+        asked = " to ".join(str(bound) for bound in dict.fromkeys(given))
         raise Refusal(
             f"the index holds the scales from {begin or '0'} to {end or 'infinity'}, not {asked}",
             str(path),

@@ -6,7 +6,6 @@ import json as json_text
 import sys
 from collections import Counter
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 from minkref import _core
@@ -25,31 +24,23 @@ from minkref.output.terminal import escaped, lines
 from minkref.space.commands.facet_files import WRITERS
 from minkref.space.facets import KINDS, Facet, facets_of
 from minkref.space.operand import SpaceOperand, read_space_operand
-from minkref.space.scaling import read_scaling, text_of
+from minkref.space.scaling import text_of
 from minkref.space.space_sum import SpaceSum
 from minkref.space.sums import ROUTES, compute
+from minkref.verbs.convolution import ConvolutionInSpace
 
 OUTPUTS = ("json", *WRITERS)
 
 
-def convolution_in_space(
-    P: str,
-    Q: str,
-    scale: str,
-    output: Path | None,
-    json: bool,
-    form: str | None,
-    memory: int | None,
-    triangles: bool = False,
-) -> None:
-    """The command, its options read but not yet checked. For convex operands nothing has to be
-    culled: the convolution is the boundary of the sum."""
+def run(request: ConvolutionInSpace) -> None:
+    """For convex operands nothing has to be culled: the convolution is the boundary of the sum."""
     watch = Stopwatch()
-    scaling = read_scaling(scale)
-    target = target_of(output, form, OUTPUTS, "json", json)
+    P, Q, scaling, output = request.P, request.Q, request.scale, request.output
+    json, triangles = request.json, request.triangles
+    target = target_of(output, request.form, OUTPUTS, "json", json)
     if triangles and (target is None or target.form == "json"):
         raise Refusal("no mesh is written", "--triangles", "add -o FILE.off or .ply")
-    with memory_wall(memory, "the convolution", f"{P} and {Q}", SIMPLER):
+    with memory_wall(request.memory, "the convolution", f"{P} and {Q}", SIMPLER):
         first, second = read_space_operand(P), read_space_operand(Q)
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])

@@ -11,8 +11,7 @@ from typing import Any
 from minkref import _core
 from minkref.cli.memory import SMALLER, memory_wall
 from minkref.cli.progress import told_of
-from minkref.errors import Refusal, refusing
-from minkref.exact import read_window
+from minkref.errors import Refusal, choice, refusing
 from minkref.output.documents import (
     Stopwatch,
     as_text,
@@ -23,38 +22,27 @@ from minkref.output.documents import (
 )
 from minkref.output.output_target import Target, target_of
 from minkref.output.terminal import console, counted
+from minkref.plane.event_values import KINDS as PLANE_KINDS
 from minkref.space.commands.event_parts import MOST, OF_MORE, OF_PAIRS, EventParts, Part
 from minkref.space.commands.event_rows import Row, as_lines, in_words, rows_of, write_parquet
 from minkref.space.operand import SpaceOperand, read_summand
+from minkref.verbs.events import EventsInSpace, check_limit, check_paper
 
 FORMATS = ("json", "jsonl", "parquet")
 KINDS = {"pair": OF_PAIRS, "triple": OF_MORE, "arrangement": OF_PAIRS + OF_MORE}
 SHOWN = 10  # events that people see
 
 
-def events_in_space(
-    P: str,
-    Q: str,
-    kind: str,
-    from_scale: str | None,
-    to_scale: str | None,
-    limit: int | None,
-    output: Path | None,
-    form: str | None,
-    json_document: bool,
-    memory: int | None,
-    arithmetic: str,
-    paper_form: str,
-) -> None:
-    """The command, its options read but not yet checked."""
+def run(request: EventsInSpace) -> None:
     watch = Stopwatch()
-    if from_scale is None or to_scale is None:
-        missing = "--from" if from_scale is None else "--to"
+    kind, limit, output, json = _kind(request), request.limit, request.output, request.json
+    if request.from_scale is None or request.to_scale is None:
+        missing = "--from" if request.from_scale is None else "--to"
         raise Refusal("in space events are found in a window", missing, "give both --from and --to")
-    target = target_of(output, form, FORMATS, "json", json_document)
-    window = [bound for bound in read_window(from_scale, to_scale) if bound is not None]
-    with memory_wall(memory, "events in space", f"{P} and {Q}", SMALLER):
-        first, second = read_summand(P), read_summand(Q)
+    target = target_of(output, request.file_format, FORMATS, "json", json)
+    window = (str(request.from_scale), str(request.to_scale))
+    with memory_wall(request.memory, "events in space", f"{request.P} and {request.Q}", SMALLER):
+        first, second = read_summand(request.P), read_summand(request.Q)
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])
         where = f"{first.name} and {second.name}"
@@ -63,21 +51,14 @@ def events_in_space(
             raise Refusal(
                 "Parquet is written to a file", "-o -", "name one, or choose --format jsonl"
             )
-        trial = None
-        if arithmetic != "rational" or paper_form != "corrected":
-            trial = refusing(
-                where,
-                lambda: dict(
-                    _core.facet_contact_trial(first.surface, second.surface, arithmetic, paper_form)
-                ),
-            )
+        trial = _trial(request, first, second)
         began = watch.seconds()
         streamed = target is not None and target.form != "json"
         with told_of("finding all events") as tell:
             parts = EventParts(
                 first.surface,
                 second.surface,
-                (window[0], window[1]),
+                window,
                 kind != "pair",
                 tell,
                 MOST if streamed else None,
@@ -86,12 +67,12 @@ def events_in_space(
                 refusing(where, lambda: _write(target, _rows(parts, kind, limit)))
             found = refusing(where, lambda: list(parts))  # what is left
         head = _head(watch, first, second, window, kind, parts, watch.seconds() - began, output)
-        head |= {"form": paper_form, "arithmetic": arithmetic, "trial": trial}
+        head |= {"form": request.form, "arithmetic": request.arithmetic, "trial": trial}
         if target is not None and not streamed:
             target.write_pieces(listing(lasting(head), "events", _rows(found, kind, limit)))
-        if json_document and target is None:
+        if json and target is None:
             sys.stdout.writelines(listing(head, "events", _rows(found, kind, limit)))
-        elif json_document:
+        elif json:
             sys.stdout.write(as_text({**head, "events": None}))
         elif target is None or not target.is_standard_output:
             _print(head, list(_rows(found, kind, SHOWN if limit is None else limit)))
@@ -108,33 +89,28 @@ def _write(target: Target, rows: Iterator[Row]) -> None:
         target.write_pieces(as_lines(rows))
 
 
-def refuse_in_space(
-    kind: str,
-    form: str,
-    arithmetic: str,
-    reading: list[str] | None,
-    least: bool,
-    route: str | None,
-    index: Path | None,
-    where: str | None,
-) -> None:
-    """In space there are the exact events of the arrangement of facets, and no others."""
+def _kind(request: EventsInSpace) -> str:
+    """Refuses a kind that is none, and options that it does not have."""
+    kind = request.kind or "pair"
+    if kind not in PLANE_KINDS:
+        raise Refusal(f"there is no kind {kind!r} of events", "--kind", choice(kind, KINDS))
     if kind not in KINDS:
         what = "in space there are events of two facets, and of three or four"
         raise Refusal(what, f"--kind {kind}", f"choose one of {', '.join(KINDS)}")
-    if kind == "triple" and (form != "corrected" or arithmetic != "rational"):
-        what = "the paper has events of two facets only"
-        raise Refusal(what, f"--kind {kind} --form or --arithmetic", "leave out one of the two")
-    given = {
-        "--reading": bool(reading),
-        "--least-precision": least,
-        "--route": route is not None,
-        "--index": index is not None,
-        "--where": where is not None,
-    }
-    for option, is_given in given.items():
-        if is_given:
-            raise Refusal("this is for events in the plane", option, "leave it out")
+    check_paper(kind, request.form, request.arithmetic)
+    check_limit(request.limit)
+    return kind
+
+
+def _trial(request: EventsInSpace, P: SpaceOperand, Q: SpaceOperand) -> dict[str, int] | None:
+    """How the paper's method fares; None where it is not asked."""
+    if request.arithmetic == "rational" and request.form == "corrected":
+        return None
+    trial = refusing(
+        f"{P.name} and {Q.name}",
+        lambda: _core.facet_contact_trial(P.surface, Q.surface, request.arithmetic, request.form),
+    )
+    return dict(trial)
 
 
 def _refuse_thin(P: SpaceOperand, Q: SpaceOperand) -> None:
@@ -148,7 +124,7 @@ def _head(
     watch: Stopwatch,
     P: SpaceOperand,
     Q: SpaceOperand,
-    window: list[str],
+    window: tuple[str, str],
     kind: str,
     parts: EventParts,
     seconds: float,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 from minkref import _core
@@ -19,46 +18,34 @@ from minkref.space.commands.rounding import beyond_doubles, rounding_of, roundin
 from minkref.space.commands.sum_document import of_convex_sum, of_general_sum
 from minkref.space.general_sum import GENERAL_ROUTES, chosen_space_route, general_sum
 from minkref.space.operand import SpaceOperand, read_summand
-from minkref.space.scaling import Scaling, read_scaling, text_of
+from minkref.space.scaling import Scaling, text_of
 from minkref.space.sums import ROUTES, compute
 from minkref.space.tight_passages import NONE, tight_passages
+from minkref.verbs.sum import SumInSpace
 
 ALL_ROUTES = (*ROUTES, *GENERAL_ROUTES)
 
 
-def sum_in_space(
-    P: str,
-    Q: str,
-    scale: str,
-    route: str | None,
-    arithmetic: str,
-    output: Path | None,
-    json: bool,
-    form: str | None = None,
-    memory: int | None = None,
-    passages: bool = False,
-    triangles: bool = False,
-) -> None:
-    """The command, its options read but not yet checked."""
+def run(request: SumInSpace) -> None:
     watch = Stopwatch()
-    scaling = read_scaling(scale)
-    wanted = _checked_route(route, arithmetic)
-    target = target_of(output, form, SPACE_FORMATS, "off", json)
-    if triangles and target is None:
+    P, Q, scaling, output = request.P, request.Q, request.scale, request.output
+    wanted = _checked_route(request.route, request.arithmetic)
+    target = target_of(output, request.form, SPACE_FORMATS, "off", request.json)
+    if request.triangles and target is None:
         raise Refusal("there is nothing to write", "--triangles", "add -o FILE.off")
     work = "the sum" if wanted is None else f"route {wanted}"
     instead = f"{SIMPLER}, or the route edges" if wanted == "definition" else SIMPLER
-    with memory_wall(memory, work, f"{P} and {Q}", instead):
+    with memory_wall(request.memory, work, f"{P} and {Q}", instead):
         first, second = read_summand(P), read_summand(Q)
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])
         chosen = chosen_space_route(first, second, wanted, ROUTES)
         mesh, fields = summed(first, second, scaling, chosen)
-        tight = _passages(first, second, scaling, chosen, passages)
+        tight = _passages(first, second, scaling, chosen, request.passages)
     exact = rounding = None
     warnings = first.warnings + second.warnings
     if target is not None:
-        surface = mesh(triangles)
+        surface = mesh(request.triangles)
         text = refusing(target.name, lambda: _core.write_mesh(surface, target.form))
         exact = _core.writes_mesh_exactly(surface, target.form)
         if target.write(text, exact):
@@ -82,7 +69,7 @@ def sum_in_space(
         tight_passages=tight,
         passages_complete=tight is not None,
     )
-    give(value, json, lambda value: _print(value, text_of(scaling)))
+    give(value, request.json, lambda value: _print(value, text_of(scaling)))
 
 
 def summed(

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 from minkref import _core
@@ -25,7 +24,8 @@ from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import Scaling, read_scalings, text_of
 from minkref.space.space_sum import SpaceSum
 from minkref.space.sums import compute, sum_fields, timed
-from minkref.verbs.repair_options import Repair
+from minkref.verbs.repair_options import asked_repair
+from minkref.verbs.sweep import SCALINGS, SweepInSpace
 
 SPACE = Setting[Scaling, _core.Polyhedron](
     lambda scaling: escaped(text_of(scaling))[:30], _core.write_mesh, _core.writes_mesh_exactly
@@ -38,21 +38,22 @@ IN_TRIANGLES = Setting[Scaling, _core.Polyhedron](
 COUNTS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
 
 
-def sweep_in_space(
-    P: str, Q: str, scales: Path | None, given: list[str], output: Path | None, form: str | None,
-    json: bool, memory: int | None = None, repair: Repair | None = None, triangles: bool = False,
-) -> None:  # fmt: skip
-    """The command, its options read but not yet checked. `given` are options of the plane;
-    `repair` is the paper's, None the proven one."""
+def run(request: SweepInSpace) -> None:
     watch = Stopwatch()
-    scalings = _scalings(scales, given)
-    folder = sweep_folder(output, form, SPACE_FORMATS, "in space: ")
+    P, Q, output, triangles = request.P, request.Q, request.output, request.triangles
+    repair = asked_repair(
+        request.repair, request.arithmetic, request.as_read, request.reading, request.trace
+    )
+    if request.scales_file is None:
+        raise Refusal("the scales are not given", "minkref sweep", SCALINGS)
+    scalings = read_scalings(request.scales_file)
+    folder = sweep_folder(output, request.form, SPACE_FORMATS, "in space: ")
     if triangles and folder is None:
         raise Refusal("there is nothing to write", "--triangles", "add -o DIR")
     first, second = read_space_operand(P), read_space_operand(Q)
     if folder is not None:
         folder.refuse_overwriting([first.file, second.file])
-    wall = memory_wall(memory, "the update", f"{P} and {Q}", SIMPLER)
+    wall = memory_wall(request.memory, "the update", f"{P} and {Q}", SIMPLER)
     with wall, ending_in_order(), progress(len(scalings)) as line:
         start = time.perf_counter()
         step = (
@@ -75,7 +76,7 @@ def sweep_in_space(
             **({} if repair is None else repair.fields()),
         )
         write_index(folder, value, rows)
-    if json:
+    if request.json:
         sys.stdout.writelines(listing(value, "rows", rows))
     elif repair is not None:
         print_repair(value, rows)
@@ -111,15 +112,6 @@ def _row(scaling: Scaling, did: dict[str, Any], answer: SpaceSum) -> tuple[Row, 
         "sum_seconds": answer.seconds,
     }
     return row, answer.surface
-
-
-def _scalings(scales: Path | None, given: list[str]) -> list[Scaling]:
-    mend = "give --scales FILE with SX,SY,SZ (or S) in each line"
-    if given:
-        raise Refusal("these options are for scales in the plane", ", ".join(given), mend)
-    if scales is None:
-        raise Refusal("the scales are not given", "minkref sweep", mend)
-    return read_scalings(scales)
 
 
 def _print(value: dict[str, Any], rows: RowSpool) -> None:

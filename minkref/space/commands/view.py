@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 from minkref import _core
@@ -12,9 +11,8 @@ from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import give, print_lines
 from minkref.cli.progress import progress
 from minkref.errors import Refusal, refusing
-from minkref.exact import read_scale, rounded
+from minkref.exact import rounded
 from minkref.output.documents import Stopwatch, document
-from minkref.output.output_target import Target
 from minkref.output.signals import ending_in_order
 from minkref.output.terminal import counted, escaped
 from minkref.plane.commands.scale_index import cores
@@ -32,20 +30,18 @@ from minkref.space.page.view_page import (
     viewer,
     viewer_name,
 )
-from minkref.space.scaling import Scaling, read_scaling, read_scalings, text_of
+from minkref.space.scaling import UNIT, Scaling, read_scalings, text_of
 from minkref.space.sums import timed
+from minkref.verbs.view import ViewInSpace, page_target
 
 Maker = Callable[[Scaling], tuple[dict[str, Any], str]]
 
 
-def view_in_space(
-    P: str, Q: str, from_scale: str | None, to_scale: str | None, scale: str | None,
-    scales: Path | None, given: list[str], target: Target, json: bool, memory: int | None = None,
-) -> None:  # fmt: skip
-    """The command, its options read but not yet checked. `given` are options of the plane."""
+def run(request: ViewInSpace) -> None:
     watch = Stopwatch()
-    window = _window(from_scale, to_scale)
-    scalings = _scalings(scale, scales, given, window)
+    P, Q, target = request.P, request.Q, page_target(request.output, request.json)
+    window = _window(request.from_scale, request.to_scale)
+    scalings = _scalings(request, window)
     library = viewer()
     first, second = read_summand(P), read_summand(Q)
     for operand in (first, second):
@@ -53,7 +49,7 @@ def view_in_space(
     shapes = Body(first), Body(second)
     frames = Frames(len(scalings))
     rows: list[dict[str, Any]] = []
-    wall = memory_wall(memory, "the page", f"{P} and {Q}", SIMPLER)
+    wall = memory_wall(request.memory, "the page", f"{P} and {Q}", SIMPLER)
     with wall, ending_in_order(), progress(len(scalings)) as line:
         make = _maker(first, second, scalings[0], shapes)
         for scaling in scalings:
@@ -82,7 +78,7 @@ def view_in_space(
         frames=rows,
         events=counts,
     )
-    give(value, json, _print)
+    give(value, request.json, _print)
 
 
 def _maker(P: SpaceOperand, Q: SpaceOperand, first: Scaling, shapes: tuple[Body, Body]) -> Maker:
@@ -109,32 +105,27 @@ def _maker(P: SpaceOperand, Q: SpaceOperand, first: Scaling, shapes: tuple[Body,
     return update
 
 
-def _window(first: str | None, last: str | None) -> tuple[str, str] | None:
+def _window(first: Fraction | None, last: Fraction | None) -> tuple[str, str] | None:
     """The window of events."""
     if first is None and last is None:
         return None
     if first is None or last is None:
         missing = "--from" if first is None else "--to"
         raise Refusal("events are found in a window", missing, "give both --from and --to")
-    low, high = (read_scale(text, name) for text, name in ((first, "--from"), (last, "--to")))
-    if Fraction(low) >= Fraction(high):
-        raise Refusal("the window is empty", f"--from {low} --to {high}", "give the smaller first")
-    return low, high
+    if first >= last:
+        where = f"--from {first} --to {last}"
+        raise Refusal("the window is empty", where, "give the smaller first")
+    return str(first), str(last)
 
 
-def _scalings(
-    scale: str | None, scales: Path | None, given: list[str], window: tuple[str, str] | None
-) -> list[Scaling]:
-    mend = "give --scale SX,SY,SZ, or --scales FILE with SX,SY,SZ (or S) in each line"
-    if given:
-        raise Refusal("these options are for the plane", ", ".join(given), mend)
-    if window is not None and scale is None and scales is None:
-        return frames_of(window)
-    if scale is not None and scales is not None:
+def _scalings(request: ViewInSpace, window: tuple[str, str] | None) -> list[Scaling]:
+    if request.scale is not None and request.scales is not None:
         raise Refusal("the scales are given twice", "--scale and --scales", "leave out one of them")
-    if scales is not None:
-        return read_scalings(scales)
-    return [read_scaling("1" if scale is None else scale)]
+    if request.scales is not None:
+        return read_scalings(request.scales)
+    if request.scale is not None:
+        return [request.scale]
+    return frames_of(window) if window is not None else [UNIT]
 
 
 def _print(value: dict[str, Any]) -> None:

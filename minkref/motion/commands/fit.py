@@ -1,0 +1,108 @@
+"""`minkref fit` in the plane: the scales at which a part fits."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from minkref import _core
+from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.output import give, print_lines
+from minkref.errors import Refusal, refusing
+from minkref.motion.commands.path_rows import (
+    BY_TRANSLATION,
+    MOST_ROWS,
+    extreme_scales,
+    feature_text,
+    free_bound_document,
+    number_text,
+    point_text,
+    proof_documents,
+    range_documents,
+    ranges_text,
+)
+from minkref.motion.scale_ranges import CONTACTS
+from minkref.output.documents import Stopwatch, document
+from minkref.plane.operand import read_operand
+from minkref.verbs.fit import FitInPlane
+from minkref.verbs.path import check_words
+
+
+def run(request: FitInPlane) -> None:
+    watch = Stopwatch()
+    part, container, contact = request.part, request.container, request.contact
+    at, between = request.at, request.between
+    check_words(contact=(contact, CONTACTS))
+    if (at is not None) + request.anywhere + (between is not None) != 1:
+        mend = "give --at X,Y, --anywhere or --between X,Y X,Y"
+        raise Refusal("one question is asked at a time", "minkref fit", mend)
+    question = "at" if at is not None else "anywhere" if request.anywhere else "between"
+    places = [at] if at is not None else list(between or ())
+    first, second = read_operand(part), read_operand(container)
+    ask: dict[str, Any] = {
+        "at": lambda: _core.fit_at(first.set, second.set, places[0], contact),
+        "anywhere": lambda: _core.fit_anywhere(first.set, second.set, contact),
+        "between": lambda: _core.fit_between(first.set, second.set, places[0], places[1], contact),
+    }
+    with memory_wall(request.memory, "the fit", f"{part} and {container}", SMALLER):
+        rows = refusing(f"{part}, {container}", ask[question])
+    value = free_document(
+        "fit",
+        watch,
+        rows,
+        part=first.name,
+        container=second.name,
+        question=question,
+        places=[list(place) for place in places],
+        contact=contact,
+        warnings=first.warnings + second.warnings,
+    )
+    give(value, request.json, print_fit)
+
+
+def free_document(name: str, watch: Stopwatch, rows: Any, **fields: Any) -> dict[str, Any]:
+    """The document of a fit or a trap."""
+    ranges, bounds, proofs, critical = rows
+    return document(
+        name,
+        watch,
+        **fields,
+        motion=BY_TRANSLATION,
+        scales=range_documents(ranges),
+        **extreme_scales(ranges),
+        bounds=[free_bound_document(row) for row in bounds],
+        proofs=proof_documents(proofs),
+        critical_scales=critical,
+    )
+
+
+def bound_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
+    """A line for each bound, and one for the proofs."""
+    rows = []
+    for bound in value["bounds"][:MOST_ROWS]:
+        contact = bound["contact"]
+        told = (
+            f"{bound['event']} of free places"
+            if contact is None
+            else f"{feature_text(contact['part'], 'dimension' in value)} of the part touches "
+            f"{feature_text(contact['obstacle'], 'dimension' in value)}"
+        )
+        side = "ends" if bound["ends"] else "begins"
+        rows.append((number_text(bound["scale"]), f"{side}: {told}, {point_text(bound['at'])}"))
+    if len(value["bounds"]) > MOST_ROWS:
+        rows.append(("more", f"{len(value['bounds']) - MOST_ROWS:,}; --json prints all"))
+    how = "decisions" if "dimension" in value else "static sums"
+    rows.append(("found again", f"{len(value['proofs'])} {how} at and beside the bounds"))
+    return rows
+
+
+def print_fit(value: dict[str, Any]) -> None:
+    where = {"at": "at", "anywhere": "anywhere", "between": "between"}[value["question"]]
+    places = " and ".join(point_text(place) for place in value["places"])
+    rows = [
+        ("part", f"{value['part']} in {value['container']}, contact {value['contact']}"),
+        ("fits", f"{where} {places}".rstrip() + f": {ranges_text(value['scales'])}"),
+        ("motion", value["motion"]),
+        *bound_rows(value),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]
+    print_lines(rows, value)

@@ -1,0 +1,74 @@
+"""`minkref trap` in the plane: the scales at which a part cannot get out."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from minkref import _core
+from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.output import give, print_lines
+from minkref.errors import refusing
+from minkref.exact import text_of_bounds
+from minkref.motion.commands.fit import bound_rows, free_document
+from minkref.motion.commands.path_proof import proof_document, proof_files, proof_rows, proved
+from minkref.motion.commands.path_rows import point_text, ranges_text
+from minkref.motion.scale_ranges import CONTACTS, range_values
+from minkref.output.documents import Stopwatch, write_together
+from minkref.plane.operand import read_operand
+from minkref.verbs.path import check_words
+from minkref.verbs.trap import Trap
+
+
+def run(request: Trap) -> None:
+    watch = Stopwatch()
+    part, assembly, contact, place = (
+        request.part, request.assembly, request.contact, request.at,
+    )  # fmt: skip
+    check_words(contact=(contact, CONTACTS))
+    window = text_of_bounds(request.from_scale, request.to_scale)
+    first, second = read_operand(part), read_operand(assembly)
+    proof = proof_files(request.certify, [first.file, second.file])
+    with memory_wall(request.memory, "the trap", f"{part} and {assembly}", SMALLER):
+        rows = refusing(
+            f"{part}, {assembly}",
+            lambda: _core.trapped_scales(
+                first.set, second.set, place, contact, window[0], window[1]
+            ),
+        )
+        proven = proved(
+            proof,
+            (first.name, second.name),
+            (first.set, second.set),
+            [place],
+            lambda made: made.trap(contact, window[0], window[1], range_values(rows[0])),
+        )
+    value = free_document(
+        "trap",
+        watch,
+        rows,
+        part=first.name,
+        assembly=second.name,
+        at=list(place),
+        contact=contact,
+        **{"from": window[0], "to": window[1]},
+        warnings=first.warnings + second.warnings,
+        certificate=proof_document(proven),
+    )
+    if proven is not None:
+        write_together({**proven[0].contents()})
+    give(value, request.json, _print)
+
+
+def _print(value: dict[str, Any]) -> None:
+    rows = [
+        ("part", f"{value['part']} in {value['assembly']}, contact {value['contact']}"),
+        (
+            "trapped",
+            f"by translation, at {point_text(value['at'])}: {ranges_text(value['scales'])}",
+        ),
+        ("motion", value["motion"]),
+        *bound_rows(value),
+        *proof_rows(value),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]
+    print_lines(rows, value)

@@ -1,0 +1,200 @@
+"""`minkref events P Q` in the plane: the critical scales of sP + Q, exact and sorted."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.progress import progress
+from minkref.cli.readings import readings_of
+from minkref.errors import Refusal, choice, refusing
+from minkref.exact import text_of_bounds
+from minkref.output.documents import Stopwatch, as_text, document, refuse_overwriting
+from minkref.output.output_target import Target, target_of
+from minkref.plane.commands.event_lines import SHOWN, print_events
+from minkref.plane.commands.event_output import FORMATS, document_pieces, print_pieces, write_events
+from minkref.plane.commands.scale_index import chosen_route, index_of, refuse_overwriting_index
+from minkref.plane.event_lists import BoundaryEventList, EventList, PairEventList, find_events
+from minkref.plane.event_values import KINDS, PAIR_KINDS, ROUTED_KINDS, ROUTES
+from minkref.plane.operand import Operand, read_operand
+from minkref.verbs.events import EventsInPlane, check_limit, check_paper
+
+LISTED = 1000  # of the paper's program, where no limit is given
+PAIR_COUNTS = (
+    "pairs", "filtered_pairs", "intersecting_pairs", "always_meeting_pairs", "touching_pairs",
+    "parallel_pairs", "kernel", "by_float", "by_integer", "by_rational",
+)  # fmt: skip
+
+
+def run(request: EventsInPlane) -> None:
+    watch = Stopwatch()
+    kind = _kind(request)
+    readings = _readings(request, kind)
+    condition = _condition(request.where, kind)
+    output, limit, json = request.output, request.limit, request.json
+    target = target_of(output, request.file_format, FORMATS, "json", json)
+    _check_parquet(target, kind)
+    route = _route(kind, request.route, request.index)
+    first, second = read_operand(request.P), read_operand(request.Q)
+    if output is not None:
+        refuse_overwriting(output, [first.file, second.file])
+        refuse_overwriting_index(output, request.index)
+    with memory_wall(request.memory, f"{kind} events", f"{first.name} and {second.name}", SMALLER):
+        found, window = _found(request, kind, route, first, second)
+        counts = _counts(found, first, second, window)
+        trial, literal = _trials(request, first, second, readings)
+        counts.update(count=len(found), distinct=found.distinct)
+        if condition is not None:
+            found.keep(condition)
+        counts.update(matching=len(found), matching_distinct=found.distinct)
+        fields: dict[str, Any] = {
+            "P": first.name,
+            "Q": second.name,
+            "from": window[0],
+            "to": window[1],
+            "kind": kind,
+            "form": request.form,
+            "arithmetic": request.arithmetic,
+            "route": route,
+            "where": request.where,
+            "warnings": first.warnings + second.warnings,
+            "output": str(output) if output else None,
+            "compute_seconds": found.seconds,
+            "segments": {"S": counts.pop("s_edges"), "T": counts.pop("t_edges")},
+            "signs": {name: counts.pop(name) for name in ("by_float", "by_integer", "by_rational")},
+            "kernel": counts.pop("kernel"),
+            **counts,
+            "trial": trial,
+            "literal": literal,
+            "least_precision": _least(first, second, request.form) if request.least else None,
+            **found.features(),
+        }
+        count = len(found) if limit is None else min(limit, len(found))
+        head = document("events", watch, **fields)
+        if target is not None:
+            write_events(target, head, found, count)
+        if json and target is None:
+            print_pieces(document_pieces(head, found, count))
+        elif json:
+            sys.stdout.write(as_text(document("events", watch, **fields, events=None)))
+        elif target is None or not target.is_standard_output:
+            shown_events = SHOWN if limit is None else limit
+            print_events(document("events", watch, **fields), found, shown_events)
+
+
+def _kind(request: EventsInPlane) -> str:
+    """Refuses a kind that is none, and options that it does not have."""
+    kind = request.kind or ("pair" if request.index is None else "boundary")
+    if kind not in KINDS:
+        raise Refusal(f"there is no kind {kind!r} of events", "--kind", choice(kind, KINDS))
+    check_paper(kind, request.form, request.arithmetic)
+    if request.least and kind != "pair":
+        raise Refusal(
+            "the least precision is found for pair events only",
+            f"--kind {kind} --least-precision",
+            "leave out one of the two options",
+        )
+    check_limit(request.limit)
+    return kind
+
+
+def _readings(request: EventsInPlane, kind: str) -> dict[str, str] | None:
+    """How the paper's program reads the paper; None where it is not followed."""
+    if request.reading and kind != "pair":
+        what = "the paper's program has pair events only"
+        where = f"--kind {kind} --reading {request.reading[0]}"
+        raise Refusal(what, where, "leave out one of the two")
+    if request.arithmetic == "rational" and not request.reading:
+        return None
+    return readings_of(request.form, request.reading)
+
+
+def _found(
+    request: EventsInPlane, kind: str, route: str | None, P: Operand, Q: Operand
+) -> tuple[EventList, list[str | None]]:
+    """The events, and the window in which they are all of them."""
+    window = text_of_bounds(request.from_scale, request.to_scale)
+    if route == "index":
+        swept = index_of(request.index, P, Q, request.from_scale, request.to_scale)
+        window = [own or bound for own, bound in zip(window, swept.window, strict=True)]
+        return BoundaryEventList(swept, kind, window), window
+    with progress(1) as line:
+        line.now(f"finding all {kind} events")
+        found = refusing(
+            f"{P.name} and {Q.name}", lambda: find_events(P.set, Q.set, window, kind, request.form)
+        )
+    return found, window
+
+
+def _trials(
+    request: EventsInPlane, P: Operand, Q: Operand, readings: dict[str, str] | None
+) -> tuple[dict[str, Any] | None, dict[str, Any] | None]:
+    """How the paper's method fares, and what its program lists; None where it is not asked."""
+    if readings is None:
+        return None, None
+    from minkref.verbs.paper_update import paper_walk
+
+    walk = paper_walk(P, Q, "1", request.arithmetic, readings)
+    literal = {
+        "readings": readings,
+        **walk.events(LISTED if request.limit is None else request.limit),
+    }
+    trial = refusing(
+        f"{P.name} and {Q.name}",
+        lambda: _core.precision_trial(P.set, Q.set, request.arithmetic, request.form),
+    )
+    return dict(trial), literal
+
+
+def _condition(where: str | None, kind: str) -> _core.EventCondition | None:
+    if where is None:
+        return None
+    from minkref.plane.event_filter import read_filter
+
+    return read_filter(where, kind)
+
+
+def _route(kind: str, route: str | None, index: Path | None) -> str | None:
+    """The route of boundary and topology events; other kinds have none."""
+    if kind in ROUTED_KINDS:
+        return chosen_route(index, route, ROUTES)
+    if route is not None or index is not None:
+        raise Refusal(
+            f"{kind} events come from the arrangement: there is only one route to them",
+            "--route" if index is None else f"--index {index}",
+            "leave it out, or choose --kind boundary or --kind topology",
+        )
+    return None
+
+
+def _counts(found: EventList, P: Operand, Q: Operand, window: list[str | None]) -> dict[str, Any]:
+    """Counts of pairs of edges; of an index it has no need of them: null."""
+    if isinstance(found, PairEventList):
+        return dict(found.found.counts())
+    if isinstance(found, BoundaryEventList) and isinstance(found.found, _core.ScaleIndex):
+        counted_edges = found.found.counts()
+        edges = {name: counted_edges[name] for name in ("s_edges", "t_edges")}
+        return {**dict.fromkeys(PAIR_COUNTS), **edges}
+    pairs = refusing(
+        f"{P.name} and {Q.name}", lambda: _core.pair_events(P.set, Q.set, window[0], window[1])
+    )
+    return dict(pairs.counts())
+
+
+def _least(P: Operand, Q: Operand, form: str) -> dict[str, int | None]:
+    from minkref.fuzz.least_precision import MOST_BITS, least_precision
+
+    bits = refusing(f"{P.name} and {Q.name}", lambda: least_precision(P.set, Q.set, form))
+    return {"bits": bits, "most_tried": MOST_BITS}
+
+
+def _check_parquet(target: Target | None, kind: str) -> None:
+    if target is None or target.form != "parquet":
+        return
+    if kind not in PAIR_KINDS:
+        raise Refusal(f"{kind} events are not written as Parquet", target.name, "name a .json file")
+    if target.is_standard_output:
+        raise Refusal("Parquet is written to a file", "-o -", "name one, or choose --format jsonl")

@@ -1,0 +1,231 @@
+"""`minkref sum P Q` in the plane: the static sum sP + Q, exact."""
+
+from __future__ import annotations
+
+import sys
+import time
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from minkref import _core
+from minkref.cli.arithmetic import check_arithmetic
+from minkref.cli.memory import SIMPLER, memory_wall
+from minkref.cli.readings import ROUTE as PAPER_UPDATE
+from minkref.cli.readings import readings_of, refuse_options
+from minkref.errors import Refusal, refusing
+from minkref.output.documents import Stopwatch, as_text, document, refuse_overwriting
+from minkref.output.output_target import Target, target_of
+from minkref.output.terminal import console
+from minkref.plane.commands.scale_index import chosen_route, index_of, refuse_overwriting_index
+from minkref.plane.commands.sum_fields import SUM_FIELDS, sum_fields
+from minkref.plane.commands.sum_table import print_table
+from minkref.plane.operand import Operand, read_operand
+from minkref.plane.operand_text import STANDARD_INPUT
+from minkref.plane.parents import PassageRows, passages_of
+from minkref.verbs.sum import DEFAULT, ROUTES, SumInPlane
+
+if TYPE_CHECKING:
+    from minkref.verbs.paper_update import PaperWalk
+
+OR_PAPER = ("definition", "dynamic", "index", PAPER_UPDATE)  # the route paper needs less memory
+OUTPUTS = ("wkt", "geojson", "poly", "json", "svg")
+
+
+def run(request: SumInPlane) -> None:
+    P, Q, json, output = request.P, request.Q, request.json, request.output
+    if P == Q == STANDARD_INPUT:
+        raise Refusal("standard input is one operand", "P and Q", "name a file for the other")
+    watch = Stopwatch()
+    route = chosen_route(request.index, request.route, ROUTES, DEFAULT)
+    readings = _readings(request, route)
+    target = target_of(output, request.form, OUTPUTS, "wkt", json)
+    _check_pictures(request.plot, request.only_sum, target, json)
+    instead = f"{SIMPLER}, or the route paper" if route in OR_PAPER else SIMPLER
+    with memory_wall(request.memory, f"route {route}", f"{P} and {Q}", instead):
+        first, second = read_operand(P), read_operand(Q)
+        if output is not None:
+            refuse_overwriting(output, [first.file, second.file])
+            refuse_overwriting_index(output, request.index)
+        result = compute(
+            first, second, request.scale, route, request.arithmetic, request.index, readings
+        )
+        region, truth = result.pop("region"), result.pop("truth")
+    drawn = (first, second, str(request.scale), result, truth) if not request.only_sum else None
+    written = _written(region, target, drawn) if target is not None else None
+    if target is not None and written is not None:
+        if target.write(*written):
+            return
+    value = document(
+        "sum",
+        watch,
+        P=first.name,
+        Q=second.name,
+        scale=str(request.scale),
+        warnings=first.warnings + second.warnings,
+        output=str(output) if output else None,
+        output_exact=written[1] if written else None,
+        **result,
+    )
+    if json:
+        sys.stdout.write(as_text(value))
+        return
+    print_table(value)
+    if request.plot:
+        _plot(region)
+
+
+def _readings(request: SumInPlane, route: str) -> dict[str, str] | None:
+    """How the paper's own program reads the paper; None for the other routes. Refuses options that
+    the route does not have."""
+    check_arithmetic(request.arithmetic)
+    if request.arithmetic != "rational" and route not in ("paper", PAPER_UPDATE):
+        raise Refusal(
+            f"the route {route} is exact only",
+            f"--route {route} --arithmetic {request.arithmetic}",
+            "leave out one of the two options",
+        )
+    refuse_options(route, request.as_read, request.reading)
+    return readings_of(request.as_read, request.reading) if route == PAPER_UPDATE else None
+
+
+def _check_pictures(plot: bool, only_sum: bool, target: Target | None, json: bool) -> None:
+    if only_sum and (target is None or target.form != "svg"):
+        raise Refusal("no picture is written", "--only-sum", "add -o FILE.svg")
+    if not plot:
+        return
+    if json or (target is not None and target.is_standard_output):
+        other = "--json" if json else "-o -"
+        what = "standard output takes only one of them"
+        raise Refusal(what, f"--plot {other}", "leave out one of the two")
+    from minkref.cli.terminal_picture import check_drawable
+
+    check_drawable()
+
+
+def _plot(region: _core.PolygonSet | None) -> None:
+    from minkref.cli.terminal_picture import terminal_picture
+
+    if region is not None:
+        sys.stdout.write("\n" + terminal_picture(region, console().width))
+
+
+def _written(
+    region: _core.PolygonSet | None,
+    target: Target,
+    drawn: tuple[Operand, Operand, str, dict[str, Any], _core.PolygonSet | None] | None,
+) -> tuple[str, bool]:
+    """The text of the output, and whether it is exact. `drawn`: what an SVG shows beside the
+    sum."""
+    if region is None:
+        raise Refusal(
+            "the arithmetic could not decide a sign: there is nothing to write",
+            target.name,
+            "use --arithmetic rational",
+            "undecided-sign",
+        )
+    if target.form == "svg" and drawn is not None:
+        P, Q, scale, found, truth = drawn
+        from minkref.reports.sum_picture import sum_picture
+
+        counts = (found["components"], found["holes"])
+        passages = [passage["points"] for passage in found["tight_passages"] or ()]
+        return sum_picture(P, Q, scale, region, *counts, truth, passages), False
+    text = refusing(target.name, lambda: _core.write(region, target.form))
+    return text, _core.writes_exactly(region, target.form)
+
+
+def compute(
+    P: Operand,
+    Q: Operand,
+    factor: Fraction,
+    route: str,
+    arithmetic: str,
+    index: Path | None = None,
+    readings: dict[str, str] | None = None,
+) -> dict[str, Any]:
+    """The fields of the document that describe the sum, and `region` (None where the arithmetic
+    could not decide a sign), and `truth`, the exact sum where the paper's program has answered. For
+    another arithmetic than rational, `exact` says what is true."""
+    import json
+
+    where = f"{P.name} and {Q.name}"
+    scale = str(factor)
+    exact = arithmetic == "rational" and readings is None
+    undecided = False
+    answer: _core.Sum | None = None
+    seconds: float | None = None
+    passages: PassageRows | None = None
+    walk: PaperWalk | None = None
+    try:
+        if route == "dynamic":
+            answer, passages, seconds = refusing(where, lambda: _dynamic(P, Q, scale))
+        elif readings is not None:
+            from minkref.verbs.paper_update import PaperWalk
+
+            walk = PaperWalk(P, Q, scale, arithmetic, readings)
+            answer = refusing(where, walk.sum)
+            seconds = walk.seconds + answer.seconds
+        elif route == "index":
+            built = index_of(index, P, Q, factor, factor)
+            answer = refusing(where, lambda: built.sum(scale, True))
+            passages = answer.passage_rows()
+            seconds = answer.seconds if index else built.seconds + answer.seconds
+        else:
+            answer = refusing(
+                where, lambda: _core.minkowski_sum(P.set, Q.set, scale, route, arithmetic, exact)
+            )
+            passages, seconds = answer.passage_rows() if exact else None, answer.seconds
+    except _core.UndecidedSign:
+        undecided = True
+    fields: dict[str, Any] = {
+        "route": route,
+        "arithmetic": arithmetic,
+        "undecided": undecided,
+        "compute_seconds": seconds,
+        **_description(answer),
+        "tight_passages": None if passages is None else passages_of(passages),
+        "signs": _signs(answer.statistics) if answer and route in _core.ROUTES else None,
+        "statistics": dict(answer.statistics) if answer else None,
+        "exact": None,
+        "readings": readings,
+        "comparison": None,
+    }
+    if not exact:
+        truth = refusing(
+            where, lambda: _core.minkowski_sum(P.set, Q.set, scale, "paper", "rational")
+        )
+        described = _description(truth)
+        equal = described["digest"] == fields["digest"] if answer else None
+        fields["exact"] = {**described, "equal": equal}
+        del fields["exact"]["result"]
+        if walk is not None and answer is not None:
+            fields["comparison"] = walk.beside_exact(scale, answer, truth)
+    canonical = answer.region.canonical_json() if answer else None
+    fields["result"] = json.loads(canonical) if canonical else None
+    fields["region"] = answer.region if answer else None
+    fields["truth"] = truth.region if readings is not None else None
+    return fields
+
+
+def _dynamic(P: Operand, Q: Operand, scale: str) -> tuple[_core.Sum, PassageRows, float]:
+    """By dynamic update, over a window that is this scale only. The passages are not kept while the
+    scale changes: they are those of the static arrangement."""
+    start = time.perf_counter()
+    moving = _core.DynamicSum(P.set, Q.set, scale, scale)
+    moving.move_to(scale)
+    answer = moving.sum()
+    passages = _core.tight_passages(P.set, Q.set, scale)
+    return answer, passages, time.perf_counter() - start
+
+
+def _description(answer: _core.Sum | None) -> dict[str, Any]:
+    fields = dict.fromkeys(SUM_FIELDS) if answer is None else sum_fields(answer)
+    return {**fields, "result": None}
+
+
+def _signs(statistics: dict[str, Any]) -> dict[str, Any]:
+    counts = {name: int(statistics[name]) for name in ("by_float", "by_integer", "by_rational")}
+    total = sum(counts.values())
+    shares = {name: count / total if total else 0.0 for name, count in counts.items()}
+    return {**counts, "total": total, "shares": shares}

@@ -1,0 +1,180 @@
+"""`minkref sweep P Q` in the plane: the sums at many scales, each got from the one before."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from fractions import Fraction
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from minkref import _core
+from minkref.cli.arithmetic import check_arithmetic
+from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.output import plain_table
+from minkref.cli.paper_words import events_in_words, in_words
+from minkref.cli.progress import progress
+from minkref.cli.readings import ROUTE, readings_of, refuse_options
+from minkref.cli.row_spool import Row, RowSpool
+from minkref.errors import Refusal, refusing
+from minkref.exact import rounded
+from minkref.output.documents import Stopwatch, document, listing
+from minkref.output.signals import ending_in_order
+from minkref.output.terminal import counted
+from minkref.plane.commands.scale_index import chosen_route, index_of
+from minkref.plane.commands.sum_fields import sum_fields
+from minkref.plane.commands.sweep_folder import FORMATS, sweep_folder
+from minkref.plane.commands.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
+from minkref.plane.operand import Operand, read_operand
+from minkref.plane.scales import asked_scales
+from minkref.verbs.sweep import SweepInPlane
+
+if TYPE_CHECKING:
+    from minkref.verbs.paper_update import PaperWalk
+
+ROUTES = ("index", "dynamic", ROUTE)
+
+Sums = _core.ScaleIndex | _core.DynamicSum
+Step = Callable[[Fraction], tuple[Row, _core.PolygonSet]]
+PLANE = Setting[Fraction, _core.PolygonSet](
+    lambda scale: str(scale)[:20], _core.write, _core.writes_exactly
+)
+
+
+def run(request: SweepInPlane) -> None:
+    watch = Stopwatch()
+    output, index = request.output, request.index
+    route = chosen_route(index, request.route, ROUTES)
+    readings = _readings(request, route)
+    scales = asked_scales(request.from_scale, request.to_scale, request.steps, request.scales_file)
+    folder = sweep_folder(output, request.form, FORMATS)
+    first, second = read_operand(request.P), read_operand(request.Q)
+    if folder is not None:
+        folder.refuse_overwriting([first.file, second.file, *([index] if index else [])])
+    wall = memory_wall(request.memory, f"route {route}", f"{request.P} and {request.Q}", SMALLER)
+    with wall, ending_in_order(), progress(len(scales)) as line:
+        line.now("finding all events")
+        sums: Sums | PaperWalk
+        walk: PaperWalk | None = None
+        one: Step
+        if readings is not None:
+            from minkref.verbs.paper_update import paper_walk
+
+            start = str(scales[0])
+            sums = walk = paper_walk(first, second, start, request.arithmetic, readings)
+            one = _walked(walk)
+        else:
+            sums = exact = _sums(first, second, scales, route, index)
+            one = partial(step, exact)
+        rows = sweep_rows(scales, one, PLANE, folder, line)
+        value = document(
+            "sweep",
+            watch,
+            P=first.name,
+            Q=second.name,
+            warnings=first.warnings + second.warnings,
+            output=str(output) if output else None,
+            format=folder.form if folder else None,
+            route=route,
+            arithmetic=request.arithmetic,
+            readings=readings,
+            first_wrong=_first_wrong(rows),
+            events=walk.events() if walk is not None else None,
+            preprocessing_seconds=sums.seconds,
+            statistics=dict(sums.counts()),
+        )
+        write_index(folder, value, rows)
+    if request.json:
+        sys.stdout.writelines(listing(value, "rows", rows))
+    else:
+        _print(value, rows)
+
+
+def _readings(request: SweepInPlane, route: str) -> dict[str, str] | None:
+    """How the paper's own program reads the paper; None for the other routes. Refuses options that
+    the route does not have."""
+    refuse_options(route, request.as_read, request.reading)
+    check_arithmetic(request.arithmetic)
+    if route == ROUTE:
+        return readings_of(request.as_read, request.reading)
+    if request.arithmetic != "rational":
+        what = f"the route {route} is exact only"
+        mend = f"add --route {ROUTE}, or leave it out"
+        raise Refusal(what, f"--arithmetic {request.arithmetic}", mend)
+    return None
+
+
+def _walked(walk: PaperWalk) -> Step:
+    return lambda scale: walk.row(str(scale))
+
+
+def _sums(P: Operand, Q: Operand, scales: list[Fraction], route: str, index: Path | None) -> Sums:
+    """All events of the least window that holds the scales; no sum is asked for yet."""
+    least, greatest = min(scales), max(scales)
+    if route == "index":
+        return index_of(index, P, Q, least, greatest)
+    return refusing(
+        f"{P.name} and {Q.name}", lambda: _core.DynamicSum(P.set, Q.set, str(least), str(greatest))
+    )
+
+
+def step(sums: Sums, factor: Fraction) -> tuple[Row, _core.PolygonSet]:
+    """Goes to a scale: what the step did where there is one, and the sum there."""
+    scale = str(factor)
+    if isinstance(sums, _core.DynamicSum):
+        did = dict(sums.move_to(scale))
+        answer = sums.sum()
+    else:
+        did = {}
+        answer = sums.sum(scale)
+    row: Row = {
+        "scale": scale,
+        **sum_fields(answer),
+        "insertions": did.get("insertions"),
+        "deletions": did.get("deletions"),
+        "swaps": did.get("swaps"),
+        "updated": did.get("updated"),
+        "event_scales": did.get("groups"),
+        "update_seconds": did.get("seconds"),
+        "sum_seconds": answer.seconds,
+        "exact": None,
+    }
+    return row, answer.region
+
+
+def _print(value: dict[str, Any], rows: RowSpool) -> None:
+    steps = ("insertions", "deletions", "swaps", "updated") if value["route"] == "dynamic" else ()
+    headings = ("scale", "area", "components", "holes", "vertices", *steps, "ms")
+    beside = ("exact",) if value["route"] == ROUTE else ()
+    table = plain_table(*headings, *beside, right=headings, whole=True)
+    for row in rows.first(SHOWN):
+        counts = (row[name] for name in ("components", "holes", "vertices"))
+        did = (row[name] for name in steps)
+        seconds = (row["update_seconds"] or 0) + row["sum_seconds"]
+        table.add_row(
+            _short(row["scale"]),
+            _short(row["area"]),
+            *(f"{count:,}" for count in (*counts, *did)),
+            f"{seconds * 1000:.3f}",
+            *([in_words(row["exact"])] if beside else []),
+        )
+    summary = [
+        ("sweep", f"{value['P']} + {value['Q']}, {counted(len(rows), 'scale')}"),
+        ("route", value["route"]),
+        *([("first wrong", value["first_wrong"] or "nowhere")] if beside else []),
+        *(events_in_words(value["events"]) if beside else []),
+        ("all events", f"{value['preprocessing_seconds']:.3f} s"),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]
+    print_sweep(table, rows, summary, value)
+
+
+def _first_wrong(rows: RowSpool) -> str | None:
+    """The first scale of the sweep at which the paper's program has another structure."""
+    wrong = (row["scale"] for row in rows if row["exact"] and not row["exact"]["same_structure"])
+    return next(wrong, None)
+
+
+def _short(number: str) -> str:
+    return number if len(number) <= 12 else rounded(number)

@@ -1,0 +1,112 @@
+"""`minkref view P Q` in the plane: the sum over a window of scales as a page with a slider."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from functools import cache
+
+from minkref import _core
+from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.output import give
+from minkref.cli.readings import ROUTE as PAPER_UPDATE
+from minkref.errors import Refusal, refusing
+from minkref.output.documents import Stopwatch, document
+from minkref.plane.commands.scale_index import chosen_route, index_of, refuse_overwriting_index
+from minkref.plane.commands.view_table import counts, print_view
+from minkref.plane.operand import read_operand
+from minkref.plane.page.picture import Progress, Sums, Window, picture
+from minkref.plane.page.write_page import page
+from minkref.verbs.paper_options import asked_program, told
+from minkref.verbs.view import FROM, TO, ViewInPlane, page_target
+from rich.console import Console
+
+ROUTES = ("index", "dynamic", PAPER_UPDATE)
+
+
+def run(request: ViewInPlane) -> None:
+    watch = Stopwatch()
+    P, Q, index, output = request.P, request.Q, request.index, request.output
+    begin, end = _bounds(request)
+    window = Window(str(begin), str(end))
+    route = chosen_route(index, request.route, ROUTES)
+    program = asked_program(
+        route, request.arithmetic, request.as_read, request.reading, request.steps
+    )
+    target = page_target(output, request.json)
+    refuse_overwriting_index(output, index)
+    first, second = read_operand(P), read_operand(Q)
+
+    @cache
+    def sums() -> Sums:
+        if route == "dynamic":
+            return _core.DynamicSum(first.set, second.set, window.first, window.last)
+        return index_of(index, first, second, begin, end)
+
+    with memory_wall(request.memory, f"route {route}", f"{P} and {Q}", SMALLER):
+        with _progress() as progress:
+            data = refusing(
+                f"{first.name} and {second.name}",
+                lambda: picture(first.set, second.set, window, sums, progress),
+            )
+        if program is not None:
+            from minkref.plane.page.paper_run import paper_run
+
+            exact = sums()
+            assert isinstance(exact, _core.ScaleIndex)
+            data["paper"] = paper_run(first, second, window, program, exact.sum)
+        text = page(first.name, second.name, data)
+    count = target.write_pieces([text])
+    if target.is_standard_output:
+        return
+    value = document(
+        "view",
+        watch,
+        P=first.name,
+        Q=second.name,
+        **{"from": window.first, "to": window.last},
+        route=route,
+        warnings=first.warnings + second.warnings,
+        output=str(output),
+        bytes=count,
+        **counts(data),
+        **told(data.get("paper")),
+    )
+    give(value, request.json, print_view)
+
+
+def _bounds(request: ViewInPlane) -> tuple[Fraction, Fraction]:
+    """The window of the page; of an index, where no other is given."""
+    first, last = request.from_scale, request.to_scale
+    if request.index is not None:
+        path = str(request.index)
+        begin, end = refusing(path, lambda: _core.ScaleIndex.open(path).window)
+        first = Fraction(begin) if first is None and begin is not None else first
+        last = Fraction(end) if last is None and end is not None else last
+    first = Fraction(FROM) if first is None else first
+    last = Fraction(TO) if last is None else last
+    if first >= last:
+        raise Refusal(
+            f"the window from {first} to {last} is empty or a single scale",
+            "--from, --to",
+            "give a --from that is smaller than --to",
+            "empty-window",
+        )
+    return first, last
+
+
+@contextmanager
+def _progress() -> Iterator[Progress]:
+    """A bar on a terminal, nothing elsewhere."""
+    from rich.progress import Progress as Bar
+
+    with Bar(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as bar:
+        bar.console.show_cursor(True)  # Ctrl-C ends the process at once
+        task = bar.add_task("events", total=None)
+
+        def progress(done: int, total: int) -> None:
+            bar.update(task, description="rings", completed=done, total=total)
+
+        yield progress

@@ -1,0 +1,35 @@
+"""The settings in which operands lie. A fifth one is a line here, and a request in the commands
+that know it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
+
+from minkref.disc.disc import is_disc
+from minkref.space.operand import in_space
+
+
+@dataclass(frozen=True)
+class Setting:
+    """`takes`: whether two operands lie in it, beside which these options are given. `where` says
+    that to people."""
+
+    name: str
+    where: str
+    takes: Callable[[Sequence[str], Collection[str]], bool]
+
+
+MOTION = Setting("motion", "with a path", lambda operands, given: "--path" in given)
+DISC = Setting("disc", "with a disc", lambda operands, given: any(map(is_disc, operands)))
+SPACE = Setting("space", "in space", lambda operands, given: in_space(*operands))
+PLANE = Setting("plane", "in the plane", lambda operands, given: True)
+
+SETTINGS = (MOTION, DISC, SPACE, PLANE)  # the first one that takes the operands
+
+
+def setting_of(
+    operands: Sequence[str], given: Collection[str], known: Collection[Setting]
+) -> Setting:
+    """The setting, of those that a command knows. Refuses operands of two settings."""
+    return next(s for s in SETTINGS if s in known and s.takes(operands, given))
