@@ -48,6 +48,8 @@ def walls_and_limits(
 ) -> tuple[Isolation, Limits]:
     """Walls and limits of a command that asks one target. `memory` in MiB. Refuses numbers out of
     range."""
-    check_numbers(0, None, None, seconds, memory, 1, None, call_processes=processes)
+    check_numbers(
+        {"--call-seconds": seconds, "--call-memory": memory, "--call-processes": processes}
+    )
     walls = choose(isolation, tuple(passed or ()))
     return walls, Limits(seconds, memory << 20, processes=processes, isolation=walls)

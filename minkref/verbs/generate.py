@@ -19,9 +19,10 @@ from typing import Annotated
 
 import typer
 from minkref import _core
-from minkref.cli.options import Json, Schema
+from minkref.cli.options import Json
 from minkref.cli.output import plain_table
 from minkref.cli.progress import progress
+from minkref.cli.verb import Verb, command_anywhere
 from minkref.degeneracies.catalogue import (
     ALL_FAMILIES,
     DISC_FAMILIES,
@@ -80,97 +81,111 @@ AHEAD = 4  # members for each process that are being made, or wait for one befor
 Task = tuple[str, int, int, int | None]  # family, seed, index, size
 
 
-def command(
-    families: Annotated[
-        list[str],
-        typer.Argument(
-            help="Families (`minkref families`). all: the families in the plane with "
-            "certificates; space: those of convex bodies in space; solids: of polyhedra of any "
-            "shape, disc: of a polygon set and a disc, both without certificates; paths: of parts "
-            "on paths, and traps; invalid, invalid-mesh: input that must be refused.",
-            metavar="FAMILY|all|space|solids|disc|paths|invalid|invalid-mesh",
-        ),
-    ],
-    count: Annotated[
-        int | None,
-        typer.Option(
-            "--count",
-            help="Cases of each family.",
-            min=1,
-            max=MOST_CASES,
-            show_default=str(DEFAULT_COUNT),
-        ),
-    ] = None,
-    index: Annotated[
-        int | None,
-        typer.Option(
-            "--index",
-            help="Make only the case with this number, from 0, instead of --count.",
-            min=0,
-        ),
-    ] = None,
-    seed: Annotated[int, typer.Option("--seed", help="Another seed gives other cases.")] = 1,
-    size: Annotated[
-        int | None,
-        typer.Option(
-            "--size",
-            help="About how many vertices both operands have together, for families that can be "
-            "large (combs and spirals up to 96: their sums grow with the fourth power).",
-            min=LEAST_SIZE,
-            max=MOST_SIZE,
-            show_default="drawn for each case, 8 to 24",
-        ),
-    ] = None,
-    output: Annotated[
-        str,
-        typer.Option(
-            "-o",
-            help="Folder for FAMILY/ID.json and its certificate, FAMILY/ID.cert.json.",
-            metavar="DIR",
-        ),
-    ] = DEFAULT_FOLDER,
-    jobs: Annotated[
-        int, typer.Option("--jobs", help="Processes; 0: one per core.", min=0, max=MOST_JOBS)
-    ] = 0,
-    json: Json = False,
-    schema: Schema = False,
-) -> None:
-    """Make hundreds of degenerate cases (docs/degeneracies.md): files with operands, scales, the
-    expected result at each, and why good code gets it wrong, each with a certificate, but those of
-    polyhedra of any shape and of a disc. The same family, seed, number and size give the same bytes
-    on every machine."""
+TOLD = """\
+Make hundreds of degenerate cases (docs/degeneracies.md): files with operands, scales, the
+expected result at each, and why good code gets it wrong, each with a certificate, but those of
+polyhedra of any shape and of a disc. The same family, seed, number and size give the same bytes
+on every machine."""
+
+Families = Annotated[
+    list[str],
+    typer.Argument(
+        help="Families (`minkref families`). all: the families in the plane with "
+        "certificates; space: those of convex bodies in space; solids: of polyhedra of any "
+        "shape, disc: of a polygon set and a disc, both without certificates; paths: of parts "
+        "on paths, and traps; invalid, invalid-mesh: input that must be refused.",
+        metavar="FAMILY|all|space|solids|disc|paths|invalid|invalid-mesh",
+    ),
+]
+Count = Annotated[
+    int | None,
+    typer.Option(
+        "--count",
+        help="Cases of each family.",
+        min=1,
+        max=MOST_CASES,
+        show_default=str(DEFAULT_COUNT),
+    ),
+]
+Index = Annotated[
+    int | None,
+    typer.Option(
+        "--index", help="Make only the case with this number, from 0, instead of --count.", min=0
+    ),
+]
+Seed = Annotated[int, typer.Option("--seed", help="Another seed gives other cases.")]
+SizeOfCases = Annotated[
+    int | None,
+    typer.Option(
+        "--size",
+        help="About how many vertices both operands have together, for families that can be "
+        "large (combs and spirals up to 96: their sums grow with the fourth power).",
+        min=LEAST_SIZE,
+        max=MOST_SIZE,
+        show_default="drawn for each case, 8 to 24",
+    ),
+]
+Output = Annotated[
+    str,
+    typer.Option(
+        "-o",
+        help="Folder for FAMILY/ID.json and its certificate, FAMILY/ID.cert.json.",
+        metavar="DIR",
+    ),
+]
+Jobs = Annotated[
+    int, typer.Option("--jobs", help="Processes; 0: one per core.", min=0, max=MOST_JOBS)
+]
+
+
+@dataclass(frozen=True)
+class Generate:
+    families: Families
+    count: Count = None
+    index: Index = None
+    seed: Seed = 1
+    size: SizeOfCases = None
+    output: Output = DEFAULT_FOLDER
+    jobs: Jobs = 0
+    json: Json = False
+
+
+command = command_anywhere(TOLD, Verb(Generate, "minkref.verbs.generate:run"))
+
+
+def run(request: Generate) -> None:
     watch = Stopwatch()
-    names = _chosen(families)
-    numbers = _numbers(count, index)
-    _check_size(size, names)
-    folder = folder_to_write(output, names)
+    names = _chosen(request.families)
+    numbers = _numbers(request.count, request.index)
+    _check_size(request.size, names)
+    folder = folder_to_write(request.output, names)
     total = len(names) * len(numbers)
-    tasks = ((name, seed, number, size) for name in names for number in numbers)
+    tasks = ((name, request.seed, number, request.size) for name in names for number in numbers)
     tallies = {name: _Tally() for name in names}
     rows: list[FileRow] = []
     began = time.perf_counter()
     with (
         ending_in_order(),
         progress(total) as line,
-        closing(_made(tasks, min(jobs or os.cpu_count() or 1, total))) as members,
+        closing(_made(tasks, min(request.jobs or os.cpu_count() or 1, total))) as members,
     ):
         line.now(names[0])
         for made in members:
             line.now(made.family)
             row = tallies[made.family].add(made, folder)
-            if json:
+            if request.json:
                 rows.append(row)
             line.done()
     value = document(
         "generate",
         watch,
-        output=output,
-        seed=seed,
+        output=request.output,
+        seed=request.seed,
         cases_per_second=round(total / (time.perf_counter() - began), 3),
         different=sum(tally.different for tally in tallies.values()),
         bytes=sum(tally.bytes for tally in tallies.values()),
     )
-    if json:
+    if request.json:
         sys.stdout.writelines(listing(value, "cases", rows))
         return
     _print_table(tallies)
@@ -179,7 +194,7 @@ def command(
         f"{value['cases_per_second']:.1f} a second\n"
     )
     if any(name in (*FAMILIES, *SPACE_FAMILIES, *PATH_FAMILIES) for name in names):
-        sys.stdout.write(f"check them: minkref check {_quoted(output)}\n")
+        sys.stdout.write(f"check them: minkref check {_quoted(request.output)}\n")
 
 
 @dataclass

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from minkref.cli.options import Json, Schema
+from minkref.cli.options import Json
 from minkref.cli.output import give
 from minkref.cli.target_options import (
     CallMemory,
@@ -16,6 +17,7 @@ from minkref.cli.target_options import (
     PassedVariables,
     walls_and_limits,
 )
+from minkref.cli.verb import Verb, command_anywhere
 from minkref.errors import Refusal
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.isolation import AUTO
@@ -47,44 +49,59 @@ minkref shrink case.json --target ./my_adapter.py -o small.json
 minkref shrink monkey+bird@7/5 --target py:my_module:my_sum --json"""
 
 
-def command(
-    case: Annotated[
-        str,
-        typer.Argument(
-            help="As for verify --case: FAMILY:SEED:INDEX, P+Q@SCALE, a case file, or the JSON "
-            "of one.",
-            metavar="CASE",
-        ),
-    ],
-    target: Annotated[
-        str, typer.Option("--target", help="The target that shows the fault, as for verify.")
-    ],
-    output: Annotated[
-        Path | None,
-        typer.Option(
-            "-o", "--output", help="Write a case file; - is standard output.", metavar="FILE"
-        ),
-    ] = None,
-    calls: Annotated[
-        int, typer.Option("--calls", help="At most N calls of the target.", metavar="N")
-    ] = MOST_CALLS,
-    call_seconds: CallSeconds = 30.0,
-    call_memory: CallMemory = 4096,
-    call_processes: CallProcesses = PROCESSES,
-    isolation: IsolationKind = AUTO,
-    pass_env: PassedVariables = None,
-    json: Json = False,
-    schema: Schema = False,
-) -> None:
-    """Make a case smaller as long as the target shows the same fault on it: the verdict, its
-    reasons and the signal. Exact and deterministic: fewer rings and vertices, smaller numbers,
-    scale 1. Exits with 1 if the target is proven wrong on this case, 3 if it breaks, and 2 if
-    neither."""
+TOLD = """\
+Make a case smaller as long as the target shows the same fault on it: the verdict, its
+reasons and the signal. Exact and deterministic: fewer rings and vertices, smaller numbers,
+scale 1. Exits with 1 if the target is proven wrong on this case, 3 if it breaks, and 2 if
+neither."""
+
+OneCase = Annotated[
+    str,
+    typer.Argument(
+        help="As for verify --case: FAMILY:SEED:INDEX, P+Q@SCALE, a case file, or the JSON of one.",
+        metavar="CASE",
+    ),
+]
+TargetName = Annotated[
+    str, typer.Option("--target", help="The target that shows the fault, as for verify.")
+]
+Output = Annotated[
+    Path | None,
+    typer.Option("-o", "--output", help="Write a case file; - is standard output.", metavar="FILE"),
+]
+Calls = Annotated[int, typer.Option("--calls", help="At most N calls of the target.", metavar="N")]
+
+
+@dataclass(frozen=True)
+class Shrink:
+    case: OneCase
+    target: TargetName
+    output: Output = None
+    calls: Calls = MOST_CALLS
+    call_seconds: CallSeconds = 30.0
+    call_memory: CallMemory = 4096
+    call_processes: CallProcesses = PROCESSES
+    isolation: IsolationKind = AUTO
+    pass_env: PassedVariables = None
+    json: Json = False
+
+
+command = command_anywhere(TOLD, Verb(Shrink, "minkref.verbs.shrink:run"))
+
+
+def run(request: Shrink) -> None:
     watch = Stopwatch()
-    walls, limits = walls_and_limits(call_seconds, call_memory, call_processes, isolation, pass_env)
-    written = None if output is None else target_of(output, None, ("json",), "json", json)
+    case, output = request.case, request.output
+    walls, limits = walls_and_limits(
+        request.call_seconds,
+        request.call_memory,
+        request.call_processes,
+        request.isolation,
+        request.pass_env,
+    )
+    written = None if output is None else target_of(output, None, ("json",), "json", request.json)
     refuse_unless_case(case)
-    (entry,), _ = declarations_of([select_one(target)], limits)
+    (entry,), _ = declarations_of([select_one(request.target)], limits)
     with ending_in_order():
         with Asker(entry.name, limits) as asker:
             result, outcome = asker.ask(CaseName(case, "shrinking").text)
@@ -96,7 +113,7 @@ def command(
                 "name a case that `minkref verify` found",
             )
         found = Finding(outcome, result)
-        small = shrink_finding(found, limits, calls)
+        small = shrink_finding(found, limits, request.calls)
     if small is None:
         raise Refusal(
             "the fault did not occur again, or the case is not in the plane",
@@ -120,7 +137,7 @@ def command(
         output=str(output) if output else None,
         isolation=walls.document(),
     )
-    give(value, json, lambda value: _print(small, found, value))
+    give(value, request.json, lambda value: _print(small, found, value))
     raise typer.Exit(code)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from pathlib import Path
 
 from minkref.errors import Refusal, choice, nearest
 from minkref.fuzz.cases.case_name import CaseName
@@ -17,24 +16,15 @@ from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.settings import SETTINGS
 from minkref.fuzz.space.families import SPACE_FAMILIES
 from minkref.fuzz.targets.declaration import Declaration
+from minkref.verbs.verify_request import Cases
 
 SUITES = ("fuzz", "corpus", "all")
 
 
-def case_list(
-    seed: int,
-    pairs: int | None,
-    seconds: float,
-    named: list[str] | None,
-    models: bool,
-    families: list[str] | None,
-    derived: bool,
-    suite: str,
-    corpus: Path | None,
-    declared: Iterable[Declaration],
-) -> CaseList:
+def case_list(asked: Cases, declared: Iterable[Declaration]) -> CaseList:
     """Families and case files in space, or in the plane, only where a target takes them. Refuses
     what names no case."""
+    suite, named, families = asked.suite, asked.case, asked.family
     if suite not in SUITES:
         what = f"there is no suite {suite[:40]!r}"
         mend = choice(suite, SUITES)
@@ -54,18 +44,18 @@ def case_list(
     fuzz = suite in ("fuzz", "all")
     filed = suite in ("corpus", "all") and not named
     taken = [setting for setting in SETTINGS if setting.name in able]
-    files = case_files(corpus, taken) if filed else CaseFiles()
+    files = case_files(asked.corpus, taken) if filed else CaseFiles()
     laws = [*LAWS, *(verb for verb in (UPDATE, EVENTS) if verb in able)]
     cases = CaseList(
-        seed,
-        pairs,
-        seconds,
+        asked.seed,
+        asked.pairs,
+        asked.seconds,
         tuple(named or ()),
-        models and fuzz and plane and not families,
+        asked.models and fuzz and plane and not families,
         tuple(name for name in wanted if name in FAMILIES) if fuzz else (),
         tuple(name for name in wanted if name in SPACE_FAMILIES) if fuzz else (),
-        tuple(laws) if derived else (),
-        derived,
+        tuple(laws) if asked.derived else (),
+        asked.derived,
         files.names,
         "rejects-invalid" in able and fuzz and not families,
         tuple(verb for verb in (PATH, RANGES) if verb in able and fuzz and not families),

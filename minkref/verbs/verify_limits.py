@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from minkref.errors import Refusal
 
 MOST_JOBS = 1024
@@ -16,34 +18,28 @@ def brief(number: float) -> str:
     return text if len(text) <= 60 else f"a number of {len(text):,} digits"
 
 
-def check_numbers(
-    seconds: float,
-    pairs: int | None,
-    jobs: int | None,
-    call_seconds: float,
-    call_memory: int,
-    call_output: int,
-    size_limit: int | None,
-    memory: int | None = None,
-    seed: int = 1,
-    call_processes: int | None = None,
-) -> None:
-    for option, value, least, most in (
-        ("--seconds", seconds, 0, None),
-        ("--pairs", pairs, 0, None),
-        ("--seed", seed, -LARGEST_SEED, LARGEST_SEED),
-        ("--jobs", jobs, 1, MOST_JOBS),
-        ("--call-memory", call_memory, 16, MOST_MEMORY),
-        ("--call-output", call_output, 1, MOST_MEMORY),
-        ("--call-processes", call_processes, 1, MOST_PROCESSES),
-        ("--memory", memory, 256, MOST_MEMORY),
-        ("--size-limit", size_limit, 1, None),
-    ):
+#: Option: the least number, and the most.
+RANGES: dict[str, tuple[int, int | None]] = {
+    "--seconds": (0, None),
+    "--pairs": (0, None),
+    "--seed": (-LARGEST_SEED, LARGEST_SEED),
+    "--jobs": (1, MOST_JOBS),
+    "--call-memory": (16, MOST_MEMORY),
+    "--call-output": (1, MOST_MEMORY),
+    "--call-processes": (1, MOST_PROCESSES),
+    "--memory": (256, MOST_MEMORY),
+    "--size-limit": (1, None),
+}
+
+
+def check_numbers(given: Mapping[str, float | None]) -> None:
+    """Refuses numbers out of range, by option; None is not given."""
+    for option, (least, most) in RANGES.items():
+        value = given.get(option)
         if value is not None and not value >= least:
             raise Refusal(f"{brief(value)} is too small", option, f"give at least {least}")
         if value is not None and most is not None and value > most:
             raise Refusal(f"{brief(value)} is too large", option, f"give at most {most}")
-    if not 0 < call_seconds <= 86_400:
-        raise Refusal(
-            f"{call_seconds} is out of range", "--call-seconds", "give 0 to 86400 seconds"
-        )
+    seconds = given["--call-seconds"]
+    if seconds is None or not 0 < seconds <= 86_400:
+        raise Refusal(f"{seconds} is out of range", "--call-seconds", "give 0 to 86400 seconds")
