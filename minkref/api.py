@@ -31,9 +31,9 @@ from minkref.certify.plane.certificate import Certificate as Certificate
 from minkref.certify.plane.certificate import NoProof as NoProof
 from minkref.certify.space.convex_certificate import ConvexCertificate as ConvexCertificate
 from minkref.certify.space.solid_certificate import SolidCertificate as SolidCertificate
-from minkref.disc.offset_index import OffsetEvent as OffsetEvent
-from minkref.disc.offset_index import OffsetIndex as OffsetIndex
-from minkref.disc.offset_index import square_of
+from minkref.disc.disc_index import DiscIndex as DiscIndex
+from minkref.disc.disc_index import OffsetEvent as OffsetEvent
+from minkref.disc.disc_index import square_of
 from minkref.errors import Refusal as Refusal
 from minkref.motion.path_values import BadPolygon as BadPolygon
 from minkref.motion.path_values import Feature as Feature

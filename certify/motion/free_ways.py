@@ -22,7 +22,7 @@ class FreeCells:
 
     def __init__(
         self,
-        robot: _core.PolygonSet,
+        part: _core.PolygonSet,
         obstacles: _core.PolygonSet,
         scale: Fraction,
         contact: str,
@@ -30,7 +30,7 @@ class FreeCells:
     ) -> None:
         self.touching = contact == "allowed"
         found = _core.minkowski_sum(
-            robot.scaled("-1"), obstacles, str(scale), "definition", tight_passages=self.touching
+            part.scaled("-1"), obstacles, str(scale), "definition", tight_passages=self.touching
         )
         rings = _rings(found.region)
         corners = [at, *(p for ring in rings for p in ring)]

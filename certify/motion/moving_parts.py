@@ -56,13 +56,13 @@ class Tree:
 class Pair:
     """The trees for a part R and for obstacles O, in one unit."""
 
-    def __init__(self, robot: _core.PolygonSet, obstacles: _core.PolygonSet) -> None:
-        prover = _core.Prover(robot, obstacles)
+    def __init__(self, part: _core.PolygonSet, obstacles: _core.PolygonSet) -> None:
+        prover = _core.Prover(part, obstacles)
         self.steps: list[dict[str, Any]] = []
         for name, operand in (("R", "P"), ("O", "Q")):
             step = json.loads(prover.pieces(operand))
             self.steps.append({**step, "of": name})
-        vertices = places(robot), places(obstacles)
+        vertices = places(part), places(obstacles)
         self.unit = lcm(*(c.denominator for of in vertices for place in of for c in place))
         self.R, self.O = (
             Tree(step, of, self.unit) for step, of in zip(self.steps, vertices, strict=True)

@@ -92,12 +92,12 @@ class MovingWays:
 
     @cached_property
     def _index(self) -> _core.ScaleIndex | None:
-        robot, obstacles = self._sets
+        part, obstacles = self._sets
         if len(self._pair.R.points) * len(self._pair.O.points) > MOST_EDGES:
             return None
         low, high = self._scales.low, self._scales.high
         window = (str(low) if low > 0 else None), (None if high is None else str(high))
-        return _core.ScaleIndex(robot.scaled("-1"), obstacles, *window)
+        return _core.ScaleIndex(part.scaled("-1"), obstacles, *window)
 
     @cached_property
     def _events(self) -> list[Fraction]:

@@ -40,19 +40,19 @@ class PathCertificate:
     allowed neither R nor O may be a point or a segment."""
 
     def __init__(
-        self, robot: _core.PolygonSet, obstacles: _core.PolygonSet, path: Sequence[Sequence[Number]]
+        self, part: _core.PolygonSet, obstacles: _core.PolygonSet, path: Sequence[Sequence[Number]]
     ) -> None:
         """Validates both sets; raises BadInput for an invalid set."""
-        expect_sets(robot=robot, obstacles=obstacles)
-        robot.validate("robot")
+        expect_sets(part=part, obstacles=obstacles)
+        part.validate("part")
         obstacles.validate("obstacles")
-        self.R, self.O = robot, obstacles
+        self.R, self.O = part, obstacles
         self.path: list[Place] = [
             (Fraction(number("x", x)), Fraction(number("y", y))) for x, y in path
         ]
         if not self.path:
             raise Refusal("a path has at least one vertex", "path", "give it one", "bad-path")
-        self.pair = Pair(robot, obstacles)
+        self.pair = Pair(part, obstacles)
         self.steps: list[Any] = [*self.pair.steps]
         self.claims: list[dict[str, Any]] = []
 

@@ -19,7 +19,7 @@ HEADINGS = {
         "index": "The sums at all scales of a window, found once and written to a file.",
         "path": "The scales at which a part passes along a path.",
         "fit": "The scales at which a part fits into a container.",
-        "trap": "The scales at which no translation takes a part out of an assembly.",
+        "trap": "The scales at which no translation takes a part out of obstacles.",
         "convolution": "The edges of P and Q at each other's vertices, with their parents.",
     },
     "Judging": {

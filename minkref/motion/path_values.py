@@ -107,7 +107,7 @@ class FreeScales(ScalesInRanges):
 
 @overload
 def valid_scales(
-    robot: _core.PolygonSet,
+    part: _core.PolygonSet,
     obstacles: _core.PolygonSet,
     path: Sequence[Sequence[Number]],
     contact: str = ...,
@@ -117,7 +117,7 @@ def valid_scales(
 ) -> ValidScales: ...
 @overload
 def valid_scales(
-    robot: Surface,
+    part: Surface,
     obstacles: Surface,
     path: Sequence[Sequence[Number]],
     contact: str = ...,
@@ -126,7 +126,7 @@ def valid_scales(
     route: str = ...,
 ) -> SpaceValidScales: ...
 def valid_scales(
-    robot: _core.PolygonSet | Surface,
+    part: _core.PolygonSet | Surface,
     obstacles: _core.PolygonSet | Surface,
     path: Sequence[Sequence[Number]],
     contact: str = "allowed",
@@ -134,45 +134,45 @@ def valid_scales(
     to_scale: Number | None = None,
     route: str = "pieces",
 ) -> ValidScales | SpaceValidScales:
-    """Find the scales at which the robot, scaled about its origin and moved along the polyline with
+    """Find the scales at which the part, scaled about its origin and moved along the polyline with
     its origin on the path, never turned, does not meet the obstacles: with contact allowed their
     interiors, with contact forbidden the closed sets. Exact: ranges with open and closed ends, and
     single scales. Without bounds, all scales above 0. `route`: pieces, contacts or index, which
     share little.
 
-    Robot and obstacles are both sets in the plane, or both polyhedra of any shape with a path in
+    Part and obstacles are both sets in the plane, or both polyhedra of any shape with a path in
     space: then `route` is pieces or contacts, and either may be a point, a segment or a plane
     polygon. Both are validated first. Cost: docs/paths.md. Raises BadInput, Refusal."""
     rule, way = word_of("contact", contact, CONTACTS), word_of("route", route, PATH_ROUTES)
     window = window_of(from_scale, to_scale)
-    if isinstance(robot, Surface):
-        return valid_scales_in_space(robot, obstacles, path, rule, window, way)
-    return _valid_scales_in_the_plane(robot, obstacles, path, rule, window, way)
+    if isinstance(part, Surface):
+        return valid_scales_in_space(part, obstacles, path, rule, window, way)
+    return _valid_scales_in_the_plane(part, obstacles, path, rule, window, way)
 
 
 def _valid_scales_in_the_plane(
-    robot: _core.PolygonSet,
+    part: _core.PolygonSet,
     obstacles: Any,
     path: Any,
     rule: str,
     window: tuple[str | None, str | None],
     way: str,
 ) -> ValidScales:
-    expect_sets(robot=robot, obstacles=obstacles)
+    expect_sets(part=part, obstacles=obstacles)
     places = [(x, y) for x, y in path_of(path, 2)]
-    robot.validate("robot")
+    part.validate("part")
     obstacles.validate("obstacles")
-    rows = _core.valid_scales(robot, obstacles, places, rule, *window, way)
+    rows = _core.valid_scales(part, obstacles, places, rule, *window, way)
     return ValidScales(
         range_values(rows[0]),
         tuple(_path_bound(row) for row in rows[1]),
-        _core.star_shaped(robot),
+        _core.star_shaped(part),
         dict(rows[2]),
     )
 
 
 def bad_polygons(
-    robot: _core.PolygonSet,
+    part: _core.PolygonSet,
     obstacles: _core.PolygonSet,
     path: Sequence[Sequence[Number]],
     to_scale: Number,
@@ -180,19 +180,19 @@ def bad_polygons(
     from_scale: Number | None = None,
     most: int = 100_000,
 ) -> tuple[BadPolygon, ...]:
-    """Return the diagram that explains the valid scales up to `to_scale`: the robot collides at the
+    """Return the diagram that explains the valid scales up to `to_scale`: the part collides at the
     place t of a segment, 0 < t < 1, and at a scale s inside the window iff some convex polygon
     contains (t, s) inside (with contact forbidden: inside or on a side). A scale inside the window
     is valid iff no polygon meets the line of this s so. Exact. Cost: docs/paths.md, and an exact
     polygon for each triple of two pieces and a segment that collides. Raises BadInput, Refusal;
     LimitExceeded for more than `most` polygons."""
-    expect_sets(robot=robot, obstacles=obstacles)
-    robot.validate("robot")
+    expect_sets(part=part, obstacles=obstacles)
+    part.validate("part")
     obstacles.validate("obstacles")
     if isinstance(most, bool) or not isinstance(most, int):
         raise TypeError(f"most has to be an int, and is of type {type(most).__name__}")
     part_pieces, obstacle_pieces, polygons = _core.path_diagram(
-        robot,
+        part,
         obstacles,
         [(x, y) for x, y in path_of(path, 2)],
         word_of("contact", contact, CONTACTS),
@@ -267,23 +267,23 @@ def _fit_in_the_plane(
 
 def trapped_scales(
     part: _core.PolygonSet,
-    assembly: _core.PolygonSet,
+    obstacles: _core.PolygonSet,
     at: Sequence[Number],
     contact: str = "allowed",
     from_scale: Number | None = None,
     to_scale: Number | None = None,
 ) -> FreeScales:
     """Find the scales at which the part, scaled about its origin and put at a place, does not meet
-    the assembly, and no translation removes the part without a collision. A rotation may still free
-    the part. Exact. Without bounds, all scales above 0. Both sets are validated first. Cost:
+    the obstacles, and no translation removes the part without a collision. A rotation may still
+    free the part. Exact. Without bounds, all scales above 0. Both sets are validated first. Cost:
     docs/paths.md. Raises BadInput, Refusal."""
-    expect_sets(part=part, assembly=assembly)
+    expect_sets(part=part, obstacles=obstacles)
     part.validate("part")
-    assembly.validate("assembly")
+    obstacles.validate("obstacles")
     place = _point("at", at)
     window = window_of(from_scale, to_scale)
     rule = word_of("contact", contact, CONTACTS)
-    return _free(_core.trapped_scales(part, assembly, place, rule, *window))
+    return _free(_core.trapped_scales(part, obstacles, place, rule, *window))
 
 
 def _point(name: str, value: Any) -> tuple[str, str]:

@@ -58,16 +58,16 @@ class SpaceFitScales(ScalesInRanges):
 
 
 def valid_scales_in_space(
-    robot: Surface,
+    part: Surface,
     obstacles: Any,
     path: Any,
     contact: str,
     window: tuple[str | None, str | None],
     route: str,
 ) -> SpaceValidScales:
-    part, walls = surface_of("robot", robot), surface_of("obstacles", obstacles)
+    part, walls = surface_of("part", part), surface_of("obstacles", obstacles)
     places = [_texts(place) for place in path_of(path, 3)]
-    part.validate_summand("robot")
+    part.validate_summand("part")
     walls.validate_summand("obstacles")
     rows = _core.valid_scales_in_space(part, walls, places, contact, *window, route)
     return SpaceValidScales(

@@ -1,4 +1,4 @@
-"""`minkref path ROBOT OBSTACLES PATH`: its options, in the plane and in space."""
+"""`minkref path PART OBSTACLES PATH`: its options, in the plane and in space."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Find all scales at which a part passes along a polyline without a collision: its
 on the path, and it never turns. In the plane or in space. Exact: intervals with open and closed
 ends, single scales, and for each bound the contact that causes it."""
 
-Robot = Annotated[str, typer.Argument(help="The part, scaled about its origin: a file or a model.")]
+Part = Annotated[str, typer.Argument(help="The part, scaled about its origin: a file or a model.")]
 Obstacles = Annotated[str, typer.Argument(help="What it must not meet: a file or a model.")]
 Contact = Annotated[
     str,
@@ -77,7 +77,7 @@ Certify = Annotated[
 
 @dataclass(frozen=True)
 class PathInPlane:
-    robot: Robot
+    part: Part
     obstacles: Obstacles
     path: PathText
     contact: Contact = "allowed"
@@ -92,7 +92,7 @@ class PathInPlane:
 
 @dataclass(frozen=True)
 class PathInSpace:
-    robot: Robot
+    part: Part
     obstacles: Obstacles
     path: PathText
     contact: Contact = "allowed"

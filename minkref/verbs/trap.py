@@ -1,4 +1,4 @@
-"""`minkref trap PART ASSEMBLY --at X,Y`: its options. In the plane only."""
+"""`minkref trap PART OBSTACLES --at X,Y`: its options. In the plane only."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ minkref trap ball.wkt cage.wkt --at 2,2 --certify trap.cert.json"""
 
 TOLD = """\
 Find all scales at which a part is free at a place, and no translation takes it away from the
-assembly. A rotation may free it all the same: "trapped" is by translations only. Exact, and
+obstacles. A rotation may free it all the same: "trapped" is by translations only. Exact, and
 found again at, just below and just above each bound by static sums."""
 
-Assembly = Annotated[str, typer.Argument(help="What may hold the part: a file or a model.")]
+Obstacles = Annotated[str, typer.Argument(help="What may hold the part: a file or a model.")]
 At = Annotated[
     tuple[str, str],
     typer.Option("--at", help="Where the part's origin is.", metavar="X,Y"),
@@ -39,7 +39,7 @@ At = Annotated[
 @dataclass(frozen=True)
 class Trap:
     part: Part
-    assembly: Assembly
+    obstacles: Obstacles
     at: At
     contact: Contact = "allowed"
     from_scale: LeastScale = None

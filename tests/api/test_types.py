@@ -106,10 +106,10 @@ CALLS |= {
     "ConvexCertificate P": (lambda x: minkref.ConvexCertificate(x, SIMPLEX), (minkref.Polyhedron,)),
     "SolidCertificate Q": (lambda x: minkref.SolidCertificate(SIMPLEX, x), (minkref.Polyhedron,)),
 }
-grown = minkref.OffsetIndex(SQUARE)
+grown = minkref.DiscIndex(SQUARE)
 CALLS |= {
-    "OffsetIndex P": (minkref.OffsetIndex, (minkref.PolygonSet,)),
-    "OffsetIndex threads": (lambda x: minkref.OffsetIndex(SQUARE, x), (int,)),
+    "DiscIndex P": (minkref.DiscIndex, (minkref.PolygonSet,)),
+    "DiscIndex threads": (lambda x: minkref.DiscIndex(SQUARE, x), (int,)),
     "components_and_holes radius": (grown.components_and_holes, (*NUMBERS, type(None))),
     "area_and_length radius": (grown.area_and_length, (*NUMBERS, type(None))),
     "canonical_json radius": (grown.canonical_json, (*NUMBERS, type(None))),
@@ -117,7 +117,7 @@ CALLS |= {
 }
 ORIGIN = [(0, 0)]
 CALLS |= {
-    "valid_scales robot": (
+    "valid_scales part": (
         lambda x: minkref.valid_scales(x, SQUARE, ORIGIN),
         (minkref.PolygonSet, *SURFACES),
     ),
@@ -141,7 +141,7 @@ CALLS |= {
         lambda x: minkref.valid_scales(SQUARE, SQUARE, ORIGIN, to_scale=x),
         (*NUMBERS, type(None)),
     ),
-    "bad_polygons robot": (
+    "bad_polygons part": (
         lambda x: minkref.bad_polygons(x, SQUARE, ORIGIN, 2),
         (minkref.PolygonSet,),
     ),
@@ -180,7 +180,7 @@ CALLS |= {
         lambda x: minkref.trapped_scales(x, SQUARE, (0, 0)),
         (minkref.PolygonSet,),
     ),
-    "trapped_scales assembly": (
+    "trapped_scales obstacles": (
         lambda x: minkref.trapped_scales(SQUARE, x, (0, 0)),
         (minkref.PolygonSet,),
     ),

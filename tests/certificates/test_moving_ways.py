@@ -88,7 +88,7 @@ def proven(certificate: PathCertificate, folder: Path, check: Any) -> None:
 
 @pytest.mark.parametrize("contact", ["allowed", "forbidden"])
 @pytest.mark.parametrize(
-    ("part", "assembly", "at", "end"),
+    ("part", "obstacles", "at", "end"),
     [
         (SQUARE, ROOM, (2, 2), "1"),  # at a door of its width
         (SQUARE.translated("2", "3"), ROOM, ("1/2", 0), "1"),  # its origin is far off
@@ -97,15 +97,15 @@ def proven(certificate: PathCertificate, folder: Path, check: Any) -> None:
     ],
 )
 def test_what_gets_out_until_a_door_shuts_is_proven(
-    tmp_path: Path, check: Any, part: Any, assembly: Any, at: Any, end: str | None, contact: str
+    tmp_path: Path, check: Any, part: Any, obstacles: Any, at: Any, end: str | None, contact: str
 ) -> None:
-    certificate = PathCertificate(part, assembly, [at])
+    certificate = PathCertificate(part, obstacles, [at])
     if not part.is_region and contact == "allowed":
         with pytest.raises(NoProof, match="seam"):
             certificate.trap(contact)
         return
     certificate.trap(contact)
-    found = minkref.trapped_scales(part, assembly, at, contact)
+    found = minkref.trapped_scales(part, obstacles, at, contact)
     assert certificate.claims[-1]["trapped"] == [document(one) for one in found.ranges]
     assert end is None or found.smallest == Fraction(end)
     assert len(certificate.claims) < 10
@@ -115,7 +115,7 @@ def test_what_gets_out_until_a_door_shuts_is_proven(
 @pytest.mark.parametrize("index", range(len(KINDS)))
 def test_a_room_of_each_kind_is_proven(tmp_path: Path, check: Any, index: int) -> None:
     case = trap_case(SEED, index)
-    certificate = PathCertificate(case.part, case.assembly, [case.at])
+    certificate = PathCertificate(case.part, case.obstacles, [case.at])
     certificate.trap("forbidden")
     proven(certificate, tmp_path, check)
 

@@ -86,7 +86,7 @@ def test_random_traps_are_proven_at_all_scales(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("contact", CONTACTS)
 @pytest.mark.parametrize(
-    ("part", "assembly", "held"),
+    ("part", "obstacles", "held"),
     [
         (SQUARE, FRAME, "(0, 1"),  # until it touches all around
         (FRAME, SQUARE, "1, inf)"),  # a frame around a square, for ever
@@ -95,12 +95,12 @@ def test_random_traps_are_proven_at_all_scales(tmp_path: Path) -> None:
     ],
 )
 def test_traps_of_frames(
-    check: Callable[..., Any], tmp_path: Path, part: Any, assembly: Any, held: str, contact: str
+    check: Callable[..., Any], tmp_path: Path, part: Any, obstacles: Any, held: str, contact: str
 ) -> None:
     """Rings that grow with the scale, without end too."""
-    found = minkref.trapped_scales(part, assembly, (0, 0), contact)
+    found = minkref.trapped_scales(part, obstacles, (0, 0), contact)
     assert held in str(found.ranges[-1])
-    certificate = PathCertificate(part, assembly, [(0, 0)])
+    certificate = PathCertificate(part, obstacles, [(0, 0)])
     certificate.trap(contact)
     code, said = check(written(certificate, tmp_path, "frame"))
     assert code == 0, said

@@ -16,12 +16,12 @@ MOST_TRIES = 40
 
 
 def enclosing_ring(
-    part: _core.PolygonSet, assembly: _core.PolygonSet, at: Point, scale: Fraction
+    part: _core.PolygonSet, obstacles: _core.PolygonSet, at: Point, scale: Fraction
 ) -> list[Point] | None:
     """Returns a hole of the closed sum around an outside place: the hole's ring belongs to the sum,
     and leads around the place. None if no single ring does."""
     turned = part.scaled("-1")
-    region = _core.minkowski_sum(turned, assembly, str(scale), "definition").region
+    region = _core.minkowski_sum(turned, obstacles, str(scale), "definition").region
     for ring in fraction_rings(region.canonical_json()):
         if _doubled_area(ring) < 0 and _winding(ring, at) != 0:
             return list(ring)
@@ -29,13 +29,13 @@ def enclosing_ring(
 
 
 def way_out(
-    part: _core.PolygonSet, assembly: _core.PolygonSet, at: Point, scale: Fraction
+    part: _core.PolygonSet, obstacles: _core.PolygonSet, at: Point, scale: Fraction
 ) -> list[Point] | None:
     """A polyline from the place to a point beyond the sum's box, along which interiors never meet:
     it follows vertices of the sum that see each other in doubles, and is then proven as a whole,
     from the definition. None if none was found."""
     turned = part.scaled("-1")
-    region = _core.minkowski_sum(turned, assembly, str(scale), "definition").region
+    region = _core.minkowski_sum(turned, obstacles, str(scale), "definition").region
     rings = fraction_rings(region.canonical_json())
     corners = [p for ring in rings for p in ring]
     far = max(abs(Fraction(c)) for p in (*corners, at) for c in p) + 1
@@ -46,7 +46,7 @@ def way_out(
         for ring in rings
         for a, b in zip(ring, ring[1:] + ring[:1], strict=True)
     ]
-    decide = by_triangles(part, assembly)
+    decide = by_triangles(part, obstacles)
     closed: set[tuple[int, int]] = set()
     for _ in range(MOST_TRIES):
         way = _shortest(nodes, len(box), walls, closed)
@@ -56,7 +56,7 @@ def way_out(
             (
                 (i, j)
                 for i, j in pairwise(way)
-                if Collisions(part, assembly, [nodes[i], nodes[j]]).collides(
+                if Collisions(part, obstacles, [nodes[i], nodes[j]]).collides(
                     scale, "allowed", decide
                 )
             ),

@@ -24,11 +24,11 @@ TURNS = tuple(
 
 @dataclass(frozen=True)
 class TrapCase:
-    """A part, an assembly that may hold it, and the place of the part's origin."""
+    """A part, obstacles that may hold it, and the place of the part's origin."""
 
     name: str
     part: PolygonSet
-    assembly: PolygonSet
+    obstacles: PolygonSet
     at: Place
     kind: str
 
@@ -202,14 +202,14 @@ def _drawn(dice: random.Random, name: str, kind: str) -> TrapCase:
     at = tuple(size * Fraction(dice.randint(3, 9), 12) for _ in range(2))
     turn, (u, v) = dice.choice(TURNS), (Fraction(dice.randint(-9, 9)) for _ in range(2))
     placed = [[(p[0] + u, p[1] + v) for p in _turned(ring, turn)] for ring in rings]
-    assembly = PolygonSet([[_texts(_once(ring))] for ring in placed])
-    assembly.validate("drawn walls")
+    obstacles = PolygonSet([[_texts(_once(ring))] for ring in placed])
+    obstacles.validate("drawn walls")
     moved = part.translated(str(x), str(y))
     ring = _turned(_points(moved), turn)
     turned_part = PolygonSet([[_texts(ring)]]) if part.is_region else PolygonSet(_texts(ring))
     turned_part.validate("a drawn part")
     (place,) = _turned([(at[0], at[1])], turn)
-    return TrapCase(name, turned_part, assembly, (place[0] + u, place[1] + v), kind)
+    return TrapCase(name, turned_part, obstacles, (place[0] + u, place[1] + v), kind)
 
 
 def _once(ring: list[Place]) -> list[Place]:

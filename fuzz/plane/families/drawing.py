@@ -82,7 +82,7 @@ def shape_text(shape: Shape) -> str:
 
 
 def reflected(polygons: _core.PolygonSet) -> _core.PolygonSet:
-    """-R of a set R: the places at which s R, a robot, meets an obstacle O are O + s (-R)."""
+    """-R of a set R: the places at which s R, a part, meets an obstacle O are O + s (-R)."""
     shape = scaled(read_shape(polygons.to_json()), -1)
     return _core.PolygonSet.from_json(shape_text(shape))
 

@@ -29,15 +29,15 @@ def run(request: PathInPlane) -> None:
     window = text_of_bounds(request.from_scale, request.to_scale)
     check_words(contact=(contact, CONTACTS), route=(route, PATH_ROUTES))
     target = target_of(output, None, FORMS, FORMS[0], request.json, has_format=False)
-    first, second = read_operand(request.robot), read_operand(request.obstacles)
+    first, second = read_operand(request.part), read_operand(request.obstacles)
     way = read_path(request.path)
     files = [first.file, second.file, *([way.file] if way.file else [])]
     if output is not None:
         refuse_overwriting(output, files)
     proof = proof_files(request.certify, files, output)
-    where = f"{request.robot}, {request.obstacles}"
+    where = f"{request.part}, {request.obstacles}"
     with memory_wall(
-        request.memory, "the path", f"{request.robot} and {request.obstacles}", SMALLER
+        request.memory, "the path", f"{request.part} and {request.obstacles}", SMALLER
     ):
         ranges, bounds, statistics = refusing(
             where,
@@ -55,7 +55,7 @@ def run(request: PathInPlane) -> None:
     value = document(
         "path",
         watch,
-        robot=first.name,
+        part=first.name,
         obstacles=second.name,
         path=way.name,
         vertices=len(way.points),

@@ -45,7 +45,7 @@ def finish(
 def _print(value: dict[str, Any]) -> None:
     star = "star-shaped about its origin" if value["star_shaped"] else "not star-shaped"
     rows = [
-        ("part", f"{value['robot']}, {star}"),
+        ("part", f"{value['part']}, {star}"),
         ("path", f"{value['path']}, vertices {value['vertices']:,}, contact {value['contact']}"),
         ("valid scales", ranges_text(value["valid"])),
     ]

@@ -29,7 +29,7 @@ from minkref.verbs.path import PathInSpace, check_words
 
 def run(request: PathInSpace) -> None:
     watch = Stopwatch()
-    robot, obstacles, output = request.robot, request.obstacles, request.output
+    part, obstacles, output = request.part, request.obstacles, request.output
     path, contact, route = request.path, request.contact, request.route
     window = text_of_bounds(request.from_scale, request.to_scale)
     if route == PATH_ROUTES[2]:
@@ -39,13 +39,13 @@ def run(request: PathInSpace) -> None:
     if output is not None and output.suffix.lower() == ".svg":
         raise Refusal("no picture is drawn in space", str(output), "name a .json file")
     target = target_of(output, None, ("json",), "json", request.json)
-    first, second, way = read_summand(robot), read_summand(obstacles), read_space_path(path)
+    first, second, way = read_summand(part), read_summand(obstacles), read_space_path(path)
     if output is not None:
         files = [first.file, second.file, *([way.file] if way.file else [])]
         refuse_overwriting(output, files)
-    with memory_wall(request.memory, "the path", f"{robot} and {obstacles}", SMALLER):
+    with memory_wall(request.memory, "the path", f"{part} and {obstacles}", SMALLER):
         ranges, bounds, statistics = refusing(
-            f"{robot}, {obstacles}",
+            f"{part}, {obstacles}",
             lambda: _core.valid_scales_in_space(
                 first.surface, second.surface, way.points, contact, window[0], window[1], route
             ),
@@ -54,7 +54,7 @@ def run(request: PathInSpace) -> None:
         "path",
         watch,
         dimension=3,
-        robot=first.name,
+        part=first.name,
         obstacles=second.name,
         path=way.name,
         vertices=len(way.points),

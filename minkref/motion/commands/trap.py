@@ -21,16 +21,16 @@ from minkref.verbs.trap import Trap
 
 def run(request: Trap) -> None:
     watch = Stopwatch()
-    part, assembly, contact, place = (
-        request.part, request.assembly, request.contact, request.at,
+    part, obstacles, contact, place = (
+        request.part, request.obstacles, request.contact, request.at,
     )  # fmt: skip
     check_words(contact=(contact, CONTACTS))
     window = text_of_bounds(request.from_scale, request.to_scale)
-    first, second = read_operand(part), read_operand(assembly)
+    first, second = read_operand(part), read_operand(obstacles)
     proof = proof_files(request.certify, [first.file, second.file])
-    with memory_wall(request.memory, "the trap", f"{part} and {assembly}", SMALLER):
+    with memory_wall(request.memory, "the trap", f"{part} and {obstacles}", SMALLER):
         rows = refusing(
-            f"{part}, {assembly}",
+            f"{part}, {obstacles}",
             lambda: _core.trapped_scales(
                 first.set, second.set, place, contact, window[0], window[1]
             ),
@@ -47,7 +47,7 @@ def run(request: Trap) -> None:
         watch,
         rows,
         part=first.name,
-        assembly=second.name,
+        obstacles=second.name,
         at=list(place),
         contact=contact,
         **{"from": window[0], "to": window[1]},
@@ -61,7 +61,7 @@ def run(request: Trap) -> None:
 
 def _print(value: dict[str, Any]) -> None:
     rows = [
-        ("part", f"{value['part']} in {value['assembly']}, contact {value['contact']}"),
+        ("part", f"{value['part']} in {value['obstacles']}, contact {value['contact']}"),
         (
             "trapped",
             f"by translation, at {point_text(value['at'])}: {ranges_text(value['scales'])}",

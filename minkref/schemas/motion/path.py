@@ -31,7 +31,7 @@ SpacePathRoute = Literal["pieces", "contacts"]
 class AnyPath(LastingHead, Window, Written, OnPath):
     """What `path` tells in the plane and in space."""
 
-    robot: Annotated[str, Meta(description="The part as named; it is scaled.")]
+    part: Annotated[str, Meta(description="The part as named; it is scaled.")]
     obstacles: str
     vertices: Annotated[PositiveCount, Meta(description="Of the path.")]
     is_closed: Annotated[bool, Meta(description="Whether it ends where it begins.")]

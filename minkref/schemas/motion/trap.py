@@ -13,7 +13,7 @@ class TrapDocument(PlaneFit, Window):
     """The document of `minkref trap --json`."""
 
     command: Literal["trap"]
-    assembly: str
+    obstacles: str
     at: Annotated[Point, Meta(description="The place of the part's origin.")]
     scales: Annotated[
         list[ScaleRange],

@@ -1,4 +1,4 @@
-"""`minkref sweep P disc` and `minkref.OffsetIndex` at several radii, against the canonical form of
+"""`minkref sweep P disc` and `minkref.DiscIndex` at several radii, against the canonical form of
 each radius."""
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def window(drawn: Drawn) -> tuple[Fraction, Fraction]:
 
 def judge(tally: Tally, answers: Answers, drawn: Drawn) -> None:
     low, high = window(drawn)
-    index = minkref.OffsetIndex(minkref.PolygonSet(drawn.text))
+    index = minkref.DiscIndex(minkref.PolygonSet(drawn.text))
     radii = [low + (high - low) * k / (STEPS - 1) for k in range(STEPS)]
     sums = [grown(json.loads(index.canonical_json(radius))) for radius in radii]
     words = ("sweep", drawn.text, "disc", "--from", low, "--to", high, "--steps", STEPS)
@@ -53,7 +53,7 @@ def judge(tally: Tally, answers: Answers, drawn: Drawn) -> None:
     for radius, of in zip(radii, sums, strict=True):
         for (a, b), true in zip(index.area_and_length(radius), area_and_length(of), strict=True):
             found = {"low": a, "high": b}
-            bounds(tally, "OffsetIndex.area_and_length", found, true, "area or length", True)
+            bounds(tally, "DiscIndex.area_and_length", found, true, "area or length", True)
     _vertices(tally, index, (low + high) / 2, drawn)
     offset = minkref.offset(minkref.PolygonSet(drawn.text), high)
     for (a, b), true in zip((offset.area, offset.length), area_and_length(sums[-1]), strict=True):
@@ -66,7 +66,7 @@ def _vertices(tally: Tally, index: Any, radius: Fraction, drawn: Drawn) -> None:
     at = float(radius)
     of = grown(json.loads(index.canonical_json(Fraction(at))))
     rows = [tuple(map(float, row)) for row in index.vertices(at)[0]]
-    writer = "OffsetIndex.vertices"
+    writer = "DiscIndex.vertices"
     tally.numbers[writer] += 3 * len(rows)
     finite = [row for row in rows if all(map(math.isfinite, row))]
     for row in set(rows).difference(finite):

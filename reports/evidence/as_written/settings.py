@@ -71,7 +71,7 @@ WRITERS = {
     "disc": (
         ".dxf", ".svg", *_INSIDE, "sum --json", "--measures", "table of sum", "events --json",
         "table of events", "events --kind pair", "index", "sweep --json", "table of sweep",
-        "OffsetIndex.vertices", "OffsetIndex.area_and_length", "minkref.offset", judge_events.PAGE,
+        "DiscIndex.vertices", "DiscIndex.area_and_length", "minkref.offset", judge_events.PAGE,
     ),
     "plane": (
         ".wkt", ".geojson", ".poly", ".json", ".svg", ".parquet", "sum --json", "table of sum",

@@ -50,7 +50,7 @@ def _certified(size: Size) -> list[Certified]:
         made.append((case.name, certificate))
     for index in range(size.of(DOORS)):
         door = trap_case(SEED, index)
-        certificate = PathCertificate(door.part, door.assembly, [door.at])
+        certificate = PathCertificate(door.part, door.obstacles, [door.at])
         certificate.trap("forbidden")
         made.append((door.name, certificate))
     return [(name, one.case(), one.text("it.case.json")) for name, one in made]

@@ -199,9 +199,9 @@ def _traps(findings: Findings, count: int) -> None:
 def judge_trap(index: int) -> dict[str, Any]:
     """Judges a place in a room with a door of random width."""
     dice = random.Random(f"{SEED}:trap:{index}")
-    part, assembly, at = _trap(dice)
-    found = minkref.trapped_scales(part, assembly, at)
-    free = minkref.valid_scales(part, assembly, [at])
+    part, obstacles, at = _trap(dice)
+    found = minkref.trapped_scales(part, obstacles, at)
+    free = minkref.valid_scales(part, obstacles, [at])
     tally: Counter[str] = Counter(cases=1)
     wrong = []
     scales = set()
@@ -216,16 +216,16 @@ def judge_trap(index: int) -> dict[str, Any]:
             continue
         if scale in found:
             at_bound = any(bound.scale == scale for bound in free.bounds)
-            ring = None if at_bound else enclosing_ring(part, assembly, at, scale)
+            ring = None if at_bound else enclosing_ring(part, obstacles, at, scale)
             tally["rings"] += ring is not None
             if ring is None and not at_bound:
                 wrong.append(f"trap {index}: no ring at {scale}")
         else:
-            way = way_out(part, assembly, at, scale)
+            way = way_out(part, obstacles, at, scale)
             tally["ways"] += way is not None
             if way is None:
                 wrong.append(f"trap {index}: no way out at {scale}")
-    certificates = [_trap_proof(index, part, assembly, at, contact) for contact in CONTACTS]
+    certificates = [_trap_proof(index, part, obstacles, at, contact) for contact in CONTACTS]
     for proof in certificates:
         for claim in proof.certificate.claims if proof.certificate is not None else ():
             tally[WORDS.get(claim["claim"], "claims of an answer")] += 1
@@ -262,7 +262,7 @@ def _doors(findings: Findings, count: int) -> None:
 
 def judge_door(index: int) -> dict[str, Any]:
     case = trap_case(SEED, index)
-    sets = case.part, case.assembly
+    sets = case.part, case.obstacles
     one = made(case.name, sets, [case.at], lambda proof: proof.trap("forbidden"))
     steps = [] if one.certificate is None else one.certificate.steps
     moves = any(len(place) == 4 for step in steps for place in step.get("path") or ())
@@ -271,9 +271,9 @@ def judge_door(index: int) -> dict[str, Any]:
     return {"tally": tally, "kind": case.kind, "slow": slow, **_proofs([one])}
 
 
-def _trap_proof(index: int, part: Any, assembly: Any, at: Any, contact: str) -> Made:
+def _trap_proof(index: int, part: Any, obstacles: Any, at: Any, contact: str) -> Made:
     name = f"trap {index}, {contact}"
-    return made(name, (part, assembly), [at], lambda proof: proof.trap(contact))
+    return made(name, (part, obstacles), [at], lambda proof: proof.trap(contact))
 
 
 def _trap(dice: random.Random) -> tuple[minkref.PolygonSet, minkref.PolygonSet, Any]:

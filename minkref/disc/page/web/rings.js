@@ -1,5 +1,5 @@
 // @ts-check
-// The boundary at any radius: its corners move along the parts of the diagram. As OffsetIndex has it.
+// The boundary at any radius: its corners move along the parts of the diagram. As DiscIndex has it.
 import { clamped } from "../../../page/web/numbers.js";
 import { data, isEvent, isInfinite, pointOf } from "./data.js";
 

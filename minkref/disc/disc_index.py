@@ -43,7 +43,7 @@ class OffsetEvent:
     features: tuple[tuple[str, str, str], ...]
 
 
-class OffsetIndex:
+class DiscIndex:
     """`P` + a disc about the origin at all radii: finds the outer Voronoi diagram of P once, then
     answers for any radius. Exact: proves the events, and their completeness. Building takes O(n log
     n + k) for k compared candidates, on `threads`; P may be a segment or a point, and is validated
@@ -59,7 +59,7 @@ class OffsetIndex:
         return len(self._index)
 
     def __repr__(self) -> str:
-        return f"<OffsetIndex: {len(self)} radii of events, {self._index.parts} parts>"
+        return f"<DiscIndex: {len(self)} radii of events, {self._index.parts} parts>"
 
     @property
     def radii(self) -> list[Bounds]:
