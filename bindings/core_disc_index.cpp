@@ -37,8 +37,8 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-struct DiscIndex {
-  DiscIndex(PolygonSet set, DiagramEvents diagram)
+struct BoundIndex {
+  BoundIndex(PolygonSet set, DiagramEvents diagram)
       : P(std::move(set)),
         curves(offset_curves(P)),
         index(std::move(diagram)),
@@ -99,7 +99,7 @@ struct Vertices {
   std::vector<std::uint32_t> starts;
 };
 
-void find_vertices(const DiscIndex& self, double radius, Vertices& found) {
+void find_vertices(const BoundIndex& self, double radius, Vertices& found) {
   const FloatEnvironment standard;
   const Rational exact = from_double(radius);
   const std::uint32_t gap = self.index.place(exact * exact).gap;
@@ -132,7 +132,7 @@ nb::object as_arrays(std::unique_ptr<Vertices> found) {
 using HoleRow = std::tuple<std::optional<std::pair<double, double>>, std::pair<double, double>,
                            std::pair<double, double>, std::uint32_t>;
 
-std::vector<HoleRow> holes(const DiscIndex& self) {
+std::vector<HoleRow> holes(const BoundIndex& self) {
   std::vector<HoleRow> rows;
   for (const OffsetHole& hole : self.history.all_holes) {
     std::optional<std::pair<double, double>> birth;
@@ -155,7 +155,7 @@ using ChangeRow =
     std::tuple<std::uint32_t, std::uint32_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>,
                std::vector<std::uint32_t>, std::vector<std::pair<std::uint32_t, std::uint32_t>>>;
 
-std::vector<ChangeRow> changes(const DiscIndex& self) {
+std::vector<ChangeRow> changes(const BoundIndex& self) {
   std::map<std::uint32_t, EventChanges> of_event;
   for (std::uint32_t k = 0; k < self.history.all_holes.size(); ++k) {
     const OffsetHole& hole = self.history.all_holes[k];
@@ -176,7 +176,7 @@ std::vector<ChangeRow> changes(const DiscIndex& self) {
 /// The radius that joins the components of two polygons of P, given by numbers; none if they touch.
 using JoinRow = std::tuple<std::optional<std::pair<double, double>>, std::uint32_t, std::uint32_t>;
 
-std::vector<JoinRow> joins(const DiscIndex& self) {
+std::vector<JoinRow> joins(const BoundIndex& self) {
   std::vector<JoinRow> rows;
   for (const ComponentJoin& join : self.history.joins) {
     std::optional<std::pair<double, double>> radius;
@@ -205,7 +205,7 @@ FeatureName side_name(const DiagramEvents& diagram, std::uint32_t node, std::uin
   return edge_row(edge_name(diagram, side.edge, diagram.curves.features[vertex].centre, past));
 }
 
-std::vector<PartRow> graph_parts(const DiscIndex& self) {
+std::vector<PartRow> graph_parts(const BoundIndex& self) {
   const DiagramEvents& diagram = self.index.diagram();
   const DiagramGraph& graph = self.index.graph();
   const auto end = [&](std::uint32_t node, std::uint32_t vertex) -> PartEnd {
@@ -236,7 +236,7 @@ std::vector<PartRow> graph_parts(const DiscIndex& self) {
   return rows;
 }
 
-std::vector<PlaceRow> place_rows(const DiscIndex& self) {
+std::vector<PlaceRow> place_rows(const BoundIndex& self) {
   std::vector<PlaceRow> rows;
   for (const auto& [of, branch] : self.index.diagram().places()) {
     rows.push_back({of[0], of[1], of[2], branch});
@@ -247,7 +247,7 @@ std::vector<PlaceRow> place_rows(const DiscIndex& self) {
 /// The diagram for drawing: lengths as of P, places measured from `origin`.
 class Drawing {
  public:
-  explicit Drawing(const DiscIndex& index)
+  explicit Drawing(const BoundIndex& index)
       : self_(index),
         index_(index.index),
         diagram_(index.index.diagram()),
@@ -402,7 +402,7 @@ class Drawing {
     all["polygons"] = self_.history.polygons;
   }
 
-  const DiscIndex& self_;
+  const BoundIndex& self_;
   const DiscIndex& index_;
   const DiagramEvents& diagram_;
   double unit_;                                                    ///< a power of two
@@ -413,27 +413,27 @@ class Drawing {
 }  // namespace
 
 void bind_disc_index(nb::module_& module) {
-  nb::class_<DiscIndex>(module, "DiscIndex", "P + a disc at all radii.")
-      .def("__len__", [](const DiscIndex& self) { return self.index.radii(); })
-      .def_ro("seconds", &DiscIndex::seconds, "Of the build.")
+  nb::class_<BoundIndex>(module, "DiscIndex", "P + a disc at all radii.")
+      .def("__len__", [](const BoundIndex& self) { return self.index.radii(); })
+      .def_ro("seconds", &BoundIndex::seconds, "Of the build.")
       .def_prop_ro("exact_signs",
-                   [](const DiscIndex& self) { return self.index.diagram().exact_signs; })
+                   [](const BoundIndex& self) { return self.index.diagram().exact_signs; })
       .def_prop_ro(
-          "parts", [](const DiscIndex& self) { return self.index.graph().halves.size() / 2; },
+          "parts", [](const BoundIndex& self) { return self.index.graph().halves.size() / 2; },
           "Of the outer Voronoi diagram, on each of which the radius grows or shrinks.")
       .def(
-          "radii", [](const DiscIndex& self) { return self.radii(); },
+          "radii", [](const BoundIndex& self) { return self.radii(); },
           "Bounds of the radii of events, ascending, each once.")
       .def(
           "counts",
-          [](const DiscIndex& self, const std::string& squared_radius) {
+          [](const BoundIndex& self, const std::string& squared_radius) {
             const auto place = self.index.place(self.square(squared_radius));
             return std::pair(self.history.components(place), self.history.holes(place));
           },
           "squared_radius"_a, "(components, holes) at a radius, exact, events too.")
       .def(
           "measures",
-          [](const DiscIndex& self, const std::string& squared_radius) {
+          [](const BoundIndex& self, const std::string& squared_radius) {
             const Rational square = self.square(squared_radius);
             const OffsetMeasures found = self.measures_at(square);
             return std::pair(std::pair(found.area.lower(), found.area.upper()),
@@ -443,13 +443,13 @@ void bind_disc_index(nb::module_& module) {
           "Area and length of the boundary, each between two doubles, without the boundary.")
       .def(
           "at_event",
-          [](const DiscIndex& self, const std::string& squared_radius) {
+          [](const BoundIndex& self, const std::string& squared_radius) {
             return self.index.place(self.square(squared_radius)).at_event;
           },
           "squared_radius"_a, "Whether a radius is that of an event. Exact.")
       .def(
           "place",
-          [](const DiscIndex& self, const std::string& squared_radius) {
+          [](const BoundIndex& self, const std::string& squared_radius) {
             const auto place = self.index.place(self.square(squared_radius));
             return std::pair(place.gap, place.at_event);
           },
@@ -457,7 +457,7 @@ void bind_disc_index(nb::module_& module) {
           "How many radii of events are not above a radius; whether the last is this one. Exact.")
       .def(
           "canonical_json",
-          [](const DiscIndex& self, const std::string& squared_radius) {
+          [](const BoundIndex& self, const std::string& squared_radius) {
             const Rational square = self.square(squared_radius);
             const auto place = self.index.place(square);
             if (place.at_event) return canonical_json(offset_region(self.P, square));
@@ -467,7 +467,7 @@ void bind_disc_index(nb::module_& module) {
           "The canonical form: read off, or at the radius of an event the static sum.")
       .def(
           "vertices",
-          [](const DiscIndex& self, double radius) {
+          [](const BoundIndex& self, double radius) {
             auto found = std::make_unique<Vertices>();
             find_vertices(self, radius, *found);
             refuse_beyond_doubles(*found);
@@ -478,13 +478,13 @@ void bind_disc_index(nb::module_& module) {
           "the left; and where rings start. At the radius of an event those just above.")
       .def(
           "rows",
-          [](const DiscIndex& self, std::size_t first, std::size_t count) {
+          [](const BoundIndex& self, std::size_t first, std::size_t count) {
             return diagram_rows(self.index.diagram(), first, count);
           },
           "first"_a, "count"_a, Released(), "Events as DiagramEvents.rows has them.")
       .def(
           "kinds",
-          [](const DiscIndex& self) {
+          [](const BoundIndex& self) {
             std::vector<std::string> kinds;
             for (const DiagramEvent& event : self.index.diagram().events) {
               kinds.emplace_back(name(event.kind));
@@ -509,13 +509,13 @@ void bind_disc_index(nb::module_& module) {
            "(birth or None, end, place of the end, hole that it was a part of), numbered from 1.")
       .def("joins", &joins, "(radius or None, polygon, polygon): from where on components are one.")
       .def(
-          "drawing", [](const DiscIndex& self) { return Drawing(self).fields(); },
+          "drawing", [](const BoundIndex& self) { return Drawing(self).fields(); },
           nb::sig("def drawing(self) -> dict[str, typing.Any]"),
           "The boundary of P and the outer Voronoi diagram, in doubles: what the page of `minkref "
           "view P disc` has. Its fields are those of docs/command-line.md.")
       .def(
           "seconds_of_queries",
-          [](const DiscIndex& self, const std::vector<double>& radii, unsigned rounds) {
+          [](const BoundIndex& self, const std::vector<double>& radii, unsigned rounds) {
             Vertices found;
             for (const double radius : radii) find_vertices(self, radius, found);
             const Stopwatch watch;
@@ -529,9 +529,9 @@ void bind_disc_index(nb::module_& module) {
   module.def(
       "disc_index",
       [](const Set& P, unsigned threads,
-         const std::optional<std::vector<PlaceRow>>& places) -> DiscIndex* {
+         const std::optional<std::vector<PlaceRow>>& places) -> BoundIndex* {
         const Stopwatch watch;
-        auto index = std::make_unique<DiscIndex>(P.value, diagram_of(P.value, threads, places));
+        auto index = std::make_unique<BoundIndex>(P.value, diagram_of(P.value, threads, places));
         index->seconds = watch.seconds();
         return index.release();
       },
