@@ -40,7 +40,7 @@ def environment(folder: Path, build: Path) -> dict[str, str]:
     """For Python with the checkout's package and the extension module of `build`."""
     package = folder / "build"
     package.mkdir(exist_ok=True)
-    if package != build:
+    if not (package / "bindings").exists():
         (package / "bindings").symlink_to(build / "bindings")
     link = [str(folder / "tools/scripts/link_package.py"), str(package)]
     subprocess.run([ROOT / ".venv/bin/python", *link], check=True)
