@@ -54,8 +54,8 @@ Polyhedron sheared(Polyhedron body) {
 /// Prisms of the same heights about the path's plane meet iff their polygons do.
 std::string prisms_are_as_polygons(const PolygonSet& part, const PolygonSet& obstacles,
                                    const std::vector<Point>& path, bool with_contacts) {
-  const auto part = prism(part, -1, 1), walls = prism(obstacles, -3, 2);
-  if (!part || !walls || (!part.is_region() && !obstacles.is_region())) return "";
+  const auto tall = prism(part, -1, 1), walls = prism(obstacles, -3, 2);
+  if (!tall || !walls || (!part.is_region() && !obstacles.is_region())) return "";
   SpacePath flat, oblique;
   for (const Point& p : path) {
     flat.push_back({p.x, p.y, 0});
@@ -74,11 +74,11 @@ std::string prisms_are_as_polygons(const PolygonSet& part, const PolygonSet& obs
       }
       return "";
     };
-    std::string fault = differs(valid_scales(*part, *walls, flat, rule));
+    std::string fault = differs(valid_scales(*tall, *walls, flat, rule));
     if (fault.empty())
-      fault = differs(valid_scales(sheared(*part), sheared(*walls), oblique, rule));
+      fault = differs(valid_scales(sheared(*tall), sheared(*walls), oblique, rule));
     if (fault.empty() && with_contacts) {
-      fault = differs(valid_scales(*part, *walls, flat, rule, {}, PathRoute::contacts));
+      fault = differs(valid_scales(*tall, *walls, flat, rule, {}, PathRoute::contacts));
     }
     if (!fault.empty()) return fault;
   }
