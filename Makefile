@@ -57,7 +57,8 @@ lint: setup
 	.venv/bin/ruff check $(PYTHON_SOURCES)
 	.venv/bin/ruff format --check $(PYTHON_SOURCES)
 	.venv/bin/mypy
-	MYPYPATH=minkref/models .venv/bin/mypy minkref/models/*.py tools/scripts/*.py tools/packaging/*.py
+	cd minkref/models && ../../.venv/bin/mypy --strict --explicit-package-bases *.py
+	.venv/bin/mypy tools/scripts/*.py tools/packaging/*.py
 	MYPYPATH=docs/site .venv/bin/mypy docs/site/*.py
 	.venv/bin/python tools/scripts/check_includes.py
 	.venv/bin/lint-imports --no-cache pyproject.toml

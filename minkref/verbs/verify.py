@@ -17,7 +17,7 @@ from minkref.cli.request import fields_of, request_of, signed
 from minkref.cli.settings import is_outdone, naming_settings
 from minkref.cli.verb import SCHEMA
 from minkref.errors import refusal_text
-from minkref.fuzz.isolation.isolation import choose
+from minkref.fuzz.isolation.isolation import Isolation, choose
 from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.catalogue import TargetEntry, declares_itself, select
 from minkref.fuzz.run.declared import declarations_of
@@ -92,14 +92,15 @@ def answer(context: typer.Context, request: VerifyRequest) -> None:
     asked, output = request.asked, request.output
     _check(request)
     listed = read_baseline(asked.baseline) if asked.baseline is not None else Baseline()
-    limits = _limits(request)
+    walls = _walls(request)
+    limits = _limits(request.bounds, walls)
     chosen, absent = select(asked.targets or [])
     chosen, declared = declarations_of(chosen, limits)
     cases = case_list(request.cases, declared.values())
     if asked.settings is not None:
         cases.notes.append(f"settings: {asked.settings}")
     if any(declares_itself(entry.name) for entry in chosen):
-        cases.notes.append(limits.isolation.sentence())
+        cases.notes.append(walls.sentence())
     if output.report is not None:
         context.with_resource(held_folder(output.report))
     done, groups = _judged(request, cases, chosen, listed, limits)
@@ -117,15 +118,13 @@ def answer(context: typer.Context, request: VerifyRequest) -> None:
         cases.notes.append(_ended(done, output.ledger))
     if done.failed is not None:
         cases.notes.append("ended by a fault of ours: everything judged so far is here")
-    value = document_of(
-        done, groups, chosen, absent, declared, cases, watch, code, limits.isolation
-    )
+    value = document_of(done, groups, chosen, absent, declared, cases, watch, code, walls)
     if output.report is not None:
         again = command_line("verify", command, _said(request))
         page = write_report(output.report, done, groups, value, limits, again, solids)
         value["report"] = str(page)
         value["seconds"] = watch.seconds()
-    _give(output, done, groups, value, limits)
+    _give(output, done, groups, value, walls)
     if done.failed is not None:
         raise InternalError(done.failed)
     if code == ExitCode.USAGE:
@@ -155,13 +154,16 @@ def _check(request: VerifyRequest) -> None:
         check_writable(file)
 
 
-def _limits(request: VerifyRequest) -> Limits:
-    """The limits of each call, and the walls around it, outside of which our files are."""
-    asked, bounds, output = request.asked, request.bounds, request.output
+def _walls(request: VerifyRequest) -> Isolation:
+    """The walls around each call, outside of which our files are."""
+    asked, output = request.asked, request.output
     files = (output.ledger, output.report, *output.verdict_files())
-    walls = choose(
+    return choose(
         asked.isolation, tuple(asked.pass_env or ()), tuple(file for file in files if file)
     )
+
+
+def _limits(bounds: Bounds, walls: Isolation) -> Limits:
     return Limits(
         bounds.call_seconds,
         bounds.call_memory << 20,
@@ -233,12 +235,12 @@ def _said(request: VerifyRequest) -> dict[str, Any]:
 
 
 def _give(
-    output: Output, done: Run, groups: list[Group], value: dict[str, Any], limits: Limits
+    output: Output, done: Run, groups: list[Group], value: dict[str, Any], walls: Isolation
 ) -> None:
     """Writes the files of verdicts, all or none, and prints."""
     written: dict[Path, str | bytes] = {}
     if output.junit_file is not None:
-        written[output.junit_file] = junit(done, groups, limits.isolation)
+        written[output.junit_file] = junit(done, groups, walls)
     if output.sarif_file is not None:
         written[output.sarif_file] = sarif(groups, value)
     if output.markdown_file is not None:

@@ -69,7 +69,7 @@ TAKEN: dict[str, dict[str, Words]] = {
     },
     "certify": {
         "plane": [SQUARE, SQUARE, "-o", "c.cert.json"],
-        "space": [*CUBES, "-o", "c.cert.json"],
+        "space": [*CUBES, "-o", "s.cert.json"],
     },
 }  # fmt: skip
 #: Values of options, for which there is an answer somewhere.

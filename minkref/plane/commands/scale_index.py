@@ -71,12 +71,12 @@ def build_index(
     threads: int | None = None,
 ) -> _core.ScaleIndex:
     """The index of a closed window, which is open towards 0 or infinity where a bound is None."""
-    window = text_of_bounds(first, last)
+    begin, end = text_of_bounds(first, last)
     with progress(WHOLE) as line:
         tell = _teller(line)
         return refusing(
             f"{P.name} and {Q.name}",
-            lambda: _core.ScaleIndex(P.set, Q.set, *window, threads or cores(), 0, tell),
+            lambda: _core.ScaleIndex(P.set, Q.set, begin, end, threads or cores(), 0, tell),
         )
 
 
