@@ -5,7 +5,7 @@
 #include "reference/motion/piece_collisions.hpp"
 #include "reference/motion/routes.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 Rational cross_of(const Point& a, const Point& b, const Point& c) {
@@ -91,4 +91,4 @@ std::vector<PathBound> bounds_of(const PathProblem& problem, const std::vector<S
   return bounds;
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

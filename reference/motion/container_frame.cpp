@@ -4,7 +4,7 @@
 
 #include "reference/error.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 struct ExactBox {
@@ -81,4 +81,4 @@ TouchingFeature ContainerFrame::in_container(const TouchingFeature& feature) con
   return {feature.is_edge, {ring, feature.is_edge ? (2 * last - i) % size : last - i}};
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

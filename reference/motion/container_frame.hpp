@@ -3,7 +3,7 @@
 
 #include "reference/motion/valid_scales.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// A box less a container, so wide that a part which does not meet the set lies inside the
 /// container or all outside the box.
@@ -24,4 +24,4 @@ struct ContainerFrame {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> rings_;  ///< of the container, and lengths
 };
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

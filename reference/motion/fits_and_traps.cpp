@@ -17,7 +17,7 @@
 #include "reference/plane/passages/wedge_walks.hpp"
 #include "reference/plane/witness.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 const char* word(TopologyEvent::Change change) {
@@ -424,4 +424,4 @@ FreeScales scales_that_pass(const PolygonSet& part, const PolygonSet& container,
   return result;
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -6,7 +6,7 @@
 
 #include "reference/motion/valid_scales.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// The cause that ends a range of scales: "contact" (the part touches at a place that was asked
 /// for, as `contact` says), or a change at the place `at` of a hole of the sum of the obstacles and
@@ -60,4 +60,4 @@ FreeScales scales_that_pass(const PolygonSet& part, const PolygonSet& container,
                             const Point& to, ContactRule rule = ContactRule::allowed,
                             FitSearch search = FitSearch::narrowed);
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -7,7 +7,7 @@
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/location.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 bool is_on(const Point& a, const Point& b, const Point& x) {
@@ -111,4 +111,4 @@ std::optional<std::size_t> FreeSpace::part_of(const Point& x) const {
   return std::nullopt;
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

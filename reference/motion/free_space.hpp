@@ -7,7 +7,7 @@
 #include "reference/motion/valid_scales.hpp"
 #include "reference/plane/sum.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// A sum's complement as parts: with contact forbidden, the connected components of the closed
 /// sum's complement; with contact allowed, the components of the closed complement of the
@@ -36,4 +36,4 @@ class FreeSpace {
   std::size_t parts_ = 0;
 };
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -2,7 +2,7 @@
 
 #include "reference/motion/routes.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 std::vector<SidedPiece> sided(const std::vector<ConvexCorners>& pieces) {
@@ -61,4 +61,4 @@ MovingPieces::MovingPieces(const PolygonSet& part, const PolygonSet& obstacles,
     : MovingPiecesOf(sided(open_pieces(half_turned(part), strict && !obstacles.is_region())),
                      sided(open_pieces(obstacles, strict && !part.is_region())), path, strict) {}
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

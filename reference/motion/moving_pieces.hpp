@@ -4,7 +4,7 @@
 #include "reference/motion/moving_pieces_of.hpp"
 #include "reference/motion/open_pieces.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// A convex piece with the directions across its sides, to the outside; of a segment both.
 struct SidedPiece {
@@ -42,4 +42,4 @@ class MovingPieces : public MovingPiecesOf<PathsInThePlane> {
                bool strict);
 };
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

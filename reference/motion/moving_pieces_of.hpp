@@ -13,7 +13,7 @@
 #include "reference/motion/strip_polygon.hpp"
 #include "reference/number/interval.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// Enclosures of a vector.
 template <std::size_t Dimension>
@@ -294,4 +294,4 @@ void MovingPiecesOf<Geometry>::each(const std::vector<Gap>& gaps, bool touching,
   }
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

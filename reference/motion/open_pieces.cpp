@@ -8,7 +8,7 @@
 #include "reference/interrupt.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 Rational turn_at(const Point& a, const Point& b, const Point& c) {
@@ -160,4 +160,4 @@ std::vector<ConvexCorners> open_pieces(const PolygonSet& set, bool open) {
   return pieces;
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -5,7 +5,7 @@
 
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// Corners counter-clockwise, straight ones allowed; two for a segment, a single corner for a
 /// point.
@@ -16,4 +16,4 @@ using ConvexCorners = std::vector<Point>;
 /// Otherwise seams do no harm: interiors that meet share an area. Exact. O(n^2).
 std::vector<ConvexCorners> open_pieces(const PolygonSet& set, bool open);
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

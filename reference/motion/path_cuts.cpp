@@ -4,7 +4,7 @@
 
 #include "reference/interrupt.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 Point from_to(const Point& a, const Point& b) { return {b.x - a.x, b.y - a.y}; }
@@ -60,4 +60,4 @@ PathCuts path_cuts(const std::vector<Point>& path, const std::vector<Segment>& s
   return result;
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -6,7 +6,7 @@
 #include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// Points of a path: its vertices, the points where a segment crosses, touches or leaves the path,
 /// and a point between any two neighbours.
@@ -18,4 +18,4 @@ struct PathCuts {
 /// gives a cut; so does a path with a single vertex.
 PathCuts path_cuts(const std::vector<Point>& path, const std::vector<Segment>& segments);
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

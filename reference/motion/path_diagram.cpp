@@ -8,7 +8,7 @@
 #include "reference/motion/routes.hpp"
 #include "reference/number/float_environment.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 void refuse_endless(const ScaleWindow& window) {
@@ -55,4 +55,4 @@ PathDiagram path_diagram(const PolygonSet& part, const PolygonSet& obstacles,
   return result;
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -8,7 +8,7 @@
 #include "reference/motion/strip_polygon.hpp"
 #include "reference/motion/valid_scales.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// The places (t, s) of one path segment at which two convex pieces collide: the inside of a convex
 /// polygon and, with contact forbidden, its boundary too. Corners run counter-clockwise, with t to
@@ -37,4 +37,4 @@ PathDiagram path_diagram(const PolygonSet& part, const PolygonSet& obstacles,
                          const std::vector<Point>& path, ContactRule rule,
                          const ScaleWindow& window, std::size_t most);
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -3,7 +3,7 @@
 #include "reference/interrupt.hpp"
 #include "reference/plane/passages/wedge_walks.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
@@ -95,4 +95,4 @@ std::vector<PathEdge> contact_edges(const PolygonSet& part, const PolygonSet& ob
   return edges;
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -6,7 +6,7 @@
 #include "reference/plane/moving/track.hpp"
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// An edge between two tracks; `along` gives its direction at all scales.
 struct PathEdge {
@@ -26,4 +26,4 @@ void add_meeting_scales(const PathEdge& edge, const std::vector<Point>& path,
 /// an edge, and equals an edge's end if two vertices touch. Exact. O(m n).
 std::vector<PathEdge> contact_edges(const PolygonSet& part, const PolygonSet& obstacles);
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -11,7 +11,7 @@
 
 #include "reference/motion/moving_pieces_of.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// Ranges in doubles, rounded to the outside.
 std::vector<ScaleGap> gaps_of(const std::vector<ScaleRange>& ranges);
@@ -98,4 +98,4 @@ std::vector<CollisionEnd<typename Geometry::Point>> ends_of_collisions(
   return result;
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -5,7 +5,7 @@
 #include "reference/motion/routes.hpp"
 #include "reference/plane/witness.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 /// Whether the path meets the sum at one scale. A single point stands for each stretch between two
@@ -41,4 +41,4 @@ ScaleSet collisions_by_contacts(const PathProblem& problem, PathStatistics& stat
   });
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -7,7 +7,7 @@
 #include "reference/plane/location.hpp"
 #include "reference/plane/moving/interior_test.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 void add_rings(const PolygonSet& set, std::vector<Segment>& segments) {
@@ -125,4 +125,4 @@ ScaleSet collisions_by_index(const PathProblem& problem, PathStatistics& statist
   });
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

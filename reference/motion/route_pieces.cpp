@@ -4,7 +4,7 @@
 #include "reference/motion/piece_collisions.hpp"
 #include "reference/motion/routes.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 std::vector<ScaleGap> gaps_of(const std::vector<ScaleRange>& ranges) {
   std::vector<ScaleGap> gaps;
@@ -22,4 +22,4 @@ ScaleSet collisions_of_pieces(const PathProblem& problem, PathStatistics& statis
   return collisions_of(pieces, problem.window, statistics);
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

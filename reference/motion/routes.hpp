@@ -5,7 +5,7 @@
 
 #include "reference/motion/valid_scales.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// Requires operands that are not empty and not both without area, a path with a vertex, and a
 /// valid window.
@@ -37,4 +37,4 @@ PolygonSet half_turned(const PolygonSet& set);
 ScaleSet decided_at(std::vector<Rational> critical, const ScaleWindow& window,
                     const std::function<bool(const Rational&)>& collides);
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 /// Whether a range ends before a cut, with something in between.
@@ -65,4 +65,4 @@ std::vector<ScaleRange> ScaleSet::left_of(const ScaleWindow& window) const {
   return left;
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

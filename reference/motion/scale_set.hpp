@@ -7,7 +7,7 @@
 #include "reference/number/rational.hpp"
 #include "reference/plane/critical/scale_window.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// A cut of the scales: just below a scale, or just above.
 struct ScaleCut {
@@ -53,4 +53,4 @@ class ScaleSet {
 /// The cuts around a closed window.
 ScaleRange range_of(const ScaleWindow& window);
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

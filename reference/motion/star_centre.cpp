@@ -4,7 +4,7 @@
 
 #include "reference/interrupt.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 Rational side_of(const Point& a, const Point& b, const Point& x) {
@@ -55,4 +55,4 @@ bool has_star_centre(const PolygonSet& set) {
   return !kernel.empty();
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -3,7 +3,7 @@
 
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// Whether some point of the set sees every other along a segment inside the set. With such a point
 /// at the origin, a smaller copy of the set lies inside a larger copy. Never true for a set without
@@ -11,4 +11,4 @@ namespace minkref::inline paths {
 /// set O(n).
 bool has_star_centre(const PolygonSet& set);
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 namespace {
 
 /// A corner of the polygon; `far`: the common point at infinity of all lines of constant t.
@@ -86,4 +86,4 @@ StripScales scales_of(const StripPolygon& polygon) {
   return result;
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -6,7 +6,7 @@
 
 #include "reference/motion/valid_scales.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// t_slope t + s_slope s + constant < 0, or <= 0.
 struct StripCondition {
@@ -41,4 +41,4 @@ std::optional<StripPolygon> strip_polygon(const std::vector<StripCondition>& con
 /// Exact. O(n).
 StripScales scales_of(const StripPolygon& polygon);
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -6,7 +6,7 @@
 #include "reference/motion/routes.hpp"
 #include "reference/number/float_environment.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 PolygonSet half_turned(const PolygonSet& set) {
   PolygonSet result = set;
@@ -111,4 +111,4 @@ bool star_shaped(const PolygonSet& part) {
   });
 }
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

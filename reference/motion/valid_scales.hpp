@@ -8,7 +8,7 @@
 #include "reference/motion/scale_set.hpp"
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 
 /// Whether a part and an obstacle may touch.
 enum class ContactRule : std::uint8_t { allowed, forbidden };
@@ -84,4 +84,4 @@ bool star_shaped(const PolygonSet& part);
 ContactRule contact_rule(std::string_view name);
 PathRoute path_route(std::string_view name);
 
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

@@ -2,9 +2,7 @@
 // library; and a unit square may double on its way through a gap, 2 wide.
 #include <iostream>
 
-#include "reference/motion/path_diagram.hpp"
-#include "reference/plane/boundary/canonical.hpp"
-#include "reference/plane/sum.hpp"
+#include "reference/minkref.hpp"
 
 int main() {
   const minkref::PolygonSet square{{{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}}};

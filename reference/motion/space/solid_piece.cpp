@@ -252,6 +252,6 @@ bool PathsInSpace::apart(const SolidPiece& part, const SolidPiece& obstacle,
 
 }  // namespace minkref::inline space
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 template class MovingPiecesOf<PathsInSpace>;
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion

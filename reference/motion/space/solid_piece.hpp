@@ -63,9 +63,9 @@ struct PathsInSpace {
 
 }  // namespace minkref::inline space
 
-namespace minkref::inline paths {
+namespace minkref::inline motion {
 extern template class MovingPiecesOf<PathsInSpace>;
-}  // namespace minkref::inline paths
+}  // namespace minkref::inline motion
 
 namespace minkref::inline space {
 using MovingSolids = MovingPiecesOf<PathsInSpace>;
