@@ -19,7 +19,9 @@ from minkref.fuzz.verdicts.verdict import Reason as OurReason
 from minkref.fuzz.verdicts.verdict import Verdict as OurVerdict
 from minkref.motion import scale_ranges
 from minkref.plane import convolution_values, event_values
+from minkref.plane.commands import sweep as plane_sweep
 from minkref.plane.commands import sweep_folder
+from minkref.plane.commands import view as plane_view
 from minkref.reports.bench import baselines
 from minkref.schemas import make, names, result_schema
 from minkref.schemas.bench.table1 import Baseline
@@ -50,7 +52,7 @@ from minkref.space import facets, general_sum, sums
 from minkref.space.commands import event_parts
 from minkref.space.commands import events as space_events
 from minkref.space.page import general_frames
-from minkref.verbs import check, report, sweep, view
+from minkref.verbs import check, report
 from minkref.verbs import sum as sum_command
 from msgspec import Meta
 
@@ -70,8 +72,8 @@ WORDS: dict[str, tuple[Any, Collection[Any]]] = {
     "routes of sum": (SumRoute, sum_command.ROUTES),
     "routes of sum in space": (SpaceSumRoute, (*sums.ROUTES, *general_sum.GENERAL_ROUTES)),
     "routes of sum with a disc": (DiscSumRoute, disc_sum.DISC_ROUTES),
-    "routes of sweep": (SweepRoute, sweep.ROUTES),
-    "routes of view": (SweepRoute, view.ROUTES),
+    "routes of sweep": (SweepRoute, plane_sweep.ROUTES),
+    "routes of view": (SweepRoute, plane_view.ROUTES),
     "routes of events": (EventsRoute, event_values.ROUTES),
     "formats of sweep": (SweepFormat, sweep_folder.FORMATS),
     "formats of sweep in space": (SpaceSweepFormat, sweep_folder.SPACE_FORMATS),

@@ -59,7 +59,7 @@ def written(member: Invalid, folder: Path) -> Path:
 def test_there_is_a_family_for_each_documented_refusal() -> None:
     """Checks the table of polyhedra, except limits of a million faces, and four further codes."""
     text = DOCUMENTED.read_text(encoding="utf-8")
-    rows = text[text.index("first byte. Its code is one of those below, or:") :]
+    rows = text[text.index("its first byte. Refusals have\nthe codes below, or:") :]
     table = [row for row in rows[: rows.index("## Refusals")].splitlines() if row.startswith("| `")]
     codes = {word for row in table for word in row.split("|")[1].split("`")[1::2]}
     drawn = {family.code for family in INVALID_MESH_FAMILIES.values()}

@@ -213,7 +213,7 @@ REFUSALS = [
     (["--from", "1"], "give both"),
     (["--to", "2"], "give both"),
     (["--from", "2", "--to", "1"], "window is empty"),
-    (["--route", "index"], "for the plane"),
+    (["--route", "index"], "does not have this option in space"),
     (["--scale", "1,2"], "2 factors"),
     (["--scale", "0"], "scale is zero"),
     (["--scale", "1,-2,3"], "negative"),

@@ -16,7 +16,7 @@ PATCHES = ROOT / "tests" / "recipes"
 def files_of(recipe: str) -> list[str]:
     """Files that the recipe's patch changes or adds."""
     text = (PATCHES / f"{recipe}.patch").read_text(encoding="utf-8")
-    return re.findall(r"^\+\+\+ b/(.+)$", text, re.MULTILINE)
+    return re.findall(r"^diff --git a/.+ b/(.+)$", text, re.MULTILINE)
 
 
 def follow(recipes: list[str], folder: Path) -> None:
