@@ -1,68 +1,40 @@
-"""The families by name, grouped by subject: the plane, convex bodies in space, polyhedra of any
-shape, a polygon set with a disc, paths and traps."""
+"""All settings, and input that must be refused. To add one, write a folder and a line here."""
 
 from __future__ import annotations
 
-from minkref.degeneracies.disc import across, around, doors, nearly
-from minkref.degeneracies.disc.draft import DiscFamily
-from minkref.degeneracies.motion import along, traps
-from minkref.degeneracies.motion.draft import PathFamily
-from minkref.degeneracies.plane import (
-    contacts,
-    convolutions,
-    critical_scales,
-    holes,
-    incidences,
-    magnitudes,
-    parallel_edges,
-    touches,
+from typing import Any
+
+from minkref.degeneracies.disc.outline import DISC
+from minkref.degeneracies.files import Made
+from minkref.degeneracies.invalid.catalogue import INVALID, INVALID_MESH
+from minkref.degeneracies.motion.outline import MOTION
+from minkref.degeneracies.outline import CORPUS, Group, Outline
+from minkref.degeneracies.plane.outline import PLANE
+from minkref.degeneracies.solids.outline import SOLIDS
+from minkref.degeneracies.space.outline import SPACE
+
+OUTLINES: tuple[Outline, ...] = (PLANE, SPACE, SOLIDS, DISC, MOTION)
+GROUPS: tuple[Group, ...] = (*OUTLINES, INVALID, INVALID_MESH)
+GROUP_OF: dict[str, Group] = {name: group for group in GROUPS for name in group.families}
+
+FAMILIES, SPACE_FAMILIES, SOLID_FAMILIES, DISC_FAMILIES, PATH_FAMILIES = (
+    outline.families for outline in OUTLINES
 )
-from minkref.degeneracies.plane.draft import Family
-from minkref.degeneracies.solids import always as always_of_solids
-from minkref.degeneracies.solids import corners, fits, numbers, same
-from minkref.degeneracies.solids.draft import SolidFamily
-from minkref.degeneracies.space import always, at_a_scaling, shapes, updates
-from minkref.degeneracies.space import magnitudes as magnitudes_in_space
-from minkref.degeneracies.space.draft import SpaceFamily
-
-FAMILIES: dict[str, Family] = {
-    family.name: family
-    for module in (
-        parallel_edges,
-        incidences,
-        critical_scales,
-        holes,
-        contacts,
-        convolutions,
-        magnitudes,
-        touches,
-    )
-    for family in module.FAMILIES
+# Families with cases in the large corpus, in the format case-v1.
+ALL_FAMILIES: dict[str, Any] = {
+    name: family
+    for outline in OUTLINES
+    if outline.corpus == CORPUS
+    for name, family in outline.families.items()
 }
 
-SPACE_FAMILIES: dict[str, SpaceFamily] = {
-    family.name: family
-    for module in (always, at_a_scaling, shapes, magnitudes_in_space, updates)
-    for family in module.FAMILIES
-}
 
-SOLID_FAMILIES: dict[str, SolidFamily] = {
-    family.name: family
-    for module in (always_of_solids, same, fits, corners, numbers)
-    for family in module.FAMILIES
-}
+def outline_of(value: Any) -> Outline:
+    """The setting of a case file; the plane if the file says nothing of another."""
+    told = value if isinstance(value, dict) else {}
+    return next((one for one in reversed(OUTLINES) if one.holds(told)), OUTLINES[0])
 
-DISC_FAMILIES: dict[str, DiscFamily] = {
-    family.name: family for module in (around, across, doors, nearly) for family in module.FAMILIES
-}
 
-PATH_FAMILIES: dict[str, PathFamily] = {
-    family.name: family for module in (along, traps) for family in module.FAMILIES
-}
-
-# Families with cases in the format case-v1.
-ALL_FAMILIES: dict[str, Family | SpaceFamily | SolidFamily] = {
-    **FAMILIES,
-    **SPACE_FAMILIES,
-    **SOLID_FAMILIES,
-}
+def made_member(family: Any, seed: int, index: int, size: int | None = None) -> Made:
+    """Makes ID.json, and ID.cert.json if the member has a certificate, or an invalid file."""
+    return GROUP_OF[family.name].made(family, seed, index, size)

@@ -9,8 +9,9 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from minkref import _core
-from minkref.degeneracies.plane.draft import Facts, Subject
+from minkref.degeneracies.family import Subject
+from minkref.degeneracies.plane.case_document import Degenerate
+from minkref.degeneracies.plane.draft import Facts, sets_in
 
 NAME = "found"
 
@@ -27,10 +28,11 @@ class Story(Subject):
 
     @property
     def facts(self) -> Facts:
-        operands = [_core.PolygonSet.from_json(json.dumps(self.value[name])) for name in "PQ"]
-        for name, operand in zip("PQ", operands, strict=True):
-            operand.validate(name)
-        return Facts(operands[0], operands[1], Fraction(self.value["scale"]))
+        return Facts(*sets_in(self.value, "PQ"), Fraction(self.value["scale"]))
+
+    @property
+    def case(self) -> Degenerate:
+        return Degenerate(self, self.value["source"], self.facts)
 
 
 FOUND: tuple[Story, ...] = tuple(

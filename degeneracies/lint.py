@@ -6,33 +6,31 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import jsonschema
-from minkref import _core
-from minkref.certify.case_text import case_digest
-from minkref.degeneracies.catalogue import ALL_FAMILIES
-from minkref.degeneracies.files import AnyDegenerate, member_of
+from minkref.degeneracies.case_texts import CaseTexts, canonical_text
+from minkref.degeneracies.catalogue import GROUP_OF, OUTLINES, outline_of
 from minkref.degeneracies.found import FOUND
 from minkref.degeneracies.found import NAME as FOUND_NAME
-from minkref.degeneracies.plane.case_document import Degenerate, content_of
-from minkref.degeneracies.plane.case_faults import of_certificate, of_place
-from minkref.degeneracies.plane.case_texts import canonical_text
-from minkref.degeneracies.plane.flags import FLAGS, explained
-from minkref.degeneracies.solids.case_faults import case_faults as case_faults_of_solids
-from minkref.degeneracies.solids.flags import FLAGS_OF_SOLIDS
-from minkref.degeneracies.space.case_faults import case_faults as case_faults_in_space
-from minkref.degeneracies.space.flags import FLAGS_IN_SPACE
+from minkref.degeneracies.outline import CORPUS as CORPUS
+from minkref.degeneracies.outline import Outline
+from minkref.degeneracies.plane.flags import explained
 
 ROOM = Path(__file__).parent
-CORPUS = ROOM / "corpus"
 ENDING = ".cert.json"
 GENERATE = "minkref generate"
-CERTIFIED = ("scale", "components", "holes", "digest")
-WANTED = {"tags", "flags", "expected", "degeneracy"}
+WANTED = {"tags", "expected", "degeneracy"}
+
+
+@cache
+def validator(schema: str) -> jsonschema.Draft202012Validator:
+    """A validator for the schema with this name."""
+    text = (ROOM / "schema" / f"{schema}.json").read_text(encoding="utf-8")
+    return jsonschema.Draft202012Validator(json.loads(text))
 
 
 def case_paths(folder: Path) -> list[Path]:
@@ -43,8 +41,6 @@ def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
     """Yields a line for each fault. `again`: makes each case again from its source, to compare,
     which takes as long as generating. Certificates are compared with their cases, but not followed:
     for that, run `minkref check FOLDER`."""
-    schema = json.loads((ROOM / "schema" / "case-v1.json").read_text(encoding="utf-8"))
-    validator = jsonschema.Draft202012Validator(schema)
     seen: dict[str, Path] = {}
     for path in case_paths(folder):
         text = path.read_text(encoding="utf-8")
@@ -53,18 +49,19 @@ def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
         except ValueError as error:
             yield f"{path}: {error}"
             continue
-        errors = [f"{e.json_path}: {e.message}" for e in validator.iter_errors(value)]
-        kind = _kind(value)
-        absent = sorted((WANTED | kind.certified) - set(value))
+        outline = outline_of(value)
+        found = validator(outline.case.schema).iter_errors(value)
+        errors = [f"{e.json_path}: {e.message}" for e in found]
+        absent = sorted(_wanted(outline) - set(value))
         errors += [f"the member {name} is missing" for name in absent]
         if errors:
             yield from (f"{path}: {error}" for error in errors)
             continue
         if text != canonical_text(value):
             yield f"{path}: not in canonical form"
-        for flag in sorted(set(value["flags"]) - kind.flags):
+        for flag in sorted(set(value.get("flags", [])) - outline.flags):
             yield f"{path}: the flag {flag} is not explained"
-        yield from kind.faults(path, value, seen)
+        yield from outline.faults(path, value, seen)
         if again:
             yield from _differences(path, value)
     for path in sorted(folder.rglob(f"*{ENDING}")):
@@ -81,41 +78,15 @@ def corpus_faults(folder: Path = CORPUS) -> Iterator[str]:
     }
     for flag in sorted(set(explained()) - used):
         yield f"flags.json: no case has the flag {flag}"
-    for flag in sorted(set(explained()) ^ {*FLAGS, *FLAGS_IN_SPACE, *FLAGS_OF_SOLIDS}):
+    given = {flag for outline in OUTLINES for flag in outline.flags}
+    for flag in sorted(set(explained()) ^ given):
         yield f"flags.json: {flag} is explained and never given, or given and not explained"
 
 
-@dataclass(frozen=True)
-class _Kind:
-    """A kind of case: plane, convex bodies in space, or polyhedra of any shape."""
-
-    flags: frozenset[str]
-    faults: Callable[[Path, dict[str, Any], dict[str, Path]], Iterator[str]]
-    certified: frozenset[str] = frozenset({"certificate"})
-
-
-def _kind(value: Any) -> _Kind:
-    if not isinstance(value, dict) or value.get("dimension") != 3:
-        return _Kind(frozenset(FLAGS), _case_faults)
-    told = value.get("degeneracy")
-    if isinstance(told, dict) and "ties" in told:
-        return _Kind(frozenset(FLAGS_OF_SOLIDS), case_faults_of_solids, frozenset())
-    return _Kind(frozenset(FLAGS_IN_SPACE), case_faults_in_space)
-
-
-def _case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Iterator[str]:
-    """Yields faults of a case in the plane."""
-    try:
-        operands = [_core.PolygonSet.from_json(json.dumps(value[name])) for name in "PQ"]
-        for name, operand in zip("PQ", operands, strict=True):
-            operand.validate(name)
-    except _core.BadInput as error:
-        yield f"{path}: {error}"
-        return
-    content = content_of(operands[0], operands[1])
-    yield from of_place(path, value, content, value["scales"], seen)
-    certified = case_digest(operands[0], operands[1])
-    yield from of_certificate(path, value, certified, {name: name for name in CERTIFIED})
+def _wanted(outline: Outline) -> set[str]:
+    """Members that the schema leaves open."""
+    more = {"flags": outline.flags, "certificate": outline.certified}
+    return WANTED | {name for name, has in more.items() if has}
 
 
 def _differences(path: Path, value: dict[str, Any]) -> Iterator[str]:
@@ -139,24 +110,17 @@ def _differences(path: Path, value: dict[str, Any]) -> Iterator[str]:
         yield f"{file}: not the certificate that the source makes"
 
 
-def _made_again(value: dict[str, Any]) -> AnyDegenerate | None:
+def _made_again(value: dict[str, Any]) -> CaseTexts[Any] | None:
     if value["tags"][0] == FOUND_NAME:
-        return next(
-            (
-                Degenerate(story, story.value["source"], story.facts)
-                for story in FOUND
-                if story.title == value.get("title")
-            ),
-            None,
-        )
+        return next((one.case for one in FOUND if one.title == value.get("title")), None)
     words = str(value.get("source", "")).removeprefix(GENERATE).split()
     try:
-        family = ALL_FAMILIES[words[0]]
+        family = GROUP_OF[words[0]].families[words[0]]
         options = {words[i]: int(words[i + 1]) for i in range(1, len(words), 2)}
         made = (options["--seed"], options["--index"], options.get("--size"))
     except (IndexError, KeyError, ValueError):
         return None
-    return member_of(family, *made)
+    return outline_of(value).case.of(family, *made)
 
 
 def main(arguments: list[str]) -> int:

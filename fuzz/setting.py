@@ -31,6 +31,7 @@ class Setting(ABC):
     target: ClassVar[str]  # a reference route that takes the cases
     verbs: ClassVar[tuple[str, ...]]  # beside `at`; if a target declares them
     asking: ClassVar[type[Asking]]  # asks targets, and judges their answers
+    families: ClassVar[dict[str, str]]  # titles of the generators of pairs, by name
     never: ClassVar[frozenset[str]] = frozenset()  # capabilities never asked for
 
     # Cases.

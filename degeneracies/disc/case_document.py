@@ -6,18 +6,15 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from minkref import _core
-from minkref.degeneracies.disc.draft import DiscFacts, DiscFamily
-from minkref.degeneracies.disc.generate import drawn_with_disc
+from minkref.degeneracies.case_texts import CaseTexts
+from minkref.degeneracies.disc.draft import DiscFacts
 from minkref.degeneracies.plane.case_document import set_content
-from minkref.degeneracies.plane.case_texts import LICENCE, CaseTexts, Provable, id_of, source_of
 from minkref.disc.disc import Disc
 from minkref.exact import digest
 
-SCHEMA = "disc-case-v1"
 NEAR = Fraction(1, 64)  # share of the squared radius up to which events are told
 SHOWN = 12  # most events told
 
@@ -34,35 +31,32 @@ class DiscRoutesDiffer(Exception):
 
 
 @dataclass(frozen=True)
-class DegenerateWithDisc(CaseTexts):
+class DegenerateWithDisc(CaseTexts[DiscFacts]):
     """A case of a polygon set and a disc."""
 
-    facts: DiscFacts
+    schema: ClassVar[str] = "disc-case-v1"
+    certified: ClassVar[bool] = False
 
-    @classmethod
-    def of(
-        cls, family: DiscFamily, seed: int, index: int, size: int | None = None
-    ) -> DegenerateWithDisc:
-        """Makes member number `index`, with about `size` vertices if given."""
-        source = source_of(family.name, seed, index, size)
-        return cls(family, source, drawn_with_disc(family, seed, index, size))
+    @property
+    def content(self) -> str:
+        return json.dumps(set_content(self.facts.P))
 
-    @cached_property
-    def id(self) -> str:
-        content = json.dumps(set_content(self.facts.P))
-        return id_of(self.subject.name, content, [str(square) for square in self.facts.squares])
+    @staticmethod
+    def scales_in(value: dict[str, Any]) -> list[str]:
+        return list(value["squared_radii"])
 
-    @cached_property
-    def document(self) -> dict[str, Any]:
+    @property
+    def operands(self) -> dict[str, Any]:
+        return {
+            "P": json.loads(self.facts.P.to_json()),
+            "Q": f"disc:{Disc('', self.facts.squared_radius).radius}",
+            "squared_radii": [str(square) for square in self.facts.squares],
+        }
+
+    @property
+    def findings(self) -> dict[str, Any]:
         facts = self.facts
         return {
-            "schema": SCHEMA,
-            "id": self.id,
-            "title": self.subject.title,
-            "P": json.loads(facts.P.to_json()),
-            "Q": f"disc:{Disc('', facts.squared_radius).radius}",
-            "squared_radii": [str(square) for square in facts.squares],
-            "tags": [self.subject.name],
             "expected": [self._expected(square) for square in facts.squares],
             "degeneracy": {
                 "at": str(facts.squared_radius),
@@ -82,14 +76,7 @@ class DegenerateWithDisc(CaseTexts):
                 "below_at_above": [list(counts) for counts in facts.counts],
                 "varies": list(VARIES),
             },
-            "source": self.source,
-            "licence": LICENCE,
         }
-
-    @property
-    def certificate(self) -> Provable | None:
-        """None: a sum with a disc has no certificate."""
-        return None
 
     def _expected(self, square: Fraction) -> dict[str, Any]:
         """Refuses what two routes do not agree on."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -11,7 +10,8 @@ from random import Random
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.plane.draft import Subject
+from minkref.degeneracies.family import Family
+from minkref.degeneracies.plane.draft import valid_sets
 from minkref.fuzz.geometry.plane import Shape, cross, dot, edges, minus
 from minkref.fuzz.plane.families.drawing import shape_text
 
@@ -81,8 +81,7 @@ class DiscFacts:
     @classmethod
     def of(cls, draft: DiscDraft) -> DiscFacts:
         """Raises _core.BadInput if the set is invalid."""
-        P = _core.PolygonSet.from_json(shape_text(draft.P))
-        P.validate("P")
+        (P,) = valid_sets({"P": shape_text(draft.P)})
         return cls(P, draft.P, draft.squared_radius, draft.places, draft.were_near)
 
     @cached_property
@@ -165,13 +164,18 @@ class DiscFacts:
         return [[list(point) for point in points] for points, _, _ in found]
 
 
-@dataclass(frozen=True)
-class DiscFamily(Subject):
-    """`draw` draws a candidate with about `size` vertices; `belongs` decides from the facts whether
-    the candidate belongs to the family."""
+class DiscFamily(Family[DiscDraft, DiscFacts]):
+    """A family of sums with a disc."""
 
-    draw: Callable[[Random, int], DiscDraft]
-    belongs: Callable[[DiscFacts], bool]
+    def look(self, draft: DiscDraft) -> DiscFacts:
+        return DiscFacts.of(draft)
+
+    def tried(self, dice: Random, *size: int) -> tuple[DiscFacts, bool] | None:
+        """Passes over sets whose events the reference does not tell."""
+        try:
+            return super().tried(dice, *size)
+        except _core.BadInput:
+            return None
 
 
 def _spot(point: tuple[Fraction | int, Fraction | int]) -> Spot:

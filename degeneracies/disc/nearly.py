@@ -11,7 +11,7 @@ from random import Random
 from minkref import _core
 from minkref.degeneracies.disc import across, around, doors
 from minkref.degeneracies.disc.draft import DiscDraft, DiscFacts, DiscFamily
-from minkref.degeneracies.plane.draft import NothingDrawn
+from minkref.degeneracies.family import NothingDrawn
 from minkref.fuzz.geometry.plane import Shape, moved
 
 FEWEST_DIGITS, MOST_DIGITS = 2, 10

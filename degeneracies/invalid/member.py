@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from random import Random
 
-from minkref.degeneracies.plane.draft import PAGES
+from minkref.degeneracies.family import PAGES
 
 PREFIX = "invalid-"
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
-from random import Random
+from typing import ClassVar
 
 import minkref
 from minkref import _core
-from minkref.degeneracies.plane.draft import Subject
+from minkref.degeneracies.family import Family
+from minkref.degeneracies.plane.draft import valid_sets
 from minkref.fuzz.geometry.plane import Shape
 from minkref.fuzz.plane.families.drawing import shape_text
 from minkref.motion.path_values import FreeScales, PathBound, ScaleRange, ValidScales
@@ -42,12 +43,10 @@ class PathFacts:
     @classmethod
     def of(cls, draft: PathDraft) -> PathFacts:
         """Raises _core.BadInput if a set is invalid."""
-        sets = []
-        for name, shape in (("R", draft.part), ("O", draft.obstacles)):
-            made = _core.PolygonSet.from_json(shape_text(shape))
-            made.validate(name)
-            sets.append(made)
-        return cls(sets[0], sets[1], draft.path, draft.scale)
+        part, obstacles = valid_sets(
+            {"R": shape_text(draft.part), "O": shape_text(draft.obstacles)}
+        )
+        return cls(part, obstacles, draft.path, draft.scale)
 
     @cache  # noqa: B019  # as long as its facts
     def valid(self, contact: str) -> ValidScales:
@@ -78,12 +77,13 @@ class PathFacts:
 
 
 @dataclass(frozen=True)
-class PathFamily(Subject):
-    """`draw` draws a candidate; `belongs` decides from the facts whether the candidate belongs to
-    the family. A member's answer: the scales at which the part passes, or is trapped (`is_trap`).
-    `until`: the answer is certified up to so many times the degenerate scale; None: everywhere."""
+class PathFamily(Family[PathDraft, PathFacts]):
+    """A member's answer: the scales at which the part passes, or is trapped (`is_trap`). `until`:
+    the answer is certified up to so many times the degenerate scale; None: everywhere."""
 
-    draw: Callable[[Random], PathDraft]
-    belongs: Callable[[PathFacts], bool]
     is_trap: bool = False
     until: int | None = None
+    has_sizes: ClassVar[bool] = False
+
+    def look(self, draft: PathDraft) -> PathFacts:
+        return PathFacts.of(draft)

@@ -10,10 +10,9 @@ from typing import Any
 
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate
-from minkref.degeneracies.plane.case_texts import IN_FULL, CaseTexts, id_of, is_double, source_of
-from minkref.degeneracies.plane.draft import Facts, Family
+from minkref.degeneracies.case_texts import IN_FULL, CaseTexts, is_double
+from minkref.degeneracies.plane.draft import Facts
 from minkref.degeneracies.plane.flags import flags_of
-from minkref.degeneracies.plane.generate import member
 from minkref.degeneracies.plane.verdict_of_floats import precision
 from minkref.exact import digest
 from minkref.fuzz.geometry.plane import written_rings
@@ -33,16 +32,12 @@ VARIES = {
 
 
 @dataclass(frozen=True)
-class Degenerate(CaseTexts):
+class Degenerate(CaseTexts[Facts]):
     """A case in the plane."""
 
-    facts: Facts
-
-    @classmethod
-    def of(cls, family: Family, seed: int, index: int, size: int | None = None) -> Degenerate:
-        """Makes member number `index`, with about `size` vertices if given."""
-        source = source_of(family.name, seed, index, size)
-        return cls(family, source, member(family, seed, index, size))
+    @property
+    def content(self) -> str:
+        return content_of(self.facts.P, self.facts.Q)
 
     @cached_property
     def scales(self) -> list[Fraction]:
@@ -59,22 +54,19 @@ class Degenerate(CaseTexts):
         P, Q = self.facts.P, self.facts.Q
         return [_core.minkowski_sum(P, Q, str(scale)) for scale in self.scales]
 
-    @cached_property
-    def id(self) -> str:
-        content = content_of(self.facts.P, self.facts.Q)
-        return id_of(self.subject.name, content, [str(scale) for scale in self.scales])
-
-    @cached_property
-    def document(self) -> dict[str, Any]:
-        """case-v1."""
-        facts, found = self.facts, list(zip(self.scales, self.sums, strict=True))
-        operands = {
+    @property
+    def operands(self) -> dict[str, Any]:
+        return {
             "dimension": 2,
-            "P": json.loads(facts.P.to_json()),
-            "Q": json.loads(facts.Q.to_json()),
+            "P": json.loads(self.facts.P.to_json()),
+            "Q": json.loads(self.facts.Q.to_json()),
             "scales": [str(scale) for scale in self.scales],
         }
-        findings = {
+
+    @property
+    def findings(self) -> dict[str, Any]:
+        facts, found = self.facts, list(zip(self.scales, self.sums, strict=True))
+        return {
             "flags": flags_of(facts),
             "expected": [self._expected(*each) for each in found],
             "degeneracy": {
@@ -91,7 +83,6 @@ class Degenerate(CaseTexts):
                 ],
             },
         }
-        return self.described(operands, findings)
 
     @cached_property
     def certificate(self) -> Certificate:

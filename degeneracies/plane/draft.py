@@ -2,29 +2,37 @@
 
 from __future__ import annotations
 
+import json
 from bisect import bisect_left
-from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from pathlib import Path
-from random import Random
 from typing import Any
 
 from minkref import _core
 from minkref.certify.case_text import places
 from minkref.certify.plane.predicate import Predicate, Vertices
+from minkref.degeneracies import family
 from minkref.degeneracies.plane.convolution_at import ConvolutionAt
 from minkref.fuzz.geometry.plane import Shape
 from minkref.fuzz.plane.families.drawing import shape_text
 
 Place = tuple[str, str]
-PAGES = Path(__file__).parents[1] / "pages"
 LARGEST_GAP = 2000  # 2^-k beside a scale is looked at down to this k
 
 
-class NothingDrawn(Exception):
-    """A generator has no candidate; another draw may have one."""
+def valid_sets(texts: dict[str, str]) -> list[_core.PolygonSet]:
+    """The sets by their names. Raises _core.BadInput if one is invalid."""
+    found = []
+    for name, text in texts.items():
+        found.append(_core.PolygonSet.from_json(text))
+        found[-1].validate(name)
+    return found
+
+
+def sets_in(value: dict[str, Any], names: str) -> list[_core.PolygonSet]:
+    """The valid sets of a document. Raises _core.BadInput if one is invalid."""
+    return valid_sets({name: json.dumps(value[name]) for name in names})
 
 
 @dataclass(frozen=True)
@@ -51,12 +59,8 @@ class Facts:
     @classmethod
     def of(cls, draft: Draft) -> Facts:
         """Raises _core.BadInput if an operand is invalid."""
-        operands = []
-        for name, shape in (("P", draft.P), ("Q", draft.Q)):
-            operand = _core.PolygonSet.from_json(shape_text(shape))
-            operand.validate(name)
-            operands.append(operand)
-        return cls(operands[0], operands[1], draft.scale, draft.zeros)
+        P, Q = valid_sets({"P": shape_text(draft.P), "Q": shape_text(draft.Q)})
+        return cls(P, Q, draft.scale, draft.zeros)
 
     @classmethod
     def of_valid(cls, draft: Draft) -> Facts | None:
@@ -166,24 +170,11 @@ class Facts:
         return all(self.vertices.value(zero, self.scale) == 0 for zero in self.zeros)
 
 
-@dataclass(frozen=True)
-class Subject:
-    """The subject of a case. `why`: the reason that good code gets it wrong."""
+class Family(family.Family[Draft, Facts]):
+    """A family of pairs in the plane."""
 
-    name: str
-    title: str
-
-    @property
-    def why(self) -> str:
-        """pages/NAME.md without its heading, a paragraph a line."""
-        _, _, text = (PAGES / f"{self.name}.md").read_text(encoding="utf-8").partition("\n")
-        return "\n\n".join(" ".join(part.split()) for part in text.strip().split("\n\n"))
-
-
-@dataclass(frozen=True)
-class Family(Subject):
-    """`draw` draws a candidate with about `size` vertices; `belongs` decides from the facts whether
-    the candidate belongs to the family."""
-
-    draw: Callable[[Random, int], Draft]
-    belongs: Callable[[Facts], bool]
+    def look(self, draft: Draft) -> Facts:
+        facts = Facts.of(draft)
+        if not facts.has_zeros:
+            raise family.NothingDrawn
+        return facts

@@ -8,7 +8,8 @@ from random import Random
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.plane.draft import Draft, Facts, NothingDrawn
+from minkref.degeneracies.family import NothingDrawn
+from minkref.degeneracies.plane.draft import Draft, Facts
 from minkref.degeneracies.plane.shapes import changed, number
 from minkref.fuzz.geometry.plane import Shape, box
 from minkref.fuzz.plane.families.drawing import convex, shape_text

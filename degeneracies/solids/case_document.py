@@ -5,14 +5,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from minkref import _core
-from minkref.degeneracies.plane.case_texts import CaseTexts, Provable, id_of, source_of
-from minkref.degeneracies.solids.draft import Probe, SolidDraft, SolidFacts, SolidFamily
+from minkref.degeneracies.case_texts import CaseTexts
+from minkref.degeneracies.solids.draft import Probe, SolidFacts
 from minkref.degeneracies.solids.flags import flags_of_solids
-from minkref.degeneracies.solids.generate import drawn_solids
 from minkref.degeneracies.solids.ties import Tie
 from minkref.degeneracies.space.case_document import content_in_space
 from minkref.exact import digest
@@ -32,37 +30,29 @@ class RoutesDiffer(Exception):
 
 
 @dataclass(frozen=True)
-class DegenerateSolids(CaseTexts):
+class DegenerateSolids(CaseTexts[SolidFacts]):
     """A case with two polyhedra of any shape."""
 
-    draft: SolidDraft
-    facts: SolidFacts
     shown: list[Tie]
+    certified: ClassVar[bool] = False
 
-    @classmethod
-    def of(
-        cls, family: SolidFamily, seed: int, index: int, size: int | None = None
-    ) -> DegenerateSolids:
-        """Makes member number `index`, with about `size` vertices if given."""
-        source = source_of(family.name, seed, index, size)
-        return cls(family, source, *drawn_solids(family, seed, index, size))
+    @property
+    def content(self) -> str:
+        return content_in_space(self.facts.P.given, self.facts.Q.given)
 
-    @cached_property
-    def id(self) -> str:
-        content = content_in_space(self.facts.P.given, self.facts.Q.given)
-        return id_of(self.subject.name, content, [_commas(s) for s in self.facts.scales])
-
-    @cached_property
-    def document(self) -> dict[str, Any]:
-        """case-v1, of dimension 3, without a certificate."""
-        facts = self.facts
-        operands = {
+    @property
+    def operands(self) -> dict[str, Any]:
+        return {
             "dimension": 3,
-            "P": facts.P.given.document(),
-            "Q": facts.Q.given.document(),
-            "scales": [_factors(s) for s in facts.scales],
+            "P": self.facts.P.given.document(),
+            "Q": self.facts.Q.given.document(),
+            "scales": [_factors(s) for s in self.facts.scales],
         }
-        findings = {
+
+    @property
+    def findings(self) -> dict[str, Any]:
+        facts = self.facts
+        return {
             "flags": flags_of_solids(facts),
             "expected": [self._expected(s) for s in facts.scales],
             "degeneracy": {
@@ -73,14 +63,6 @@ class DegenerateSolids(CaseTexts):
                 "varies": list(VARIES),
             },
         }
-        found = self.described(operands, findings)
-        del found["certificate"]
-        return found
-
-    @property
-    def certificate(self) -> Provable | None:
-        """None: a sum of this kind has no certificate."""
-        return None
 
     def _expected(self, s: Fraction) -> dict[str, Any]:
         """Refuses what two routes do not agree on."""
@@ -117,7 +99,3 @@ def _texts(point: Point) -> list[str]:
 
 def _factors(s: Fraction) -> list[str]:
     return [str(s)] * 3
-
-
-def _commas(s: Fraction) -> str:
-    return ",".join(_factors(s))

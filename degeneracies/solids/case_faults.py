@@ -7,14 +7,15 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.plane.case_faults import of_place, of_scales
+from minkref.degeneracies.case_faults import of_place, of_scales
+from minkref.degeneracies.solids.case_document import DegenerateSolids
 from minkref.degeneracies.solids.mesh import Mesh
 from minkref.degeneracies.space.case_document import content_in_space
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 
 
 def case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Iterator[str]:
-    """A line for each fault."""
+    """Yields a line for each fault."""
     try:
         P, Q = (Polyhedron.from_document(value[name]) for name in "PQ")
         for name, solid in (("P", P), ("Q", Q)):
@@ -22,7 +23,7 @@ def case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Ite
     except (ValueError, _core.BadInput) as error:
         yield f"{path}: {error}"
         return
-    scales = [",".join(scale) for scale in value["scales"]]
+    scales = DegenerateSolids.scales_in(value)
     yield from of_place(path, value, content_in_space(P, Q), scales, seen)
     yield from of_scales(path, value)
     if "certificate" in value:

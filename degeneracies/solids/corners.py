@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import combinations, islice, product
 from random import Random
 
-from minkref.degeneracies.plane.draft import NothingDrawn
+from minkref.degeneracies.family import NothingDrawn
 from minkref.degeneracies.solids.convolution import Convolution, ConvolutionFacet
 from minkref.degeneracies.solids.crossings import crossings
 from minkref.degeneracies.solids.draft import Probe, SolidDraft, SolidFacts, SolidFamily

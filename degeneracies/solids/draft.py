@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from random import Random
 
 from minkref import _core
-from minkref.degeneracies.plane.draft import Subject
+from minkref.degeneracies.family import Family
 from minkref.degeneracies.solids.convolution import Convolution, sum_at
 from minkref.degeneracies.solids.euler import euler_of_meeting
 from minkref.degeneracies.solids.mesh import Mesh
@@ -55,6 +53,7 @@ class SolidFacts:
     Q: Mesh
     scale: Fraction
     probes: tuple[Probe, ...]
+    plain: tuple[Polyhedron, Polyhedron] | None
     _sums: dict[Fraction, _core.PolyhedralSet] = field(default_factory=dict, compare=False)
     _contacts: dict[Probe, list[Contact]] = field(default_factory=dict, compare=False)
 
@@ -64,7 +63,7 @@ class SolidFacts:
         P, Q = Mesh(draft.P), Mesh(draft.Q)
         P.certify("P")
         Q.certify("Q")
-        return cls(P, Q, draft.scale, draft.probes)
+        return cls(P, Q, draft.scale, draft.probes, draft.plain)
 
     @cached_property
     def scales(self) -> list[Fraction]:
@@ -107,10 +106,8 @@ class SolidFacts:
         return self._sums[s]
 
 
-@dataclass(frozen=True)
-class SolidFamily(Subject):
-    """`draw` draws a candidate, with about `size` vertices if the family can be large. `proof`:
-    some ties that show membership in the family; none for other pairs."""
+class SolidFamily(Family[SolidDraft, SolidFacts]):
+    """A family of polyhedra of any shape: `belongs` gives some ties."""
 
-    draw: Callable[[Random, int], SolidDraft]
-    proof: Callable[[SolidFacts], list[Tie]]
+    def look(self, draft: SolidDraft) -> SolidFacts:
+        return SolidFacts.of(draft)

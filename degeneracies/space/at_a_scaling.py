@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from random import Random
 
-from minkref.degeneracies.plane.draft import NothingDrawn
+from minkref.degeneracies.family import NothingDrawn
 from minkref.degeneracies.space.bodies import any_scaling, below, changed, hull, scattered, swapped
 from minkref.degeneracies.space.coincidences import (
     facets_along_edges,

@@ -9,7 +9,7 @@ from fractions import Fraction
 from itertools import permutations, product
 from random import Random
 
-from minkref.degeneracies.plane.draft import NothingDrawn
+from minkref.degeneracies.family import NothingDrawn
 from minkref.degeneracies.space.draft import SpaceDraft
 from minkref.degeneracies.space.vectors import inverse, moved, stretched, vector
 from minkref.degeneracies.space.vectors import product as dotted

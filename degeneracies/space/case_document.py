@@ -5,15 +5,13 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 from minkref.certify.space.convex_certificate import ConvexCertificate
-from minkref.degeneracies.plane.case_texts import IN_FULL, CaseTexts, id_of, is_double, source_of
+from minkref.degeneracies.case_texts import IN_FULL, CaseTexts, is_double
 from minkref.degeneracies.space.body import Body, Corners
-from minkref.degeneracies.space.draft import Coincidence, SpaceFacts, SpaceFamily
+from minkref.degeneracies.space.draft import Coincidence, SpaceFacts
 from minkref.degeneracies.space.flags import flags_in_space
-from minkref.degeneracies.space.generate import member_in_space
 from minkref.exact import digest
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
@@ -30,37 +28,28 @@ VARIES = {
 
 
 @dataclass(frozen=True)
-class DegenerateInSpace(CaseTexts):
+class DegenerateInSpace(CaseTexts[SpaceFacts]):
     """A case in space."""
 
-    facts: SpaceFacts
     shown: list[Coincidence]
 
-    @classmethod
-    def of(
-        cls, family: SpaceFamily, seed: int, index: int, size: int | None = None
-    ) -> DegenerateInSpace:
-        """Makes member number `index`, with about `size` vertices if given."""
-        source = source_of(family.name, seed, index, size)
-        return cls(family, source, *member_in_space(family, seed, index, size))
+    @property
+    def content(self) -> str:
+        return content_in_space(self.facts.P.given, self.facts.Q.given)
 
-    @cached_property
-    def id(self) -> str:
-        scales = [",".join(_texts(at)) for at in self.facts.scalings]
-        content = content_in_space(self.facts.P.given, self.facts.Q.given)
-        return id_of(self.subject.name, content, scales)
-
-    @cached_property
-    def document(self) -> dict[str, Any]:
-        """case-v1, of dimension 3."""
-        facts = self.facts
-        operands = {
+    @property
+    def operands(self) -> dict[str, Any]:
+        return {
             "dimension": 3,
-            "P": facts.P.given.document(),
-            "Q": facts.Q.given.document(),
-            "scales": [_texts(at) for at in facts.scalings],
+            "P": self.facts.P.given.document(),
+            "Q": self.facts.Q.given.document(),
+            "scales": [_texts(at) for at in self.facts.scalings],
         }
-        findings = {
+
+    @property
+    def findings(self) -> dict[str, Any]:
+        facts = self.facts
+        return {
             "flags": flags_in_space(facts),
             "expected": [self._expected(at) for at in facts.scalings],
             "degeneracy": {
@@ -72,7 +61,6 @@ class DegenerateInSpace(CaseTexts):
                 "floats": [self._floats(at) for at in facts.scalings],
             },
         }
-        return self.described(operands, findings)
 
     @property
     def certificate(self) -> ConvexCertificate:

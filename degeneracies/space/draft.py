@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from random import Random
 
 from minkref import _core
 from minkref.certify.space.convex_certificate import ConvexCertificate
-from minkref.degeneracies.plane.draft import Subject
+from minkref.degeneracies.family import Family
 from minkref.degeneracies.space.body import Body, Corners, Facet
 from minkref.degeneracies.space.doubles import signs_in_doubles
 from minkref.degeneracies.space.vectors import direction, inverse
@@ -275,13 +274,11 @@ class SpaceFacts:
         return [c for body in (self.P, self.Q) for vertex in body.given.vertices for c in vertex]
 
 
-@dataclass(frozen=True)
-class SpaceFamily(Subject):
-    """`draw` draws a candidate with about `size` vertices. `proof`: some coincidences that show
-    membership in the family; none for other pairs."""
+class SpaceFamily(Family[SpaceDraft, SpaceFacts]):
+    """A family of bodies in space: `belongs` gives some coincidences."""
 
-    draw: Callable[[Random, int], SpaceDraft]
-    proof: Callable[[SpaceFacts], list[Coincidence]]
+    def look(self, draft: SpaceDraft) -> SpaceFacts:
+        return SpaceFacts.of(draft)
 
 
 def _kind(face: Corners) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from minkref import _core
 from minkref.errors import refusing
@@ -30,6 +30,7 @@ class Plane(Setting):
     name, where, dimension = "plane", "in the plane", 2
     target = "minkref:paper"
     asking = PlaneAsking
+    families: ClassVar[dict[str, str]] = {name: one.title for name, one in FAMILIES.items()}
     verbs = (UPDATE, EVENTS, REJECTS, PATH, RANGES)
     never = frozenset({"non-uniform"})
 

@@ -29,6 +29,7 @@ class Space(Setting):
     name, where, dimension = "space", "in space", DIMENSION
     target = "minkref:convex"
     asking = SpaceAsking
+    families = SPACE_FAMILIES
     verbs = (UPDATE,)
 
     def holds(self, operands: list[Any]) -> bool:

@@ -10,7 +10,6 @@ def targets(incomplete: str) -> list[str]:
 
 
 def families(incomplete: str) -> list[str]:
-    from minkref.fuzz.plane.families.catalogue import FAMILIES
-    from minkref.fuzz.space.families import SPACE_FAMILIES
+    from minkref.fuzz.settings import SETTINGS
 
-    return [name for name in (*FAMILIES, *SPACE_FAMILIES) if name.startswith(incomplete)]
+    return [n for setting in SETTINGS for n in setting.families if n.startswith(incomplete)]

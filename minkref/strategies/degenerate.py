@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 from hypothesis import strategies as st
 from minkref.degeneracies.catalogue import FAMILIES
-from minkref.degeneracies.plane.draft import Draft, Facts, Family, NothingDrawn
-from minkref.degeneracies.plane.generate import FEWEST, MOST
+from minkref.degeneracies.family import FEWEST, MOST, NothingDrawn
+from minkref.degeneracies.plane.draft import Draft, Facts, Family
 from minkref.errors import nearest
 from minkref.fuzz.geometry.plane import doubled_area
 from minkref.strategies.dice import Dice

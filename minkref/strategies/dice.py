@@ -7,7 +7,7 @@ from random import Random
 from typing import Any, TypeVar
 
 from hypothesis import strategies as st
-from minkref.degeneracies.plane.draft import NothingDrawn
+from minkref.degeneracies.family import NothingDrawn
 
 T = TypeVar("T")
 THROWS = 100  # drawn one by one; later throws follow from one number

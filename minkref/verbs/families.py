@@ -6,12 +6,8 @@ from typing import Any
 
 from minkref.cli.options import Json, Schema
 from minkref.cli.output import give, plain_table
-from minkref.degeneracies.catalogue import DISC_FAMILIES, PATH_FAMILIES, SOLID_FAMILIES
-from minkref.degeneracies.catalogue import FAMILIES as DEGENERATE
-from minkref.degeneracies.catalogue import SPACE_FAMILIES as DEGENERATE_IN_SPACE
-from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
-from minkref.fuzz.plane.families.catalogue import FAMILIES
-from minkref.fuzz.space.families import SPACE_FAMILIES
+from minkref.degeneracies.catalogue import GROUPS
+from minkref.fuzz.settings import SETTINGS
 from minkref.output.documents import Stopwatch, document
 from minkref.output.terminal import console
 
@@ -29,22 +25,15 @@ def command(json: Json = False, schema: Schema = False) -> None:
     FAMILY:SEED:INDEX), and those that `minkref generate` makes, degenerate or invalid."""
     watch = Stopwatch()
     rows = [
-        {"name": name, "dimension": 2, "title": family.title, "command": "verify"}
-        for name, family in FAMILIES.items()
+        {"name": name, "dimension": setting.dimension, "title": title, "command": "verify"}
+        for setting in SETTINGS
+        for name, title in setting.families.items()
     ]
     rows += [
-        {"name": name, "dimension": 3, "title": title, "command": "verify"}
-        for name, title in SPACE_FAMILIES.items()
+        {"name": name, "dimension": group.dimension, "title": family.title, "command": "generate"}
+        for group in sorted(GROUPS, key=lambda group: group.dimension)
+        for name, family in group.families.items()
     ]
-    for dimension, groups in (
-        (2, (DEGENERATE, DISC_FAMILIES, PATH_FAMILIES, INVALID_FAMILIES)),
-        (3, (DEGENERATE_IN_SPACE, SOLID_FAMILIES, INVALID_MESH_FAMILIES)),
-    ):
-        titles = {name: family.title for group in groups for name, family in group.items()}
-        rows += [
-            {"name": name, "dimension": dimension, "title": title, "command": "generate"}
-            for name, title in titles.items()
-        ]
     value = document("families", watch, families=rows)
     give(value, json, _print)
 

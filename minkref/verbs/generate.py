@@ -23,23 +23,8 @@ from minkref.cli.options import Json
 from minkref.cli.output import plain_table
 from minkref.cli.progress import progress
 from minkref.cli.verb import Verb, command_anywhere
-from minkref.degeneracies.catalogue import (
-    ALL_FAMILIES,
-    DISC_FAMILIES,
-    FAMILIES,
-    PATH_FAMILIES,
-    SOLID_FAMILIES,
-    SPACE_FAMILIES,
-)
-from minkref.degeneracies.files import (
-    FileRow,
-    Made,
-    made_invalid,
-    made_member,
-    made_path,
-    made_with_disc,
-)
-from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
+from minkref.degeneracies.catalogue import GROUP_OF, GROUPS
+from minkref.degeneracies.files import FileRow, Made
 from minkref.errors import Refusal, nearest, refusal_of
 from minkref.fuzz.run import child
 from minkref.output.documents import Stopwatch, document, listing
@@ -70,9 +55,7 @@ minkref generate invalid --count 3 -o bad
 
 minkref verify cgal-reduced --suite corpus --corpus cases"""
 
-ALL, SPACE, SOLIDS, DISC, PATHS = "all", "space", "solids", "disc", "paths"
-INVALID, INVALID_MESH = "invalid", "invalid-mesh"
-REFUSED = INVALID_FAMILIES | INVALID_MESH_FAMILIES
+WORDS = [group.word for group in GROUPS]
 DEFAULT_FOLDER = "degenerate-cases"
 DEFAULT_COUNT = 10
 MOST_CASES = 10_000_000  # of a family
@@ -94,7 +77,7 @@ Families = Annotated[
         "certificates; space: those of convex bodies in space; solids: of polyhedra of any "
         "shape, disc: of a polygon set and a disc, both without certificates; paths: of parts "
         "on paths, and traps; invalid, invalid-mesh: input that must be refused.",
-        metavar="FAMILY|all|space|solids|disc|paths|invalid|invalid-mesh",
+        metavar="|".join(["FAMILY", *WORDS]),
     ),
 ]
 Count = Annotated[
@@ -193,7 +176,7 @@ def run(request: Generate) -> None:
         f"{counted(total, 'case')}, {value['different']:,} different, {value['bytes']:,} bytes, "
         f"{value['cases_per_second']:.1f} a second\n"
     )
-    if any(name in (*FAMILIES, *SPACE_FAMILIES, *PATH_FAMILIES) for name in names):
+    if any(GROUP_OF[name].certified for name in names):
         sys.stdout.write(f"check them: minkref check {_quoted(request.output)}\n")
 
 
@@ -221,22 +204,13 @@ class _Tally:
 
 
 def _chosen(families: list[str]) -> list[str]:
-    known = {
-        ALL: list(FAMILIES),
-        SPACE: list(SPACE_FAMILIES),
-        SOLIDS: list(SOLID_FAMILIES),
-        DISC: list(DISC_FAMILIES),
-        PATHS: list(PATH_FAMILIES),
-        INVALID: list(INVALID_FAMILIES),
-        INVALID_MESH: list(INVALID_MESH_FAMILIES),
-    }
-    known |= {name: [name] for names in list(known.values()) for name in names}
+    known = {group.word: list(group.families) for group in GROUPS}
+    known |= {name: [name] for name in GROUP_OF}
     unknown = [name for name in families if name not in known]
     if unknown:
         mend = (
             f"{nearest(unknown[0], known)}`minkref families` lists all families: name some that it "
-            f"says `generate` makes, {ALL}, {SPACE}, {SOLIDS}, {DISC}, {PATHS}, {INVALID} or "
-            f"{INVALID_MESH}"
+            f"says `generate` makes, {', '.join(WORDS[:-1])} or {WORDS[-1]}"
         )
         raise Refusal("there is no such family", escaped(unknown[0]), mend, "unknown-family")
     return list(dict.fromkeys(name for word in families for name in known[word]))
@@ -255,10 +229,9 @@ def _numbers(count: int | None, index: int | None) -> range:
 
 
 def _check_size(size: int | None, names: list[str]) -> None:
-    sizeless = next((name for name in names if name in REFUSED or name in PATH_FAMILIES), None)
+    sizeless = next((name for name in names if GROUP_OF[name].sizeless), None)
     if size is not None and sizeless is not None:
-        kind = "invalid input" if sizeless in REFUSED else "paths"
-        what = f"{sizeless} is a family of {kind}, which has no size"
+        what = f"{sizeless} is a family of {GROUP_OF[sizeless].sizeless}, which has no size"
         raise Refusal(what, f"--size {size}", "leave out --size, or this family")
 
 
@@ -306,13 +279,8 @@ def _make(task: Task) -> Made:
     name, seed, index, size = task
     member = f"{name} --seed {seed} --index {index}"
     try:
-        if name in REFUSED:
-            return made_invalid(REFUSED[name], seed, index)
-        if name in PATH_FAMILIES:
-            return made_path(PATH_FAMILIES[name], seed, index)
-        if name in DISC_FAMILIES:
-            return made_with_disc(DISC_FAMILIES[name], seed, index, size)
-        return made_member(ALL_FAMILIES[name], seed, index, size)
+        group = GROUP_OF[name]
+        return group.made(group.families[name], seed, index, size)
     except Refusal:
         raise
     except Exception as error:

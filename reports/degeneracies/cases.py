@@ -9,7 +9,7 @@ from typing import Any
 
 import jsonschema
 from minkref.degeneracies import lint
-from minkref.errors import Refusal, cut
+from minkref.errors import Refusal, cut, message_of
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.case_file import is_in_space, read_space_case, scalings_in
@@ -33,6 +33,22 @@ def cases_in(paths: Iterable[Path]) -> Iterator[tuple[Path, dict[str, Any]]]:
             else [str(scale) for scale in value["scales"]]
         )
         yield path, {**value, "scales": scales}
+
+
+def cases_of_schema(paths: Iterable[Path], schema: str) -> Iterator[tuple[Path, dict[str, Any]]]:
+    """Yields cases in a format of their own, one at a time. Refuses files that are not a family's
+    cases."""
+    for path in paths:
+        try:
+            value = json.loads(path.read_text(encoding="utf-8"))
+        except (ValueError, RecursionError) as error:
+            raise unfit(path, f"this is no JSON: {message_of(error)}", "syntax") from error
+        wrong = next(iter(lint.validator(schema).iter_errors(value)), None)
+        if wrong is not None:
+            raise unfit(path, cut(f"{wrong.json_path}: {wrong.message}"), "wrong-type")
+        if not {"title", "expected", "degeneracy"} <= set(value):
+            raise unfit(path, "this is a case of no family", "wrong-type")
+        yield path, value
 
 
 def _read(path: Path) -> Any:

@@ -11,30 +11,18 @@ from typing import Any
 
 from minkref import _core
 from minkref.degeneracies import found, lint
-from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES, PATH_FAMILIES
-from minkref.degeneracies.disc.case_faults import CORPUS as CORPUS_WITH_DISC
+from minkref.degeneracies.catalogue import GROUP_OF, OUTLINES
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
-from minkref.degeneracies.motion.case_faults import CORPUS as CORPUS_OF_PATHS
-from minkref.degeneracies.motion.case_faults import case_paths as case_paths_of_paths
+from minkref.degeneracies.outline import CORPUS, Outline
 from minkref.degeneracies.plane.flags import explained
 from minkref.errors import Refusal, message_of
 from minkref.fuzz.space.case_file import is_in_space
 from minkref.output.documents import check_writable, write_together
 from minkref.output.output_folder import make_folder
 from minkref.output.terminal import escaped
-from minkref.reports.degeneracies.cases import cases_in, space_case, unfit
-from minkref.reports.degeneracies.disc.cases import (
-    DiscRow,
-    disc_case_pictures,
-    disc_cases_in,
-    disc_row,
-)
-from minkref.reports.degeneracies.motion.cases import (
-    PathRow,
-    path_case_pictures,
-    path_cases_in,
-    path_row,
-)
+from minkref.reports.degeneracies.cases import cases_in, cases_of_schema, space_case, unfit
+from minkref.reports.degeneracies.disc.cases import DiscRow, disc_case_pictures, disc_row
+from minkref.reports.degeneracies.motion.cases import PathRow, path_case_pictures, path_row
 from minkref.reports.degeneracies.pictures import Drawn, case_pictures
 from minkref.reports.degeneracies.space.solid_pictures import solid_pictures
 from minkref.reports.degeneracies.space.solid_row import SolidRow, solid_row
@@ -83,6 +71,11 @@ class SpaceRow:
 
 
 AnyRow = Row | SpaceRow | SolidRow | DiscRow | PathRow
+# Settings whose cases have a schema of their own: the row and the pictures of a case.
+SHOWN: dict[str, tuple[Callable[..., AnyRow], Callable[..., list[Drawn]]]] = {
+    "disc-case-v1": (disc_row, disc_case_pictures),
+    "path-case-v1": (path_row, path_case_pictures),
+}
 
 
 @dataclass(frozen=True)
@@ -116,7 +109,7 @@ class FamilyPage:
 
     @property
     def is_generated(self) -> bool:
-        return self.name in (*ALL_FAMILIES, *DISC_FAMILIES, *PATH_FAMILIES)
+        return _outline(self.name) is not None
 
     @property
     def has_stories(self) -> bool:
@@ -146,7 +139,7 @@ def write_report(
     if INDEX in by_family:
         where = str(by_family[INDEX][0].parent)
         raise Refusal("the front page has this name", where, "give the folder another name")
-    pages = [_makes(name)(name, paths, reading) for name, paths in sorted(by_family.items())]
+    pages = [_family(name, paths, reading) for name, paths in sorted(by_family.items())]
     invalid = [_invalid(name) for name in INVALID_FAMILIES]
     templates = environment("degeneracies")
     files = {
@@ -163,63 +156,39 @@ def write_report(
 
 
 def case_paths_of_report(corpus: Path) -> list[Path]:
-    """A folder's cases; for the case-v1 corpus also the cases with a disc, and the paths and traps,
-    which have separate folders."""
-    more: list[Path] = []
-    if corpus == lint.CORPUS:
-        more = [*lint.case_paths(CORPUS_WITH_DISC), *case_paths_of_paths(CORPUS_OF_PATHS)]
-    return [*lint.case_paths(corpus), *more]
+    """A folder's cases; for the case-v1 corpus also the cases of the settings which have separate
+    folders."""
+    own = [outline.corpus for outline in OUTLINES] if corpus == CORPUS else []
+    return [path for folder in dict.fromkeys([corpus, *own]) for path in lint.case_paths(folder)]
 
 
-def _makes(name: str) -> Callable[[str, list[Path], Callable[[str], None]], FamilyPage]:
-    """The function that makes a family's page."""
-    if name in DISC_FAMILIES:
-        return _family_with_disc
-    return _family_of_paths if name in PATH_FAMILIES else _family
-
-
-def _family_of_paths(name: str, paths: list[Path], reading: Callable[[str], None]) -> FamilyPage:
-    family = PATH_FAMILIES[name]
-    rows: list[AnyRow] = []
-    drawings: list[tuple[AnyRow, list[Drawn]]] = []
-    for path, value in path_cases_in(paths):
-        reading(name)
-        rows.append(path_row(path, value))
-        if len(drawings) < DRAWN:
-            drawings.append((rows[-1], path_case_pictures(path, value)))
-    return FamilyPage(name, family.title, family.why, [], rows, drawings)
-
-
-def _family_with_disc(name: str, paths: list[Path], reading: Callable[[str], None]) -> FamilyPage:
-    family = DISC_FAMILIES[name]
-    rows: list[AnyRow] = []
-    drawings: list[tuple[AnyRow, list[Drawn]]] = []
-    for path, value in disc_cases_in(paths):
-        reading(name)
-        rows.append(disc_row(path, value))
-        if len(drawings) < DRAWN:
-            drawings.append((rows[-1], disc_case_pictures(path, value)))
-    return FamilyPage(name, family.title, family.why, [], rows, drawings)
+def _outline(name: str) -> Outline | None:
+    """The setting of a family."""
+    group = GROUP_OF.get(name)
+    return group if isinstance(group, Outline) else None
 
 
 def _family(name: str, paths: list[Path], reading: Callable[[str], None]) -> FamilyPage:
     title, why, drawn = f"cases of the folder {name}", "", DRAWN
-    if name in ALL_FAMILIES:
-        family = ALL_FAMILIES[name]
-        title, why = family.title, family.why
+    outline = _outline(name)
+    schema = "" if outline is None else outline.case.schema
+    if outline is not None:
+        title, why = outline.families[name].title, outline.families[name].why
     elif name == found.NAME:
         title = "cases on which libraries were found wrong"
         why = "Found by verification and shrunk, or published; each with its story."
         drawn = len(paths)
+    cases = cases_of_schema(paths, schema) if schema in SHOWN else cases_in(paths)
+    row, pictures = SHOWN.get(schema, (_row_of, _pictures))
     rows: list[AnyRow] = []
     drawings: list[tuple[AnyRow, list[Drawn]]] = []
     used: set[str] = set()
-    for path, value in cases_in(paths):
+    for path, value in cases:
         reading(name)
-        rows.append(_row_of(path, value))
+        rows.append(row(path, value))
         used |= set(value.get("flags", []))
         if len(drawings) < drawn:
-            drawings.append((rows[-1], _pictures(path, value)))
+            drawings.append((rows[-1], pictures(path, value)))
     known = explained()
     flags = [(flag, known.get(flag)) for flag in sorted(used)]
     return FamilyPage(name, title, why, flags, rows, drawings)

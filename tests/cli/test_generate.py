@@ -21,8 +21,9 @@ from typing import Any, NoReturn
 import jsonschema
 import pytest
 from minkref.degeneracies import lint
+from minkref.degeneracies.catalogue import FAMILIES
+from minkref.degeneracies.family import NothingDrawn
 from minkref.degeneracies.plane.case_document import Degenerate
-from minkref.degeneracies.plane.draft import NothingDrawn
 from minkref.errors import Refusal
 from minkref.schemas import schema
 from minkref.verbs import generate
@@ -206,8 +207,8 @@ def test_a_size_that_nothing_drawn_has_is_refused(
     def nothing(*_: Any) -> NoReturn:
         raise NothingDrawn
 
-    family = replace(generate.FAMILIES["fits-hole"], draw=nothing)
-    monkeypatch.setitem(generate.ALL_FAMILIES, "fits-hole", family)
+    family = replace(FAMILIES["fits-hole"], draw=nothing)
+    monkeypatch.setitem(FAMILIES, "fits-hole", family)
     words = ("generate", "fits-hole", "--count", "1", "-o", tmp_path / "out")
     ran = minkref(*words, "--size", "2000", "--json")
     assert (ran.code, ran.json["error"]["code"]) == (2, "nothing-drawn")

@@ -9,7 +9,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.degeneracies.motion.case_faults import case_validator
+from minkref.degeneracies import lint
 from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts
 from minkref.schemas import schema
 
@@ -115,4 +115,4 @@ def test_the_case_is_of_the_form_of_generated_ones(minkref: Any, tmp_path: Path)
     for number, command in enumerate((PATH, TRAP)):
         assert minkref(*command, "--certify", str(tmp_path / f"{number}.cert.json")).code == 0
         value = json.loads((tmp_path / f"{number}.case.json").read_text(encoding="utf-8"))
-        case_validator().validate(value)
+        lint.validator("path-case-v1").validate(value)

@@ -17,8 +17,9 @@ import jsonschema
 import pytest
 from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import DISC_FAMILIES, FAMILIES, PATH_FAMILIES, SPACE_FAMILIES
+from minkref.degeneracies.disc.outline import DISC
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
-from minkref.degeneracies.make_corpus import COUNT_OF_PATHS, COUNT_WITH_DISC
+from minkref.degeneracies.motion.outline import MOTION
 from minkref.fuzz.space.generators.convex import box
 from minkref.plane.operand import read_operand
 from minkref.reports.audit.catalogue import ENTRIES
@@ -45,7 +46,7 @@ def test_a_page_for_each_family(
     minkref: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Takes some cases of each family; `found` has a drawing for every case."""
-    most, drawn = draws(1, COUNT_WITH_DISC + COUNT_OF_PATHS), draws(1, 2)
+    most, drawn = draws(1, DISC.count + MOTION.count), draws(1, 2)
     counts: Counter[Path] = Counter()
     cases = []
     for path in pages.case_paths_of_report(lint.CORPUS):
@@ -67,12 +68,12 @@ def test_a_page_for_each_family(
     for name in DISC_FAMILIES:
         page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
         assert f'href="{name}.html"' in front and page.count("<svg") >= 3 * drawn
-        assert page.count("<tr>") == min(COUNT_WITH_DISC, most) + 1
+        assert page.count("<tr>") == min(DISC.count, most) + 1
         assert len(re.findall("A[0-9]", page)) > 3 * drawn
     for name in PATH_FAMILIES:
         page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
         assert f'href="{name}.html"' in front and page.count("<svg") >= 3 * drawn
-        assert page.count("<tr>") == min(COUNT_OF_PATHS, most) + 1
+        assert page.count("<tr>") == min(MOTION.count, most) + 1
         numbers = re.findall(r"[ML ](-?[0-9.]+)", "".join(re.findall(r' d="[^"]*"', page)))
         assert numbers and all(-400 < float(number) < 400 for number in numbers)
     for name in INVALID_FAMILIES:

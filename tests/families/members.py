@@ -14,19 +14,20 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any, TypeVar
 
+from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import (
     DISC_FAMILIES,
     PATH_FAMILIES,
     SOLID_FAMILIES,
     SPACE_FAMILIES,
+    made_member,
 )
-from minkref.degeneracies.files import Made, made_member, made_path, made_with_disc
+from minkref.degeneracies.files import Made
 from minkref.degeneracies.invalid.catalogue import (
     INVALID_FAMILIES,
     INVALID_MESH_FAMILIES,
     invalid_member,
 )
-from minkref.degeneracies.plane.case_texts import canonical_text
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.families.random_pairs import Pair
 from thoroughness import THOROUGH, draws
@@ -52,8 +53,8 @@ GROUPS: dict[
 ] = {
     "space": (SPACE_FAMILIES, turn(SPACE_FAMILIES, 1, 6), draws(1, 3), made_member),
     "solids": (SOLID_FAMILIES, turn(SOLID_FAMILIES, 1, 8), 1, made_member),
-    "disc": (DISC_FAMILIES, turn(DISC_FAMILIES, 1, 6), 1, made_with_disc),
-    "paths": (PATH_FAMILIES, turn(PATH_FAMILIES, 1, 4), 1, made_path),
+    "disc": (DISC_FAMILIES, turn(DISC_FAMILIES, 1, 6), 1, made_member),
+    "paths": (PATH_FAMILIES, turn(PATH_FAMILIES, 1, 4), 1, made_member),
     "invalid": (
         INVALID_FAMILIES, [n for n in turn(INVALID_FAMILIES, 0, 5) if n not in LARGE], draws(2, 6),
         invalid_member,
@@ -119,23 +120,18 @@ _MADE: dict[tuple[str, int], Made] = {}
 
 
 def faults_of_spoilt(
-    folder: Path,
-    family: Any,
-    seed: int,
-    spoil: Callable[[Any], object],
-    make: Callable[[Any, int, int], Made] = made_member,
-    faults: Callable[[Path], Iterable[str]] | None = None,
+    folder: Path, family: Any, seed: int, spoil: Callable[[Any], object]
 ) -> list[str]:
     """Faults that lint finds after the first member's case file is spoilt."""
     from minkref.degeneracies import lint  # slow to import, and not needed to make members
 
     if (family.name, seed) not in _MADE:
-        _MADE[family.name, seed] = make(family, seed, 0)
+        _MADE[family.name, seed] = made_member(family, seed, 0)
     path = Path(_MADE[family.name, seed].write(folder)["case"])
     value = json.loads(path.read_text(encoding="utf-8"))
     spoil(value)
     path.write_text(canonical_text(value), encoding="utf-8")
-    return list((faults or lint.faults)(folder))
+    return list(lint.faults(folder))
 
 
 def minus(a: Vector, b: Vector) -> Vector:

@@ -15,13 +15,19 @@ import pytest
 from members import assert_made_again, faults_of_spoilt, turn
 from minkref import _core
 from minkref.degeneracies import lint
-from minkref.degeneracies.catalogue import ALL_FAMILIES, FAMILIES, SOLID_FAMILIES, SPACE_FAMILIES
-from minkref.degeneracies.files import made_member, write_member
+from minkref.degeneracies.catalogue import (
+    ALL_FAMILIES,
+    FAMILIES,
+    SOLID_FAMILIES,
+    SPACE_FAMILIES,
+    made_member,
+)
 from minkref.degeneracies.found import FOUND
-from minkref.degeneracies.make_corpus import COUNT, SEED
+from minkref.degeneracies.make_corpus import SEED
 from minkref.degeneracies.plane.case_document import content_of
 from minkref.degeneracies.plane.contacts import FAMILIES as CONTACTS
 from minkref.degeneracies.plane.flags import FLAGS, explained
+from minkref.degeneracies.plane.outline import PLANE
 from minkref.degeneracies.space.flags import FLAGS_IN_SPACE
 from minkref.oracle import slow
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
@@ -32,7 +38,7 @@ OTHER_SEED = 907
 
 def test_members_are_certified_as_expected(tmp_path: Path) -> None:
     names = turn(FAMILIES, 0, 6)
-    rows = [write_member(FAMILIES[name], OTHER_SEED, 3, tmp_path) for name in names]
+    rows = [made_member(FAMILIES[name], OTHER_SEED, 3).write(tmp_path) for name in names]
     assert not list(lint.faults(tmp_path))
     for command in (in_python(), in_cpp()):
         found = verdicts(command, [Path(str(row["certificate"])) for row in rows])
@@ -42,7 +48,7 @@ def test_members_are_certified_as_expected(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", turn(FAMILIES, 1, 4))
 def test_the_members_of_the_corpus_are_made_again(name: str) -> None:
     folder = lint.CORPUS / name
-    assert_made_again(folder, COUNT, lambda k: made_member(FAMILIES[name], SEED, k))
+    assert_made_again(folder, PLANE.count, lambda k: made_member(FAMILIES[name], SEED, k))
 
 
 def test_the_corpus_is_in_form() -> None:
@@ -164,7 +170,7 @@ def test_lint_finds_what_is_wrong(tmp_path: Path, spoil: Any, fault: str) -> Non
 
 
 def test_lint_finds_what_a_certificate_leaves_out(tmp_path: Path) -> None:
-    row = write_member(FAMILIES["hole-to-segment"], OTHER_SEED, 0, tmp_path)
+    row = made_member(FAMILIES["hole-to-segment"], OTHER_SEED, 0).write(tmp_path)
     path = Path(row["certificate"])
     value = json.loads(path.read_text(encoding="utf-8"))
     value["claims"] = [claim for claim in value["claims"] if claim["claim"] == "sum"]
@@ -173,7 +179,7 @@ def test_lint_finds_what_a_certificate_leaves_out(tmp_path: Path) -> None:
 
 
 def test_lint_is_a_command(tmp_path: Path) -> None:
-    row = write_member(FAMILIES["hole-to-segment"], OTHER_SEED, 0, tmp_path)
+    row = made_member(FAMILIES["hole-to-segment"], OTHER_SEED, 0).write(tmp_path)
     assert lint.main([str(tmp_path)]) == 0
     Path(row["certificate"]).unlink()
     assert lint.main([str(tmp_path)]) == 1
@@ -195,7 +201,7 @@ def test_the_same_rings_from_other_vertices_are_the_same_case() -> None:
 
 
 def test_lint_wants_the_canonical_form_and_no_case_twice(tmp_path: Path) -> None:
-    row = write_member(FAMILIES["hole-to-segment"], OTHER_SEED, 0, tmp_path)
+    row = made_member(FAMILIES["hole-to-segment"], OTHER_SEED, 0).write(tmp_path)
     path = Path(row["case"])
     text = path.read_text(encoding="utf-8")
     path.write_text(text.replace(",\n", ", "), encoding="utf-8")
@@ -221,7 +227,7 @@ def test_the_example_reads_the_corpus_without_us(tmp_path: Path) -> None:
     folder = tmp_path / "given"
     folder.mkdir()
     assert subprocess.run([*command, str(folder)]).returncode == 2
-    write_member(SPACE_FAMILIES["with-itself"], OTHER_SEED, 0, folder)
+    made_member(SPACE_FAMILIES["with-itself"], OTHER_SEED, 0).write(folder)
     assert subprocess.run([*command, str(folder)]).returncode == 2
-    write_member(FAMILIES["euler-zero"], OTHER_SEED, 0, folder)
+    made_member(FAMILIES["euler-zero"], OTHER_SEED, 0).write(folder)
     assert subprocess.run([*command, str(folder)]).returncode == 0

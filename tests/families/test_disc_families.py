@@ -11,12 +11,11 @@ from typing import Any
 import pytest
 from members import assert_made_again, faults_of_spoilt, turn
 from minkref import _core
-from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES
-from minkref.degeneracies.disc import case_faults
+from minkref.degeneracies import lint
+from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES, made_member
 from minkref.degeneracies.disc.case_document import DegenerateWithDisc
 from minkref.degeneracies.disc.nearly import PREFIX
-from minkref.degeneracies.files import made_with_disc
-from minkref.degeneracies.make_corpus import COUNT_WITH_DISC
+from minkref.degeneracies.disc.outline import DISC
 from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
 from minkref.disc.disc import read_disc
 from minkref.exact import digest
@@ -35,7 +34,7 @@ _MADE: dict[str, list[dict[str, Any]]] = {}
 def documents(name: str) -> list[dict[str, Any]]:
     """Some case documents of a family: the corpus's first if few are drawn."""
     if name not in _MADE:
-        texts = [min((case_faults.CORPUS / name).iterdir()).read_text(encoding="utf-8")]
+        texts = [min((DISC.corpus / name).iterdir()).read_text(encoding="utf-8")]
         if THOROUGH:
             print(f"seed {SEED}")
             family = DISC_FAMILIES[name]
@@ -200,19 +199,19 @@ def test_twins_are_nearly_so(name: str) -> None:
 
 @pytest.mark.parametrize("name", turn(DISC_FAMILIES, 0, 2))
 def test_the_members_of_the_corpus_are_made_again(name: str) -> None:
-    family, folder = DISC_FAMILIES[name], case_faults.CORPUS / name
-    assert_made_again(folder, COUNT_WITH_DISC, lambda k: made_with_disc(family, CORPUS_SEED, k))
+    family, folder = DISC_FAMILIES[name], DISC.corpus / name
+    assert_made_again(folder, DISC.count, lambda k: made_member(family, CORPUS_SEED, k))
 
 
 def test_the_corpus_is_in_form() -> None:
-    assert not list(case_faults.faults(again=False))
-    assert {path.name for path in case_faults.CORPUS.iterdir()} == set(DISC_FAMILIES)
+    assert not list(lint.faults(DISC.corpus, again=False))
+    assert {path.name for path in DISC.corpus.iterdir()} == set(DISC_FAMILIES)
     assert not set(DISC_FAMILIES) & set(ALL_FAMILIES)
 
 
 def test_lint_finds_nothing_wrong_in_what_is_made(tmp_path: Path) -> None:
-    made_with_disc(DISC_FAMILIES["disc-flat-ridge"], SEED, 0).write(tmp_path)
-    assert not list(case_faults.faults(tmp_path))
+    made_member(DISC_FAMILIES["disc-flat-ridge"], SEED, 0).write(tmp_path)
+    assert not list(lint.faults(tmp_path))
 
 
 @pytest.mark.parametrize(
@@ -230,5 +229,5 @@ def test_lint_finds_nothing_wrong_in_what_is_made(tmp_path: Path) -> None:
 )
 def test_lint_finds_what_is_wrong(tmp_path: Path, spoil: Any, fault: str) -> None:
     family = DISC_FAMILIES["disc-flat-ridge"]
-    found = faults_of_spoilt(tmp_path, family, SEED, spoil, made_with_disc, case_faults.faults)
+    found = faults_of_spoilt(tmp_path, family, SEED, spoil)
     assert any(fault in line for line in found), found

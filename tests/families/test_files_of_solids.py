@@ -9,22 +9,21 @@ from typing import Any
 import pytest
 from members import assert_made_again, faults_of_spoilt, turn
 from minkref.degeneracies import lint
-from minkref.degeneracies.catalogue import SOLID_FAMILIES
-from minkref.degeneracies.files import made_member, write_member
-from minkref.degeneracies.make_corpus import COUNT_OF_SOLIDS as IN_CORPUS
+from minkref.degeneracies.catalogue import SOLID_FAMILIES, made_member
 from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
+from minkref.degeneracies.solids.outline import SOLIDS
 from solid_members import SEED
 
 
 @pytest.mark.parametrize("name", turn(SOLID_FAMILIES, 0, 2))
 def test_the_members_of_the_corpus_are_made_again(name: str) -> None:
     family, folder = SOLID_FAMILIES[name], lint.CORPUS / name
-    assert_made_again(folder, IN_CORPUS, lambda k: made_member(family, CORPUS_SEED, k))
+    assert_made_again(folder, SOLIDS.count, lambda k: made_member(family, CORPUS_SEED, k))
     assert not list(lint.faults(folder, again=False))
 
 
 def test_a_member_has_no_certificate(tmp_path: Path) -> None:
-    row = write_member(SOLID_FAMILIES["solids-one-line"], SEED, 0, tmp_path)
+    row = made_member(SOLID_FAMILIES["solids-one-line"], SEED, 0).write(tmp_path)
     assert row["certificate"] is None and row["bytes"] == Path(row["case"]).stat().st_size
 
 

@@ -11,12 +11,11 @@ from typing import Any
 import minkref
 import pytest
 from members import assert_made_again, faults_of_spoilt
-from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES, PATH_FAMILIES
-from minkref.degeneracies.files import made_path
-from minkref.degeneracies.make_corpus import COUNT_OF_PATHS
+from minkref.degeneracies import lint
+from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES, PATH_FAMILIES, made_member
 from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
-from minkref.degeneracies.motion import case_faults
 from minkref.degeneracies.motion.case_document import DegeneratePath
+from minkref.degeneracies.motion.outline import MOTION
 from minkref.fuzz.judges.motion.path_collisions import Collisions, by_triangles
 from minkref.fuzz.judges.motion.path_traps import enclosing_ring, way_out
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
@@ -46,7 +45,7 @@ def values(name: str) -> list[dict[str, Any]]:
 
 def cases(name: str) -> list[Path]:
     """The family's case files of the corpus."""
-    files = (case_faults.CORPUS / name).iterdir()
+    files = (MOTION.corpus / name).iterdir()
     return sorted(file for file in files if not file.name.endswith(".cert.json"))
 
 
@@ -134,7 +133,7 @@ def test_certificates_prove_what_is_expected(tmp_path: Path) -> None:
     for name, family in PATH_FAMILIES.items():
         files = cases(name)[-1:]
         if THOROUGH:
-            rows = [made_path(family, SEED, k).write(tmp_path) for k in range(COUNT)]
+            rows = [made_member(family, SEED, k).write(tmp_path) for k in range(COUNT)]
             files += [Path(row["case"]) for row in rows]
         asked |= dict.fromkeys(files, "trapped" if family.is_trap else "valid")
     certificates = [file.with_name(f"{file.stem}.cert.json") for file in asked]
@@ -145,24 +144,24 @@ def test_certificates_prove_what_is_expected(tmp_path: Path) -> None:
         claims = json.loads(certificate.read_text(encoding="utf-8"))["claims"]
         told = {one["contact"]: one[what] for one in claims if what in one}
         assert told == json.loads(file.read_text(encoding="utf-8"))["expected"][what]
-    assert not list(case_faults.faults(tmp_path))
+    assert not list(lint.faults(tmp_path))
 
 
 @pytest.mark.parametrize("name", PATH_FAMILIES)
 def test_the_members_of_the_corpus_are_made_again(name: str) -> None:
-    family, folder = PATH_FAMILIES[name], case_faults.CORPUS / name
-    assert_made_again(folder, COUNT_OF_PATHS, lambda k: made_path(family, CORPUS_SEED, k))
+    family, folder = PATH_FAMILIES[name], MOTION.corpus / name
+    assert_made_again(folder, MOTION.count, lambda k: made_member(family, CORPUS_SEED, k))
 
 
 def test_the_corpus_is_in_form() -> None:
-    assert not list(case_faults.faults(again=False))
-    assert {path.name for path in case_faults.CORPUS.iterdir()} == set(PATH_FAMILIES)
+    assert not list(lint.faults(MOTION.corpus, again=False))
+    assert {path.name for path in MOTION.corpus.iterdir()} == set(PATH_FAMILIES)
     assert not set(PATH_FAMILIES) & (set(ALL_FAMILIES) | set(DISC_FAMILIES))
 
 
 def test_lint_finds_nothing_wrong_in_what_is_made(tmp_path: Path) -> None:
-    made_path(PATH_FAMILIES["path-isolated-scale"], SEED, 0).write(tmp_path)
-    assert not list(case_faults.faults(tmp_path))
+    made_member(PATH_FAMILIES["path-isolated-scale"], SEED, 0).write(tmp_path)
+    assert not list(lint.faults(tmp_path))
 
 
 @pytest.mark.parametrize(
@@ -181,5 +180,5 @@ def test_lint_finds_nothing_wrong_in_what_is_made(tmp_path: Path) -> None:
 )
 def test_lint_finds_what_is_wrong(tmp_path: Path, spoil: Any, fault: str) -> None:
     family = PATH_FAMILIES["path-isolated-scale"]
-    found = faults_of_spoilt(tmp_path, family, SEED, spoil, made_path, case_faults.faults)
+    found = faults_of_spoilt(tmp_path, family, SEED, spoil)
     assert any(fault in line for line in found), found

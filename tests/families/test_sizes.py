@@ -10,10 +10,10 @@ from itertools import pairwise, product
 import pytest
 from minkref import _core
 from minkref.degeneracies.catalogue import FAMILIES
-from minkref.degeneracies.make_corpus import COUNT, SEED
+from minkref.degeneracies.make_corpus import SEED
 from minkref.degeneracies.plane.convolutions import crossing_combs, crossing_spirals
 from minkref.degeneracies.plane.draft import Draft, Facts
-from minkref.degeneracies.plane.generate import member
+from minkref.degeneracies.plane.outline import PLANE
 from minkref.fuzz.geometry.plane import Shape
 from thoroughness import draws
 
@@ -63,30 +63,30 @@ def test_spirals_have_holes_by_the_formula(m: int, n: int) -> None:
 
 @pytest.mark.parametrize("name", ["combs", "spirals"])
 def test_sums_grow_with_the_size_that_is_asked_for(name: str) -> None:
-    usual = [member(FAMILIES[name], 7, index) for index in range(20)]
+    usual = [FAMILIES[name].member(7, index)[0] for index in range(20)]
     assert all(facts.P.vertices + facts.Q.vertices <= 40 for facts in usual)
     assert max(facts.at.region.vertices for facts in usual) <= 300
     sizes = (40, 56, 72, 88)
-    large = [member(FAMILIES[name], 7, 0, size) for size in sizes]
+    large = [FAMILIES[name].member(7, 0, size)[0] for size in sizes]
     vertices = [facts.P.vertices + facts.Q.vertices for facts in large]
     assert vertices == list(sizes)
     assert large[-1].at.holes > 600 and large[-1].at.region.vertices > 25 * vertices[-1]
     assert [f.at.holes for f in large] == sorted({f.at.holes for f in large})
-    most = member(FAMILIES[name], 7, 0, 2000)
+    most = FAMILIES[name].member(7, 0, 2000)[0]
     assert most.P.vertices + most.Q.vertices <= 96 and most.at.holes >= large[-1].at.holes
 
 
 @pytest.mark.parametrize("name", ["combs", "spirals"])
 def test_sums_have_far_more_vertices_than_operands(name: str) -> None:
     for index in range(draws(10, 30)):
-        facts = member(FAMILIES[name], 7, index)
+        facts = FAMILIES[name].member(7, index)[0]
         assert facts.at.region.vertices > 2 * (facts.P.vertices + facts.Q.vertices)
         assert facts.at.holes >= 9
 
 
 @pytest.mark.parametrize("name", ["limits-of-float64", "limits-of-integers"])
 def test_members_at_limits_differ_by_the_thousand(name: str) -> None:
-    drawn = [member(FAMILIES[name], 5, index) for index in range(draws(240, 1000))]
+    drawn = [FAMILIES[name].member(5, index)[0] for index in range(draws(240, 1000))]
     count = len({facts.P.to_json() + facts.Q.to_json() for facts in drawn})
     assert count >= 0.999 * len(drawn)
     slanted = [facts for facts in drawn if has_slanted_edges(facts.Q)]
@@ -118,15 +118,16 @@ def kind_of_double(facts: Facts) -> str:
 
 def test_doubles_up_to_the_limits() -> None:
     count = draws(100, 200)
-    kinds = [kind_of_double(member(FAMILIES["limits-of-float64"], 3, k)) for k in range(count)]
+    kinds = [kind_of_double(FAMILIES["limits-of-float64"].member(3, k)[0]) for k in range(count)]
     assert all(kinds.count(kind) > count / 5 for kind in ("least", "least normal", "largest"))
-    corpus = {kind_of_double(member(FAMILIES["limits-of-float64"], SEED, k)) for k in range(COUNT)}
+    family = FAMILIES["limits-of-float64"]
+    corpus = {kind_of_double(family.member(SEED, k)[0]) for k in range(PLANE.count)}
     assert corpus == set(kinds)
 
 
 def test_significands_are_full() -> None:
     """Looks at coordinates near the largest double; 2**971 is its distance to the next below."""
-    drawn = [member(FAMILIES["limits-of-float64"], 3, k) for k in range(60)]
+    drawn = [FAMILIES["limits-of-float64"].member(3, k)[0] for k in range(60)]
     large = [c for f in drawn if kind_of_double(f) == "largest" for c in coordinates(f)]
     full = [c for c in large if abs(c) >= 2**1023 and (c / 2**971) % 2]
     assert len(full) > len(large) / 10
@@ -134,10 +135,10 @@ def test_significands_are_full() -> None:
 
 def test_integers_up_to_the_limits() -> None:
     ranges = {(-(2**31), 2**31 - 1), (-(2**53), 2**53), (-(2**62), 2**62), (-(2**63), 2**63 - 1)}
-    for seed, count in ((3, 100), (SEED, COUNT)):
+    for seed, count in ((3, 100), (SEED, PLANE.count)):
         seen = set()
         for index in range(count):
-            facts = member(FAMILIES["limits-of-integers"], seed, index)
+            facts = FAMILIES["limits-of-integers"].member(seed, index)[0]
             values = coordinates(facts)
             assert all(c.denominator == 1 for c in values)
             limits = int(min(values)), int(max(values))
@@ -158,7 +159,7 @@ def test_event_scales_accumulate(
     name: str, low: str, high: str, is_extreme: Callable[[Fraction], bool]
 ) -> None:
     for index in range(15):
-        facts = member(FAMILIES[name], SEED, index)
+        facts = FAMILIES[name].member(SEED, index)[0]
         events = _core.DynamicSum(facts.P, facts.Q, low, high).topology_events()
         deaths = sorted({Fraction(row[0]) for row in events if row[1:3] == ("hole", "death")})
         assert 3 <= len(deaths) <= 5 and facts.scale in deaths
@@ -170,7 +171,7 @@ def test_event_scales_accumulate(
 def test_what_only_nearly_belongs_does_not() -> None:
     """Drops a hole; moves an operand pair by one, or by half the least double."""
     family = FAMILIES["scales-near-zero"]
-    facts = member(family, SEED, 0)
+    facts = family.member(SEED, 0)[0]
     assert facts.Q.ring_count == 4 and family.belongs(facts)
     for hole in range(3):
         value = json.loads(facts.Q.to_json())
@@ -178,7 +179,7 @@ def test_what_only_nearly_belongs_does_not() -> None:
         fewer = _core.PolygonSet.from_json(json.dumps(value))
         assert not family.belongs(Facts(facts.P, fewer, facts.scale))
     for name, move in (("limits-of-integers", Fraction(1)), ("limits-of-float64", LEAST / 2)):
-        facts = member(FAMILIES[name], SEED, 0)
+        facts = FAMILIES[name].member(SEED, 0)[0]
         assert FAMILIES[name].belongs(facts)
         P, Q = (operand.translated(str(move), str(move)) for operand in (facts.P, facts.Q))
         assert not FAMILIES[name].belongs(Facts(P, Q, facts.scale))

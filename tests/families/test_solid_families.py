@@ -9,7 +9,6 @@ import pytest
 from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import FAMILIES, SOLID_FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.solids.case_document import SHOWN
-from minkref.degeneracies.solids.generate import drawn_solids
 from minkref.oracle.slow import SolidSum, solid_from_json, uniform
 from solid_members import SEED, documents, operands, scales
 from solid_predicates import Read, value_of
@@ -109,7 +108,7 @@ def test_a_solid_and_itself_or_its_reflection() -> None:
 def test_operands_are_points_segments_and_several_components() -> None:
     kinds = set()
     for index in range(8):
-        _, facts, _ = drawn_solids(SOLID_FAMILIES["solids-thin-operand"], SEED, index)
+        facts, _ = SOLID_FAMILIES["solids-thin-operand"].member(SEED, index)
         kinds |= {len(m.given.vertices) for m in (facts.P, facts.Q) if m.given.is_thin}
     assert kinds == {1, 2}
     for value in documents("solids-components-meet"):

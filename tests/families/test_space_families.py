@@ -15,13 +15,12 @@ import jsonschema
 import pytest
 from members import Vector, assert_made_again, cross, dot, faults_of_spoilt, minus, turn
 from minkref.degeneracies import lint
-from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
-from minkref.degeneracies.files import made_member, write_member
+from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES, made_member
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
-from minkref.degeneracies.make_corpus import COUNT_IN_SPACE as IN_CORPUS
 from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
 from minkref.degeneracies.space.bodies import hull, orbit
 from minkref.degeneracies.space.case_document import SHOWN, DegenerateInSpace
+from minkref.degeneracies.space.outline import SPACE
 from minkref.degeneracies.space.shapes import SOLIDS
 from minkref.degeneracies.space.vectors import vector
 from minkref.exact import digest
@@ -110,7 +109,7 @@ def meet(value: Any, k: int = 0) -> int:
 
 def test_members_are_certified_as_expected(tmp_path: Path) -> None:
     rows = [
-        write_member(SPACE_FAMILIES[name], SEED, k, tmp_path)
+        made_member(SPACE_FAMILIES[name], SEED, k).write(tmp_path)
         for name in turn(SPACE_FAMILIES, 0, 4)
         for k in range(draws(1, 3))
     ]
@@ -123,7 +122,7 @@ def test_members_are_certified_as_expected(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", SPACE_FAMILIES)
 def test_the_members_of_the_corpus_are_made_again(name: str) -> None:
     family, folder = SPACE_FAMILIES[name], lint.CORPUS / name
-    assert_made_again(folder, IN_CORPUS, lambda k: made_member(family, CORPUS_SEED, k))
+    assert_made_again(folder, SPACE.count, lambda k: made_member(family, CORPUS_SEED, k))
 
 
 @pytest.mark.parametrize(
@@ -412,7 +411,7 @@ def test_all_facets_change_and_no_edges() -> None:
 def test_members_differ(name: str) -> None:
     ids = {value["id"] for value in documents(name)}
     wanted = 3 if name == "all-facets-change-no-edges" else len(documents(name)) - 2
-    assert len(ids) >= wanted if THOROUGH or name in VARIED else len(ids) == IN_CORPUS
+    assert len(ids) >= wanted if THOROUGH or name in VARIED else len(ids) == SPACE.count
 
 
 def test_each_family_has_its_page_and_a_name_of_its_own() -> None:

@@ -11,7 +11,6 @@ import pytest
 from boxes_of_cells import euler_by_points, sum_by_boxes
 from minkref import _core
 from minkref.degeneracies.catalogue import SOLID_FAMILIES
-from minkref.degeneracies.solids.generate import drawn_solids
 from minkref.exact import digest
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.space.space_routes import core_polyhedron, routes
@@ -105,9 +104,9 @@ def test_the_convolution_winds_zero_times_around_a_point_inside() -> None:
 
 def test_refinement_does_not_change_the_sum() -> None:
     for k in range(COUNT):
-        draft, facts, _ = drawn_solids(SOLID_FAMILIES["solids-refined"], SEED, k)
-        assert draft.plain is not None
-        assert len(draft.plain[0].vertices) < len(draft.P.vertices)
-        plain = [core_polyhedron(solid) for solid in draft.plain]
+        facts, _ = SOLID_FAMILIES["solids-refined"].member(SEED, k)
+        assert facts.plain is not None
+        assert len(facts.plain[0].vertices) < len(facts.P.given.vertices)
+        plain = [core_polyhedron(solid) for solid in facts.plain]
         for s in facts.scales:
             assert _core.edge_sum_in_space(*plain, (str(s),) * 3) == facts.sum(s)

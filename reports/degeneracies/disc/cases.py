@@ -5,15 +5,13 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.disc.case_faults import case_validator
-from minkref.errors import cut, message_of
+from minkref.errors import message_of
 from minkref.reports.degeneracies.cases import unfit
 from minkref.reports.degeneracies.pictures import Drawn
 from minkref.reports.offset_picture import offset_picture
@@ -33,20 +31,6 @@ class DiscRow:
     events: str
     counts: str
     why: str
-
-
-def disc_cases_in(paths: Iterable[Path]) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Yields cases one at a time. Refuses files that are not cases."""
-    validator = case_validator()
-    for path in paths:
-        try:
-            value = json.loads(path.read_text(encoding="utf-8"))
-        except (ValueError, RecursionError) as error:
-            raise unfit(path, f"this is no JSON: {message_of(error)}", "syntax") from error
-        wrong = next(iter(validator.iter_errors(value)), None)
-        if wrong is not None:
-            raise unfit(path, cut(f"{wrong.json_path}: {wrong.message}"), "wrong-type")
-        yield path, value
 
 
 def disc_row(path: Path, value: dict[str, Any]) -> DiscRow:

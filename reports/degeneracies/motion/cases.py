@@ -4,15 +4,14 @@ and the places that collide, below, at and above their scale."""
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.motion.case_faults import case_validator
-from minkref.errors import cut, message_of
+from minkref.errors import message_of
 from minkref.fuzz.geometry.plane import Point, fraction_rings
 from minkref.motion.path_values import ScaleRange
 from minkref.reports.degeneracies.cases import unfit
@@ -37,22 +36,6 @@ class PathRow:
     allowed: str
     forbidden: str
     why: str
-
-
-def path_cases_in(paths: Iterable[Path]) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Yields cases one at a time. Refuses files that are not a family's cases."""
-    validator = case_validator()
-    for path in paths:
-        try:
-            value = json.loads(path.read_text(encoding="utf-8"))
-        except (ValueError, RecursionError) as error:
-            raise unfit(path, f"this is no JSON: {message_of(error)}", "syntax") from error
-        wrong = next(iter(validator.iter_errors(value)), None)
-        if wrong is not None:
-            raise unfit(path, cut(f"{wrong.json_path}: {wrong.message}"), "wrong-type")
-        if not {"title", "expected", "degeneracy"} <= set(value):
-            raise unfit(path, "this is a case of no family", "wrong-type")
-        yield path, value
 
 
 def path_row(path: Path, value: dict[str, Any]) -> PathRow:

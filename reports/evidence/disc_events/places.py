@@ -10,7 +10,6 @@ from typing import Any
 
 from minkref import _core
 from minkref.degeneracies.catalogue import DISC_FAMILIES
-from minkref.degeneracies.disc.generate import drawn_with_disc
 from minkref.fuzz.judges.disc.disc_places import Table, compare, faults_of, rows_of
 from minkref.fuzz.judges.disc.place_draws import KINDS, drawn_set, set_of
 from minkref.fuzz.judges.disc.place_mutants import MUTANTS
@@ -73,7 +72,7 @@ def _members(count: int) -> list[str]:
     faults = []
     for name in FAMILIES:
         for index in range(count):
-            facts = drawn_with_disc(DISC_FAMILIES[name], SEED, index)
+            facts, _ = DISC_FAMILIES[name].member(SEED, index)
             found = faults_of(facts.shape, rows_of(facts.P))
             faults += [f"{name} {SEED}:{index}: {fault}" for fault in found]
     return faults
