@@ -28,7 +28,8 @@ class Story(Subject):
 
     @property
     def facts(self) -> Facts:
-        return Facts(*sets_in(self.value, "PQ"), Fraction(self.value["scale"]))
+        P, Q = sets_in(self.value, "PQ")
+        return Facts(P, Q, Fraction(self.value["scale"]))
 
     @property
     def case(self) -> Degenerate:
