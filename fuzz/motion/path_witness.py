@@ -9,14 +9,14 @@ from typing import NamedTuple
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import Point, Shape, contains, crossing, in_box, read_shape, turn
-from minkref.fuzz.judges.motion.path_collisions import (
+from minkref.fuzz.motion.asked_path import AskedPath
+from minkref.fuzz.motion.path_collisions import (
     Collisions,
     Decide,
     Located,
     by_slow_engine,
     by_triangles,
 )
-from minkref.fuzz.motion.asked_path import AskedPath
 from minkref.fuzz.plane.comparison import WitnessRefuted
 from minkref.fuzz.plane.exact_shapes import shape_of
 from minkref.fuzz.plane.witness import on_boundary

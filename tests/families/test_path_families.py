@@ -16,8 +16,8 @@ from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES, PATH_FAM
 from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
 from minkref.degeneracies.motion.case_document import DegeneratePath
 from minkref.degeneracies.motion.outline import MOTION
-from minkref.fuzz.judges.motion.path_collisions import Collisions, by_triangles
 from minkref.fuzz.judges.motion.path_traps import enclosing_ring, way_out
+from minkref.fuzz.motion.path_collisions import Collisions, by_triangles
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from thoroughness import THOROUGH
 

@@ -10,7 +10,7 @@ from math import hypot
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import Point, fraction_rings
-from minkref.fuzz.judges.motion.path_collisions import Collisions, by_triangles
+from minkref.fuzz.motion.path_collisions import Collisions, by_triangles
 
 MOST_TRIES = 40
 

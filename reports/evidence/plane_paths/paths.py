@@ -12,11 +12,11 @@ from typing import Any
 import minkref
 from minkref.certify.motion.path_certificate import THIN
 from minkref.fuzz.cgal.oracle import CgalOracle
-from minkref.fuzz.judges.motion.path_collisions import Collisions, by_slow_engine, by_triangles
 from minkref.fuzz.judges.motion.path_sums import PathBySums
 from minkref.fuzz.judges.motion.path_traps import enclosing_ring, way_out
 from minkref.fuzz.judges.motion.trap_cases import KINDS, trap_case
 from minkref.fuzz.motion.path_cases import PathCase, path_case
+from minkref.fuzz.motion.path_collisions import Collisions, by_slow_engine, by_triangles
 from minkref.reports.evidence.certificates.path_cases import (
     Made,
     checking_seconds,

@@ -4,6 +4,7 @@ a point, by the slow engine or by pairs of triangles. Knows no event and no inde
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -11,7 +12,6 @@ from itertools import pairwise
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import Point, fraction_rings
-from minkref.fuzz.judges.plane.slow_operands import slow_operand
 from minkref.oracle import slow
 from minkref.oracle.slow.witness import Pieces
 
@@ -28,8 +28,10 @@ def by_triangles(part: _core.PolygonSet, obstacles: _core.PolygonSet) -> Decide:
 
 
 def by_slow_engine(part: _core.PolygonSet, obstacles: _core.PolygonSet) -> Decide:
-    P = Pieces.of(slow_operand(part.scaled("-1").to_json()))
-    Q = Pieces.of(slow_operand(obstacles.to_json()))
+    P, Q = (
+        Pieces.of(slow.operand_from_json(json.loads(operand.to_json())))
+        for operand in (part.scaled("-1"), obstacles)
+    )
     return lambda scale, x: SLOW_WORDS[
         slow.witness(P, Q, scale, (Fraction(x[0]), Fraction(x[1]))).contact
     ]
