@@ -15,10 +15,10 @@ from minkref.errors import message_of
 from minkref.fuzz.cgal.executables import SWEPT_SOLID, OracleNotFoundError, find_executable
 from minkref.fuzz.judges.ruling import Ruling
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.run.offer import Judge, Offer
+from minkref.fuzz.targets.answer import JUDGED, Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
-PREFIX = "minkref@"
-ALL = "minkref"  # every check
 MODULES = {
     "slow-sums": ("slow_sums", "sums by all routes, against the slow engine"),
     "slow-topology": ("slow_topology", "topology at events, against the slow engine"),
@@ -45,13 +45,9 @@ SIZE_LIMITS = {
 }
 
 
-def names() -> list[str]:
-    return [PREFIX + name for name in MODULES]
-
-
 def absence(name: str) -> str | None:
     """Why a judge cannot sit; None if it can."""
-    check = name.removeprefix(PREFIX)
+    check = name.removeprefix(JUDGED)
     if check == "symbolic-events":
         missing = [package for package in SYMBOLIC_NEEDS if find_spec(package) is None]
         return f"pip install {' '.join(missing)}" if missing else None
@@ -97,7 +93,7 @@ class Check:
 
     @property
     def _short(self) -> str:
-        return self.name.removeprefix(PREFIX)
+        return self.name.removeprefix(JUDGED)
 
     def rule(self, case: Case) -> Outcome:
         """The verdict on the reference: wrong where the judge disagrees, and errored where the
@@ -131,3 +127,10 @@ class Check:
 
     def close(self) -> None:
         self._open.close()
+
+
+def _judge(name: str, limits: Limits) -> Judge:
+    return Check(name, limits.size)
+
+
+OFFER = Offer({JUDGED + name: about for name, (_, about) in MODULES.items()}, absence, _judge)

@@ -1,4 +1,5 @@
-"""Targets to test: our own routes and judges, the methods of CGAL, adapters, functions."""
+"""Targets to test: our own routes, the methods of CGAL, adapters, functions, and what judges and
+libraries offer."""
 
 from __future__ import annotations
 
@@ -15,17 +16,18 @@ from minkref.fuzz.cgal.executables import (
     refuse_wrong_folder,
     target_names,
 )
-from minkref.fuzz.judges import checks
-from minkref.fuzz.libraries import catalogue as adapters
 from minkref.fuzz.plane.cgal_method import CgalMethod
 from minkref.fuzz.plane.reference import ROUTES, ReferenceTarget
+from minkref.fuzz.run.offer import Judge, Offer
 from minkref.fuzz.space.convex_reference import CONVEX_ROUTES, ConvexReferenceTarget
 from minkref.fuzz.space.space_reference import SPACE_ROUTES, SpaceReferenceTarget
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import named_command
-from minkref.fuzz.targets.answer import REFERENCE, Limits, Target
+from minkref.fuzz.targets.answer import JUDGED, REFERENCE, Limits, Target
 from minkref.fuzz.targets.function import FunctionTarget, host_command
 from minkref.version import version
+
+EVERY_JUDGE = "minkref"
 
 
 @dataclass(frozen=True)
@@ -37,21 +39,113 @@ class TargetEntry:
     reason: str | None = None
 
 
-def list_targets() -> list[TargetEntry]:
-    """Lists all targets that this machine could test; absent targets say how to get them."""
-    refuse_wrong_folder()
-    ours = [
-        TargetEntry(f"{REFERENCE}{route}", version(), about, True)
-        for route, about in (ROUTES | CONVEX_ROUTES | SPACE_ROUTES).items()
+@dataclass(frozen=True)
+class Catalogue:
+    """Targets by name. `judges` and `adapters` come from floors above the run; a worker gets them
+    at its start."""
+
+    judges: Offer[Judge]
+    adapters: Offer[Target]
+
+    def entries(self) -> list[TargetEntry]:
+        """Lists all targets that this machine could test; absent targets say how to get them."""
+        refuse_wrong_folder()
+        ours = [
+            TargetEntry(f"{REFERENCE}{route}", version(), about, True)
+            for route, about in (ROUTES | CONVEX_ROUTES | SPACE_ROUTES).items()
+        ]
+        every = TargetEntry(EVERY_JUDGE, version(), "the reference before every judge", True)
+        judged = [every, *_offered(self.judges, version())]
+        cgal = [_cgal_entry(name) for name in target_names()]
+        return [*ours, *judged, *cgal, *_offered(self.adapters, None)]
+
+    def select(self, names: list[str]) -> tuple[list[TargetEntry], list[TargetEntry]]:
+        """Returns the targets to run, and the absent targets. Without names: our routes and all
+        CGAL methods except raw ones; `minkref` means every judge, `all` everything found here.
+        Refuses an unknown or absent name."""
+        entries = {entry.name: entry for entry in self.entries()}
+        plain = [
+            entry
+            for entry in entries.values()
+            if entry.name != EVERY_JUDGE and entry.name not in self.judges.about
+        ]
+        if not names:
+            wanted = [e for e in plain if "-raw" not in e.name and self._is_default(e.name)]
+            return [e for e in wanted if e.available], [e for e in wanted if not e.available]
+        groups = {
+            EVERY_JUDGE: [entries[name] for name in self.judges.about],
+            "all": [e for e in plain if "-raw" not in e.name],
+        }
+        chosen: list[TargetEntry] = []
+        absent: list[TargetEntry] = []
+        for name in dict.fromkeys(names):
+            if name in groups:
+                chosen += [e for e in groups[name] if e.available]
+                absent += [e for e in groups[name] if not e.available]
+            elif is_function(name):
+                host_command(name)
+                about = "a C function" if name.startswith("so:") else "a Python function"
+                chosen.append(TargetEntry(name, None, about, True))
+            elif is_program(name):
+                chosen.append(_named_adapter(name))
+            elif name not in entries:
+                raise Refusal("there is no such target", name, _mend(name, [*entries, *groups]))
+            elif not entries[name].available:
+                raise Refusal(
+                    f"this target is absent: {entries[name].reason}", name, "install it as said"
+                )
+            else:
+                chosen.append(entries[name])
+        return list({entry.name: entry for entry in chosen}.values()), absent
+
+    def select_one(self, name: str) -> TargetEntry:
+        """Returns the target with this name. Refuses a name for several."""
+        chosen, _ = self.select([name])
+        if len(chosen) != 1:
+            what = f"this stands for {len(chosen)} targets"
+            raise Refusal(what, name, "name one of `minkref targets`")
+        return chosen[0]
+
+    def _is_default(self, name: str) -> bool:
+        """Whether a run without names takes the target: in the plane all of CGAL, and our
+        routes."""
+        if name.removeprefix(REFERENCE) in CONVEX_ROUTES | SPACE_ROUTES:
+            return False
+        return name.startswith((REFERENCE, "cgal-")) and name not in self.adapters.about
+
+    def declares_itself(self, name: str) -> bool:
+        """Whether the name means a foreign program or function, which declares its own
+        capabilities."""
+        return is_program(name) or is_function(name) or name in self.adapters.about
+
+    def target(self, name: str, limits: Limits) -> Target:
+        """Makes the target with this name, which is no judge."""
+        if name.startswith(REFERENCE):
+            return _reference(name)
+        if is_function(name):
+            return FunctionTarget(name, host_command(name), limits)
+        if is_program(name):
+            return AdapterTarget(name, named_command(name), limits)
+        if name in self.adapters.about:
+            return self.adapters.make(name, limits)
+        return CgalMethod(name, limits)
+
+
+def _offered(offer: Offer[object], number: str | None) -> list[TargetEntry]:
+    absent = {name: offer.absence(name) for name in offer.about}
+    return [
+        TargetEntry(name, number, about, absent[name] is None, absent[name])
+        for name, about in offer.about.items()
     ]
-    judged = [TargetEntry(checks.ALL, version(), "the reference before every judge", True)]
-    for name, (_, about) in checks.MODULES.items():
-        reason = checks.absence(name)
-        judged.append(
-            TargetEntry(f"{checks.PREFIX}{name}", version(), about, reason is None, reason)
-        )
-    programs = [_adapter_entry(name) for name in adapters.ADAPTERS]
-    return ours + judged + [_cgal_entry(name) for name in target_names()] + programs
+
+
+def _reference(name: str) -> Target:
+    route = name.removeprefix(REFERENCE)
+    if route in CONVEX_ROUTES:
+        return ConvexReferenceTarget(name, route)
+    if route in SPACE_ROUTES:
+        return SpaceReferenceTarget(name, route)
+    return ReferenceTarget(name, route)
 
 
 def _cgal_entry(name: str) -> TargetEntry:
@@ -61,61 +155,6 @@ def _cgal_entry(name: str) -> TargetEntry:
         return TargetEntry(name, cgal_version(method, executable_of_target(name)), about, True)
     except (OSError, subprocess.SubprocessError, ValueError, KeyError) as error:
         return TargetEntry(name, None, about, False, str(error))
-
-
-def _adapter_entry(name: str) -> TargetEntry:
-    entry = adapters.ADAPTERS[name]
-    reason = adapters.absence(name)
-    return TargetEntry(name, None, entry.title, reason is None, reason)
-
-
-def select(names: list[str]) -> tuple[list[TargetEntry], list[TargetEntry]]:
-    """Returns the targets to run, and the absent targets. Without names: our routes and all CGAL
-    methods except raw ones; `minkref` means every judge, `all` everything found here. Refuses an
-    unknown or absent name."""
-    entries = {entry.name: entry for entry in list_targets()}
-    plain = [
-        entry
-        for entry in entries.values()
-        if entry.name != checks.ALL and not entry.name.startswith(checks.PREFIX)
-    ]
-    if not names:
-        wanted = [e for e in plain if "-raw" not in e.name and is_default(e.name)]
-        return [e for e in wanted if e.available], [e for e in wanted if not e.available]
-    groups = {
-        checks.ALL: [entries[name] for name in checks.names()],
-        "all": [e for e in plain if "-raw" not in e.name],
-    }
-    chosen: list[TargetEntry] = []
-    absent: list[TargetEntry] = []
-    for name in dict.fromkeys(names):
-        if name in groups:
-            chosen += [e for e in groups[name] if e.available]
-            absent += [e for e in groups[name] if not e.available]
-        elif is_function(name):
-            host_command(name)
-            about = "a C function" if name.startswith("so:") else "a Python function"
-            chosen.append(TargetEntry(name, None, about, True))
-        elif is_program(name):
-            chosen.append(_named_adapter(name))
-        elif name not in entries:
-            raise Refusal("there is no such target", name, _mend(name, [*entries, *groups]))
-        elif not entries[name].available:
-            raise Refusal(
-                f"this target is absent: {entries[name].reason}", name, "install it as said"
-            )
-        else:
-            chosen.append(entries[name])
-    return list({entry.name: entry for entry in chosen}.values()), absent
-
-
-def select_one(name: str) -> TargetEntry:
-    """Returns the target with this name. Refuses a name for several."""
-    chosen, _ = select([name])
-    if len(chosen) != 1:
-        what = f"this stands for {len(chosen)} targets"
-        raise Refusal(what, name, "name one of `minkref targets`")
-    return chosen[0]
 
 
 def _mend(name: str, known: list[str]) -> str:
@@ -130,13 +169,6 @@ def _named_adapter(name: str) -> TargetEntry:
     return TargetEntry(name, None, "an adapter", True)
 
 
-def is_default(name: str) -> bool:
-    """Whether a run without names takes the target: in the plane all of CGAL, and our routes."""
-    if name.removeprefix(REFERENCE) in CONVEX_ROUTES | SPACE_ROUTES:
-        return False
-    return name.startswith((REFERENCE, "cgal-")) and name not in adapters.ADAPTERS
-
-
 def is_function(name: str) -> bool:
     return name.startswith(("py:", "so:"))
 
@@ -145,30 +177,5 @@ def is_program(name: str) -> bool:
     return name.startswith("cmd:") or ("/" in name and not is_function(name))
 
 
-def is_adapter(name: str) -> bool:
-    return is_program(name) or name in adapters.ADAPTERS
-
-
-def declares_itself(name: str) -> bool:
-    """Whether the name means a foreign program or function, which declares its own capabilities."""
-    return is_adapter(name) or is_function(name)
-
-
-def make_target(name: str, limits: Limits) -> Target:
-    if name.startswith(REFERENCE):
-        route = name.removeprefix(REFERENCE)
-        if route in CONVEX_ROUTES:
-            return ConvexReferenceTarget(name, route)
-        if route in SPACE_ROUTES:
-            return SpaceReferenceTarget(name, route)
-        return ReferenceTarget(name, route)
-    if is_function(name):
-        return FunctionTarget(name, host_command(name), limits)
-    if is_program(name):
-        return AdapterTarget(name, named_command(name), limits)
-    if name in adapters.ADAPTERS:
-        command = adapters.command(name)
-        if command is None:
-            raise Refusal(f"this target is absent: {adapters.absence(name)}", name, "install it")
-        return AdapterTarget(name, command, limits)
-    return CgalMethod(name, limits)
+def is_judge(name: str) -> bool:
+    return name.startswith(JUDGED)

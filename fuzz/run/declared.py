@@ -8,11 +8,11 @@ from dataclasses import replace
 from minkref.errors import Refusal, cut
 from minkref.fuzz.isolation.isolation import SANDBOX, usual
 from minkref.fuzz.plane.reference import UPDATING
-from minkref.fuzz.run.catalogue import TargetEntry, declares_itself, is_function, make_target
+from minkref.fuzz.run.catalogue import Catalogue, TargetEntry, is_function
 from minkref.fuzz.space.convex_reference import CONVEX_DECLARATIONS
 from minkref.fuzz.space.space_reference import SPACE_DECLARATIONS
 from minkref.fuzz.targets.adapter import ProgramTarget
-from minkref.fuzz.targets.answer import REGIONS, Limits
+from minkref.fuzz.targets.answer import REGIONS, Limits, Target
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.function import mend_of
 
@@ -24,7 +24,7 @@ _OURS = {
 
 
 def declarations_of(
-    entries: list[TargetEntry], limits: Limits
+    entries: list[TargetEntry], catalogue: Catalogue, limits: Limits
 ) -> tuple[list[TargetEntry], dict[str, Declaration]]:
     """Returns the entries with versions from adapters and functions, and all declarations. Refuses
     a target that does not start, or whose `hello` fails."""
@@ -32,16 +32,15 @@ def declarations_of(
     named = []
     for entry in entries:
         found[entry.name] = _OURS.get(entry.name, REGIONS)
-        if declares_itself(entry.name):
-            declared = _of_program(entry.name, limits)
+        if catalogue.declares_itself(entry.name):
+            declared = _of_program(catalogue.target(entry.name, limits), limits)
             found[entry.name] = declared
             entry = replace(entry, version=declared.version or entry.version)
         named.append(entry)
     return named, found
 
 
-def _of_program(name: str, limits: Limits) -> Declaration:
-    target = make_target(name, limits)
+def _of_program(target: Target, limits: Limits) -> Declaration:
     assert isinstance(target, ProgramTarget)
     declared = target.declared()
     target.close()
@@ -49,6 +48,7 @@ def _of_program(name: str, limits: Limits) -> Declaration:
         return declared
     what, code = "the adapter does not begin", "no-adapter"
     mend = f"run it by hand: {shlex.join(target.command)}"
+    name = target.name
     if is_function(name):
         what, code, mend = "the function cannot be loaded", "usage", mend_of(name)
     what += f": {declared.message}"

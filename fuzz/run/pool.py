@@ -15,6 +15,7 @@ from typing import Any
 from minkref.fuzz.isolation.isolation import usual
 from minkref.fuzz.run import child
 from minkref.fuzz.run.case_list import Wait
+from minkref.fuzz.run.catalogue import Catalogue
 from minkref.fuzz.run.worker import CASE, CaseResult, Job, work
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.asking import JUDGING
@@ -28,11 +29,12 @@ class InternalError(Exception):
 
 
 class _Worker:
-    def __init__(self, targets: list[str], limits: Limits) -> None:
+    def __init__(self, targets: list[str], catalogue: Catalogue, limits: Limits) -> None:
+        self.limits, self.given = limits, (targets, catalogue, limits)
         context = multiprocessing.get_context("spawn")
         self.pipe: Connection
         self.pipe, theirs = context.Pipe()
-        self.process = context.Process(target=work, args=(theirs, targets, limits), daemon=False)
+        self.process = context.Process(target=work, args=(theirs, *self.given), daemon=False)
         resource_tracker.ensure_running()  # unblocks SIGINT, so before
         mask = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT,))
         try:
@@ -69,7 +71,7 @@ class _Worker:
 
 
 def run_cases(
-    cases: Iterable[Job | Wait], targets: list[str], limits: Limits, jobs: int
+    cases: Iterable[Job | Wait], targets: list[str], catalogue: Catalogue, limits: Limits, jobs: int
 ) -> Iterator[CaseResult]:
     """Yields results for all cases, in the order of completion. After Wait, the next case is
     requested only when all earlier results have been taken. Raises InternalError if the suite
@@ -77,7 +79,7 @@ def run_cases(
     isolation = limits.isolation or usual()
     limits = replace(limits, isolation=isolation)
     queue = _Queue(iter(cases))
-    workers = [_Worker(targets, limits) for _ in range(max(1, jobs))]
+    workers = [_Worker(targets, catalogue, limits) for _ in range(max(1, jobs))]
     try:
         while True:
             idle = [worker for worker in workers if worker.job is None]
@@ -104,7 +106,7 @@ def run_cases(
                     worker.job = None
                     yield result
                 else:
-                    workers.append(_replaced(worker, result, targets, limits))
+                    workers.append(_replaced(worker, result))
                     workers.remove(worker)
         for worker in workers:
             worker.end()
@@ -132,7 +134,7 @@ class _Queue:
             self.waiting = True
 
 
-def _replaced(worker: _Worker, lost: Outcome, targets: list[str], limits: Limits) -> _Worker:
+def _replaced(worker: _Worker, lost: Outcome) -> _Worker:
     """Makes a fresh worker with a lost worker's job, noting the loss against its target."""
     job = worker.job
     assert job is not None
@@ -140,12 +142,12 @@ def _replaced(worker: _Worker, lost: Outcome, targets: list[str], limits: Limits
     if lost.target in job.lost:
         raise _internal(worker, "the same step took a worker down twice")
     ours = lost.target == CASE or lost.target.startswith(JUDGING)
-    again = lost.verdict is Verdict.TIMED_OUT and (ours or limits.tries > 1)
+    again = lost.verdict is Verdict.TIMED_OUT and (ours or worker.limits.tries > 1)
     if again and lost.target not in job.overdue:
         job.overdue.add(lost.target)  # perhaps the machine stood still: once more
     else:
         job.lost[lost.target] = lost
-    fresh = _Worker(targets, limits)
+    fresh = _Worker(*worker.given)
     fresh.give(job)
     return fresh
 

@@ -11,7 +11,8 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field, replace
 
-from minkref.fuzz.run.worker import CaseResult, all_skip, is_check
+from minkref.fuzz.run.catalogue import is_judge
+from minkref.fuzz.run.worker import CaseResult, all_skip
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 MOST_TIME_OUTS = 3
@@ -37,7 +38,7 @@ class Resting:
         if not self.since or result.absent is not None:
             return result
         kept = [outcome for outcome in result.outcomes if outcome.target not in self.since]
-        judged = any(map(is_check, self.targets))
+        judged = any(map(is_judge, self.targets))
         if result.generated and not judged and all_skip(kept):
             return replace(result, untaken=kept[0].message)
         rests = [rest(name) for name in self.targets if name in self.since]

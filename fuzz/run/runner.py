@@ -11,6 +11,7 @@ from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE, is_p
 from minkref.fuzz.invalid.invalid_case import FAMILY as INVALID
 from minkref.fuzz.plane.judgement import REFEREE
 from minkref.fuzz.run.case_list import CaseList, Wait
+from minkref.fuzz.run.catalogue import Catalogue
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import InternalError, run_cases
 from minkref.fuzz.run.resting import Resting
@@ -119,6 +120,7 @@ def verb_of(text: str) -> str:
 def run(
     cases: CaseList,
     targets: list[str],
+    catalogue: Catalogue,
     versions: dict[str, str | None],
     baseline: Baseline,
     limits: Limits,
@@ -167,7 +169,7 @@ def run(
 
         try:
             jobs_of = _jobs(cases, ledger, take, done.resting)
-            for result in run_cases(jobs_of, targets, limits, jobs):
+            for result in run_cases(jobs_of, targets, catalogue, limits, jobs):
                 take(result, ledger)
                 if is_over():
                     break

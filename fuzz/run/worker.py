@@ -13,10 +13,10 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import is_path
 from minkref.fuzz.cgal import server as cgal_server
-from minkref.fuzz.judges.checks import PREFIX, Check
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import child, naming
-from minkref.fuzz.run.catalogue import declares_itself, make_target
+from minkref.fuzz.run.catalogue import Catalogue, is_judge
+from minkref.fuzz.run.offer import Judge
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits, Target, load_limit
 from minkref.fuzz.targets.asking import JUDGING, Asking
@@ -80,19 +80,19 @@ class CaseResult:
         return self.literal if self.literal is not None and is_path(self.literal) else None
 
 
-def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
+def work(pipe: Connection, targets: list[str], catalogue: Catalogue, limits: Limits) -> None:
     """A worker's loop. Before each step it announces the target and its time limit, so that the
     parent knows whose fault this process's death is."""
     child.begin()
     _limit_memory(limits.bytes + limits.judging_bytes)
-    made: dict[str, Target | Check] = {}
+    made = Made(catalogue, limits)
     try:
         while True:
             job = pipe.recv()
             if job is None:
                 return
             try:
-                pipe.send(("done", _Work(pipe, job, targets, limits, made).result()))
+                pipe.send(("done", _Work(pipe, job, targets, made).result()))
             except (BrokenPipeError, EOFError):
                 return
             except MemoryError:
@@ -102,8 +102,7 @@ def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
     except (EOFError, OSError):
         return
     finally:
-        for target in made.values():
-            target.close()
+        made.close()
 
 
 def _limit_memory(bytes_allowed: int) -> None:
@@ -113,14 +112,37 @@ def _limit_memory(bytes_allowed: int) -> None:
 
 
 @dataclass
+class Made:
+    """Targets and judges of a worker, kept from one case to the next."""
+
+    catalogue: Catalogue
+    limits: Limits
+    targets: dict[str, Target] = field(default_factory=dict)
+    judges: dict[str, Judge] = field(default_factory=dict)
+
+    def target(self, name: str) -> Target:
+        if name not in self.targets:
+            self.targets[name] = self.catalogue.target(name, self.limits)
+        return self.targets[name]
+
+    def judge(self, name: str) -> Judge:
+        if name not in self.judges:
+            self.judges[name] = self.catalogue.judges.make(name, self.limits)
+        return self.judges[name]
+
+    def close(self) -> None:
+        for each in (*self.targets.values(), *self.judges.values()):
+            each.close()
+
+
+@dataclass
 class _Work:
     """One case before all targets."""
 
     pipe: Connection
     job: Job
     targets: list[str]
-    limits: Limits
-    made: dict[str, Target | Check]
+    made: Made
 
     def result(self) -> CaseResult:
         self._begin(CASE)
@@ -130,13 +152,13 @@ class _Work:
             return self._absent(str(reason))
         except MemoryError:
             return self._absent("there is too little memory to make it")
-        asking = asking_about(case, self._target, self._begin, self.job.lost, self.limits)
+        asking = asking_about(case, self.made.target, self._begin, self.job.lost, self.made.limits)
         ruled = []
         if isinstance(case, Case) and case.law is None:
-            ruled = [self._rule(case, name) for name in self.targets if is_check(name)]
+            ruled = [self._rule(case, name) for name in self.targets if is_judge(name)]
         names = [name for name in self.targets if name not in self.job.resting]
-        outcomes = asking.outcomes([name for name in names if not is_check(name)])
-        if self.job.generated and not any(map(is_check, self.targets)) and all_skip(outcomes):
+        outcomes = asking.outcomes([name for name in names if not is_judge(name)])
+        if self.job.generated and not any(map(is_judge, self.targets)) and all_skip(outcomes):
             job, why = self.job, outcomes[0].message
             return CaseResult(job.number, job.name, "1", outcomes, "", "", (0, 0, ""), untaken=why)
         return self._result(case, [*ruled, *outcomes], asking)
@@ -145,27 +167,17 @@ class _Work:
         job = self.job
         return CaseResult(job.number, job.name, "1", [], "", "", (0, 0, ""), absent=why)
 
-    def _target(self, name: str) -> Target:
-        if name not in self.made:
-            self.made[name] = make_target(name, self.limits)
-        target = self.made[name]
-        assert not isinstance(target, Check)
-        return target
-
     def _rule(self, case: Case, name: str) -> Outcome:
         """Puts the reference before one judge."""
         if name in self.job.lost:
             return self.job.lost[name]
-        self.pipe.send(("begin", name, load_limit(self.limits)))
-        if name not in self.made:
-            self.made[name] = Check(name, self.limits.size)
-        check = self.made[name]
-        assert isinstance(check, Check)
+        self.pipe.send(("begin", name, load_limit(self.made.limits)))
+        judge = self.made.judge(name)
         self._begin(name)
-        return check.rule(case)
+        return judge.rule(case)
 
     def _begin(self, step: str) -> None:
-        self.pipe.send(("begin", step, wall_clock_limit(step, self.limits)))
+        self.pipe.send(("begin", step, wall_clock_limit(step, self.made)))
 
     def _result(self, case: AnyCase, outcomes: list[Outcome], asking: Asking) -> CaseResult:
         job = self.job
@@ -178,7 +190,7 @@ class _Work:
             case.family,
             case.position,
         )
-        if any(map(declares_itself, self.targets)):
+        if any(map(self.made.catalogue.declares_itself, self.targets)):
             result.needs = tuple(sorted(case.needs))
         if job.learning:
             result.coverage = asking.coverage()
@@ -193,19 +205,16 @@ def all_skip(outcomes: list[Outcome]) -> bool:
     return bool(outcomes) and all(outcome.verdict is Verdict.SKIPPED for outcome in outcomes)
 
 
-def is_check(name: str) -> bool:
-    return name.startswith(PREFIX)
-
-
-def wall_clock_limit(name: str, limits: Limits) -> float:
+def wall_clock_limit(name: str, made: Made) -> float:
     """Returns the seconds after which the parent ends a worker still at `name`. Child processes of
     the CGAL oracle, adapters and functions have their own, tighter clock."""
     if name == CASE:
         return CASE_SECONDS
     if name.startswith(JUDGING):
         return JUDGING_SECONDS
-    if is_check(name):
+    if is_judge(name):
         return JUDGE_SECONDS
-    if declares_itself(name):
+    limits = made.limits
+    if made.catalogue.declares_itself(name):
         return 2 * load_limit(limits) + 6 * limits.seconds
     return limits.seconds + (2 * cgal_server.GRACE_SECONDS if name.startswith("cgal-") else 0)

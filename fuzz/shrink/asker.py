@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Self
 
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.run.catalogue import Catalogue
 from minkref.fuzz.run.pool import run_cases
 from minkref.fuzz.run.worker import CaseResult, Job
 from minkref.fuzz.targets.answer import Limits
@@ -15,11 +16,11 @@ from minkref.fuzz.verdicts.verdict import Outcome
 class Asker:
     """Asks one target about one case after another, in a process that may die."""
 
-    def __init__(self, target: str, limits: Limits) -> None:
+    def __init__(self, target: str, catalogue: Catalogue, limits: Limits) -> None:
         self.target = target
         self._next: Job | None = None
         self._number = 0
-        self._results = run_cases(self._jobs(), [target], limits, 1)
+        self._results = run_cases(self._jobs(), [target], catalogue, limits, 1)
 
     def _jobs(self) -> Iterator[Job]:
         while self._next is not None:

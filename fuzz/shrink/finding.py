@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from minkref.fuzz.cases.verbs import REJECTS
+from minkref.fuzz.run.catalogue import Catalogue
 from minkref.fuzz.run.runner import Finding, verb_of
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.setting import SmallCase
@@ -41,7 +42,7 @@ def brief(limits: Limits) -> Limits:
 
 
 def shrink_finding(
-    finding: Finding, limits: Limits, most_calls: int = MOST_CALLS
+    finding: Finding, catalogue: Catalogue, limits: Limits, most_calls: int = MOST_CALLS
 ) -> SmallFinding | None:
     """The smallest case found with the same fault: verdict, reasons, signal. None where the fault
     does not show again in a fresh process. After a time-out, smaller cases are asked about with
@@ -53,7 +54,7 @@ def shrink_finding(
         return None
     silent = Verdict.TIMED_OUT in (finding.outcome.verdict, finding.outcome.was)
     used = brief(limits) if silent else limits
-    with Asker(finding.outcome.target, used) as asker:
+    with Asker(finding.outcome.target, catalogue, used) as asker:
         first = asker.ask(literal)
         if not same_fault(finding.outcome, first[1]):
             return None
@@ -74,7 +75,7 @@ def shrink_finding(
         made = shrink(small, smaller, still, most_calls)
         again = asker.ask(kept[0].name.text) if not silent else None
     if again is None:
-        with Asker(finding.outcome.target, limits) as asker:
+        with Asker(finding.outcome.target, catalogue, limits) as asker:
             again = kept = asker.ask(kept[0].name.text)
         if not same_fault(finding.outcome, again[1]):
             return None

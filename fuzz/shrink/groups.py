@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from minkref.errors import message_of
+from minkref.fuzz.run.catalogue import Catalogue
 from minkref.fuzz.run.runner import Finding, Run
 from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
@@ -40,6 +41,7 @@ def groups_of(run: Run) -> list[Group]:
 
 def shrunk_groups(
     run: Run,
+    catalogue: Catalogue,
     limits: Limits,
     most_calls: int = MOST_CALLS,
     progress: Callable[[str], None] = lambda _: None,
@@ -51,7 +53,7 @@ def shrunk_groups(
     if run.ended is not None or run.failed is not None:
         return groups
     try:
-        _shrink_all(run, groups, limits, most_calls, progress)
+        _shrink_all(run, groups, catalogue, limits, most_calls, progress)
     except KeyboardInterrupt:
         run.ended = int(signal.SIGINT)
     except Ended as ended:
@@ -60,7 +62,12 @@ def shrunk_groups(
 
 
 def _shrink_all(
-    run: Run, groups: list[Group], limits: Limits, most_calls: int, progress: Callable[[str], None]
+    run: Run,
+    groups: list[Group],
+    catalogue: Catalogue,
+    limits: Limits,
+    most_calls: int,
+    progress: Callable[[str], None],
 ) -> None:
     for group in groups:
         outcome = group.example.outcome
@@ -72,7 +79,7 @@ def _shrink_all(
         progress(f"shrinking: {outcome.target} {' '.join(outcome.kinds)}")
         for finding in same[:examples]:
             try:
-                small = shrink_finding(finding, limits, calls)
+                small = shrink_finding(finding, catalogue, limits, calls)
             except Exception as error:  # noqa: BLE001 a fault of ours costs no finding
                 group.unshrunk = message_of(error).splitlines()[0]
                 continue

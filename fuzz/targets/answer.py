@@ -19,6 +19,7 @@ PROCESSES = 512  # per program
 LOAD_SECONDS = 60.0  # at least, for the import of a module or the start of a program
 REGIONS = Declaration("minkref")
 REFERENCE = "minkref:"  # and a route of our own
+JUDGED = "minkref@"  # and a judge of it
 
 
 @dataclass(frozen=True)

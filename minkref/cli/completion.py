@@ -4,9 +4,9 @@ from __future__ import annotations
 
 
 def targets(incomplete: str) -> list[str]:
-    from minkref.fuzz.run.catalogue import list_targets
+    from minkref.fuzz.all_targets import ALL_TARGETS
 
-    return [entry.name for entry in list_targets() if entry.name.startswith(incomplete)]
+    return [entry.name for entry in ALL_TARGETS.entries() if entry.name.startswith(incomplete)]
 
 
 def families(incomplete: str) -> list[str]:

@@ -18,9 +18,9 @@ from minkref.cli.target_options import (
     PassedVariables,
     walls_and_limits,
 )
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.verbs import PATH, RANGES
 from minkref.fuzz.isolation.isolation import AUTO, Isolation
-from minkref.fuzz.run.catalogue import select_one
 from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.shrink.asker import Asker
 from minkref.fuzz.space.cells import Cell, surface_of
@@ -141,12 +141,13 @@ def command(
     sum is proven wrong, 3 if the adapter breaks, and 2 if it does not start."""
     watch = Stopwatch()
     walls, limits = walls_and_limits(call_seconds, call_memory, call_processes, isolation, pass_env)
-    (entry,), declarations = declarations_of([select_one(target)], limits)
+    chosen = [ALL_TARGETS.select_one(target)]
+    (entry,), declarations = declarations_of(chosen, ALL_TARGETS, limits)
     declared = declarations[entry.name]
     able = declared.capabilities
     asked = {"plane": IN_PLANE, "space": IN_SPACE, PATH: ON_PATHS, RANGES: ALL_ON_PATHS}
     trials = [trying for word, some in asked.items() if word in able for trying in some]
-    with ending_in_order(), Asker(entry.name, limits) as asker:
+    with ending_in_order(), Asker(entry.name, ALL_TARGETS, limits) as asker:
         rows = [(trying, asker.ask(trying.literal)[1]) for trying in trials]
     code = _exit_code([outcome for _, outcome in rows])
     value = document(

@@ -19,9 +19,9 @@ from minkref.cli.target_options import (
 )
 from minkref.cli.verb import Verb, command_anywhere
 from minkref.errors import Refusal
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.isolation import AUTO
-from minkref.fuzz.run.catalogue import select_one
 from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.shrink.asker import Asker
@@ -101,9 +101,9 @@ def run(request: Shrink) -> None:
     )
     written = None if output is None else target_of(output, None, ("json",), "json", request.json)
     refuse_unless_case(case)
-    (entry,), _ = declarations_of([select_one(request.target)], limits)
+    (entry,), _ = declarations_of([ALL_TARGETS.select_one(request.target)], ALL_TARGETS, limits)
     with ending_in_order():
-        with Asker(entry.name, limits) as asker:
+        with Asker(entry.name, ALL_TARGETS, limits) as asker:
             result, outcome = asker.ask(CaseName(case, "shrinking").text)
         if outcome is None or outcome.verdict in (*GOOD, Verdict.SKIPPED, Verdict.UNDECIDED):
             said = "is not run on it" if outcome is None else f"says: {outcome.verdict}"
@@ -113,7 +113,7 @@ def run(request: Shrink) -> None:
                 "name a case that `minkref verify` found",
             )
         found = Finding(outcome, result)
-        small = shrink_finding(found, limits, request.calls)
+        small = shrink_finding(found, ALL_TARGETS, limits, request.calls)
     if small is None:
         raise Refusal(
             "the fault did not occur again, or the case is not in the plane",

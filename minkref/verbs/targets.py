@@ -6,7 +6,8 @@ from typing import Any
 
 from minkref.cli.options import Json, Schema
 from minkref.cli.output import give, plain_table
-from minkref.fuzz.run.catalogue import TargetEntry, list_targets
+from minkref.fuzz.all_targets import ALL_TARGETS
+from minkref.fuzz.run.catalogue import TargetEntry
 from minkref.output.documents import Stopwatch, document
 from minkref.output.terminal import console, escaped
 
@@ -21,7 +22,7 @@ def command(json: Json = False, schema: Schema = False) -> None:
     """The implementations that `minkref verify` can test here, and how to get those that are
     missing."""
     watch = Stopwatch()
-    value = document("targets", watch, targets=[_row(target) for target in list_targets()])
+    value = document("targets", watch, targets=[_row(target) for target in ALL_TARGETS.entries()])
     give(value, json, _print)
 
 

@@ -17,9 +17,10 @@ from minkref.cli.request import fields_of, request_of, signed
 from minkref.cli.settings import is_outdone, naming_settings
 from minkref.cli.verb import SCHEMA
 from minkref.errors import refusal_text
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.isolation.isolation import Isolation, choose
 from minkref.fuzz.run.case_list import CaseList
-from minkref.fuzz.run.catalogue import TargetEntry, declares_itself, select
+from minkref.fuzz.run.catalogue import TargetEntry
 from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import InternalError
@@ -94,12 +95,12 @@ def answer(context: typer.Context, request: VerifyRequest) -> None:
     listed = read_baseline(asked.baseline) if asked.baseline is not None else Baseline()
     walls = _walls(request)
     limits = _limits(request.bounds, walls)
-    chosen, absent = select(asked.targets or [])
-    chosen, declared = declarations_of(chosen, limits)
+    chosen, absent = ALL_TARGETS.select(asked.targets or [])
+    chosen, declared = declarations_of(chosen, ALL_TARGETS, limits)
     cases = case_list(request.cases, declared.values())
     if asked.settings is not None:
         cases.notes.append(f"settings: {asked.settings}")
-    if any(declares_itself(entry.name) for entry in chosen):
+    if any(ALL_TARGETS.declares_itself(entry.name) for entry in chosen):
         cases.notes.append(walls.sentence())
     if output.report is not None:
         context.with_resource(held_folder(output.report))
@@ -198,9 +199,10 @@ def _judged(
             cases.spent = book.spent
         with ending_in_order(), ProgressLine(cases.count) as line:
             done = run(
-                cases, names, versions, listed, limits, workers, line.show, book, bounds.first
-            )
-            return done, shrunk_groups(done, limits, bounds.shrink_calls, line.say)
+                cases, names, ALL_TARGETS, versions, listed, limits, workers, line.show, book,
+                bounds.first,
+            )  # fmt: skip
+            return done, shrunk_groups(done, ALL_TARGETS, limits, bounds.shrink_calls, line.say)
     finally:
         if book is not None:
             book.close()
@@ -215,7 +217,7 @@ def _notes(
 ) -> list[str]:
     """What was not asked, and what could not be made small."""
     names = [entry.name for entry in chosen]
-    own = {name: declared[name] for name in names if declares_itself(name)}
+    own = {name: declared[name] for name in names if ALL_TARGETS.declares_itself(name)}
     notes = [*not_asked(done, own), *resting_notes(done, names, cases.count)]
     notes += unproven_notes(done)
     notes += [

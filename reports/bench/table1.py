@@ -10,8 +10,8 @@ from typing import Any
 
 from minkref import _core
 from minkref.errors import refusing
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cgal.oracle import CgalOracle
-from minkref.fuzz.run.catalogue import list_targets
 from minkref.reports.bench.baselines import (
     CGAL,
     INTERSECTIONS,
@@ -87,7 +87,7 @@ def pair_count(quick: bool) -> int:
 
 def cgal_oracle(notes: list[str]) -> CgalOracle | None:
     """CGAL's reduced convolution; if absent, a note says why."""
-    entry = next((e for e in list_targets() if e.name == CGAL), None)
+    entry = next((e for e in ALL_TARGETS.entries() if e.name == CGAL), None)
     if entry is None or not entry.available:
         reason = entry.reason if entry is not None else "no such target"
         notes.append(f"{CGAL} is left out: {reason}")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.shrink.asker import Asker, same_fault
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.targets.answer import Limits
@@ -42,7 +43,7 @@ def presence(group: Group, value: dict[str, Any], limits: Limits) -> list[Presen
         cases = [example.case.literal or example.case.name.text]
     found = []
     for target, version in siblings(example.outcome.target, value):
-        with Asker(target, limits) as asker:
+        with Asker(target, ALL_TARGETS, limits) as asker:
             asked = [asker.ask(text)[1] for text in cases]
         there = sum(same_fault(example.outcome, outcome) for outcome in asked)
         fine = sum(outcome is not None and outcome.verdict in GOOD for outcome in asked)

@@ -13,11 +13,11 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.run import naming, pool
 from minkref.fuzz.run.case_list import RANDOM, CaseList
-from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.run.runner import Run, run
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits
@@ -56,6 +56,7 @@ def verify(faulty_sums: None) -> Callable[..., Run]:
         return run(
             CaseList(SEED, pairs, named=named, families=families, models=False),
             list(targets),
+            ALL_TARGETS,
             versions or {},
             baseline,
             Limits(seconds=call_seconds, isolation=walls),
@@ -72,7 +73,7 @@ def outcomes(faulty_sums: None) -> Callable[..., list[Outcome]]:
     def call(name: str, *cases: str, limits: Limits | None = None) -> list[Outcome]:
         sys.set_int_max_str_digits(0)  # as in a worker
         limits = limits or Limits(seconds=60)
-        target = cache(lambda name: make_target(name, limits))  # it, or one of ours
+        target = cache(lambda name: ALL_TARGETS.target(name, limits))  # it, or one of ours
         found: list[Outcome] = []
         try:
             for text in cases:

@@ -15,9 +15,9 @@ from typing import Any
 import pytest
 from minkref.cli.cli import run
 from minkref.errors import Refusal
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.isolation.isolation import choose
 from minkref.fuzz.isolation.leftovers import marked
-from minkref.fuzz.run.catalogue import select
 from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
@@ -173,9 +173,9 @@ def test_a_run_ends_with_a_documented_code(
 
 @pytest.mark.parametrize("way", NO_BEGIN)
 def test_one_that_does_not_begin_is_refused(way: str) -> None:
-    chosen, _ = select([target(way)])
+    chosen, _ = ALL_TARGETS.select([target(way)])
     with pytest.raises(Refusal, match="does not begin"):
-        declarations_of(chosen, Limits(60, 256 * MIB))
+        declarations_of(chosen, ALL_TARGETS, Limits(60, 256 * MIB))
 
 
 @pytest.mark.parametrize(

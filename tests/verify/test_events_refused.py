@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.event_judgement import judge_events
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.run import naming
-from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Limits
@@ -61,9 +61,8 @@ def told(tmp_path: Path) -> Iterator[Callable[..., Outcome]]:
         made.append(target)
         limits = Limits()
         asked = {"t": target}
-        asking = asking_about(
-            case, lambda n: asked.get(n) or make_target(n, limits), lambda _: None, {}, limits
-        )
+        named = lambda n: asked.get(n) or ALL_TARGETS.target(n, limits)  # noqa: E731
+        asking = asking_about(case, named, lambda _: None, {}, limits)
         (outcome,) = asking.outcomes(["t"])
         return outcome
 

@@ -16,12 +16,12 @@ from pathlib import Path
 import pytest
 from minkref.errors import Refusal
 from minkref.fuzz.adapters.template import HEADER
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation import sandbox
 from minkref.fuzz.isolation.isolation import Isolation, choose
 from minkref.fuzz.isolation.leftovers import marked
 from minkref.fuzz.run import naming, pool
-from minkref.fuzz.run.catalogue import make_target, select_one
 from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.targets.answer import Answer, Limits
@@ -43,7 +43,7 @@ def answer(walls: Isolation, name: str, *cases: str, megabytes: int = 512) -> An
     """To the last case; nothing of the function runs afterwards."""
     if ":" not in name:
         name = f"py:isolated_functions:{name}"
-    target = make_target(name, Limits(60, megabytes * MIB, isolation=walls))
+    target = ALL_TARGETS.target(name, Limits(60, megabytes * MIB, isolation=walls))
     try:
         for case in cases or (CASE,):
             said = target.sum(naming.load(CaseName(case, "test")))
@@ -286,6 +286,6 @@ def test_whatever_a_module_does_on_import_it_is_refused(
     monkeypatch.setattr("minkref.fuzz.targets.answer.LOAD_SECONDS", 1.0)
     limits = Limits(1.0, isolation=walls)
     with pytest.raises(Refusal, match="the function cannot be loaded: ") as caught:
-        declarations_of([select_one("py:spoilt:f")], limits)
+        declarations_of([ALL_TARGETS.select_one("py:spoilt:f")], ALL_TARGETS, limits)
     assert said in caught.value.what
     assert marked(walls.mark) == [] and os.listdir(tmp_path) == ["spoilt.py"]

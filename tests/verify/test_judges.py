@@ -307,7 +307,7 @@ def test_verify_minkref_puts_the_reference_before_every_judge(
     follows_schema(value, "verify")
     assert (code, value["findings"]) == (0, [])
     judged = {row["target"] for row in value["matrix"]} | {row["name"] for row in value["absent"]}
-    assert judged == set(checks.names())
+    assert judged == set(checks.OFFER.about)
     passes = sum(row["verdicts"].get("pass", 0) for row in value["matrix"])
     assert passes >= 5 * pairs
 
@@ -347,7 +347,7 @@ def test_what_is_too_large_for_a_judge_is_skipped_with_a_reason(
 )
 def test_no_judge_raises_an_alarm_on_a_hostile_case(P: str, Q: str) -> None:
     case = case_of(P, Q)
-    for name in checks.names():
+    for name in checks.OFFER.about:
         if checks.absence(name) is None:
             check = checks.Check(name)
             outcome = check.rule(case)

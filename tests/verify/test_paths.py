@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 from minkref.cli.cli import run as command
 from minkref.errors import Refusal
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.motion.asked_path import FAMILIES, AskedPath
 from minkref.fuzz.motion.path_cases import case_in_a_hole
@@ -67,7 +68,7 @@ def asked(text: str) -> AskedPath:
 def verified(way: str, *names: str) -> Run:
     return run(
         CaseList(SEED, None, named=names, models=False),
-        [target(way)], {}, Baseline(), Limits(seconds=60), 1,
+        [target(way)], ALL_TARGETS, {}, Baseline(), Limits(seconds=60), 1,
     )  # fmt: skip
 
 
@@ -251,7 +252,7 @@ def test_a_false_witness_does_not_hold() -> None:
 def test_a_finding_is_shrunk_to_a_few_vertices(way: str) -> None:
     done = verified(way, *names("path"))
     finding = min(done.findings, key=lambda found: found.case.size)
-    small = shrink_finding(finding, Limits(seconds=60), 150)
+    small = shrink_finding(finding, ALL_TARGETS, Limits(seconds=60), 150)
     assert small is not None
     assert small.outcome.reasons == finding.outcome.reasons
     assert small.result.size[0] <= 10

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.ledger import Ledger
@@ -96,7 +97,7 @@ def test_a_ledger_gives_the_same_run_again(tmp_path: Path) -> None:
         with Ledger(tmp_path / "run.jsonl", {"test": 1}) as ledger:
             limits = Limits(seconds=SECONDS)
             cases = CaseList(1, 6, models=False)
-            return run(cases, targets, {}, Baseline(), limits, 2, ledger=ledger)
+            return run(cases, targets, ALL_TARGETS, {}, Baseline(), limits, 2, ledger=ledger)
 
     first = again([HANGS, "minkref:paper"])
     second = again([HANGS, "minkref:paper"])

@@ -8,10 +8,10 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import naming
-from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.targets.answer import Answer, Limits, Target
@@ -56,10 +56,10 @@ def outcome_of(
     which: tuple[str, str], second: Callable[[Answer], Answer], calls: int = 2
 ) -> Outcome:
     family, reference = which
-    turns = Turns(make_target(reference, LIMITS), second)
+    turns = Turns(ALL_TARGETS.target(reference, LIMITS), second)
 
     def target(name: str) -> Target:
-        return turns if name == turns.name else make_target(name, LIMITS)  # type: ignore[return-value]
+        return turns if name == turns.name else ALL_TARGETS.target(name, LIMITS)  # type: ignore[return-value]
 
     case = asked_twice(family, 5)
     (outcome,) = asking_about(case, target, lambda _: None, {}, LIMITS).outcomes([turns.name])

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.run.unasked import unproven_notes
@@ -53,7 +54,7 @@ def test_a_right_function_passes_and_faults_are_found(verify: Verify) -> None:
 def test_a_fault_is_made_small(verify: Verify) -> None:
     name = "py:faulty_solids:fills_all"
     (finding,) = verify(name, named=("space-cup:8:1",)).findings
-    small = shrink_finding(finding, Limits(), draws(60, 150))
+    small = shrink_finding(finding, ALL_TARGETS, Limits(), draws(60, 150))
     assert small is not None and small.stable
     assert small.result.size[0] < finding.case.size[0] / 2 + 4
     assert small.outcome.reasons == (Reason.EXTRA,)

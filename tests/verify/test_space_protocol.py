@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 from minkref.cli import cli
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.run import naming
-from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
@@ -100,7 +100,7 @@ def test_a_run_in_space_asks_for_updates(capsys: pytest.CaptureFixture[str]) -> 
 
 
 def test_our_own_updates_pass() -> None:
-    target = make_target("minkref:convex-dynamic", Limits())
+    target = ALL_TARGETS.target("minkref:convex-dynamic", Limits())
     for text in UPDATES:
         case = naming.load(CaseName(text, "test"))
         assert isinstance(case, SpaceCase) and case.before is not None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections import Counter
 
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.run.runner import run as run_cases
@@ -76,7 +77,8 @@ def run(findings: Findings, size: Size) -> None:
 def asked(way: str, family: str, count: int) -> Run:
     names = tuple(f"{family}:{SEED}:{k}" for k in range(count))
     cases = CaseList(SEED, named=names, models=False)
-    return run_cases(cases, [path_adapter(way)], {}, Baseline(), Limits(seconds=60), JOBS)
+    given = ([path_adapter(way)], ALL_TARGETS, {}, Baseline(), Limits(seconds=60), JOBS)
+    return run_cases(cases, *given)
 
 
 def verdicts(done: Run) -> Counter[str]:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.judgement import judge
-from minkref.fuzz.run.catalogue import list_targets, make_target
-from minkref.fuzz.targets.answer import Limits, Target
+from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome
 from minkref.reports.evidence.framework.part import Findings
 
@@ -15,7 +15,7 @@ class Bench:
 
     def __init__(self, targets: list[str], seconds: float = 60.0, gigabytes: int = 4) -> None:
         limits = Limits(seconds=seconds, bytes=gigabytes << 30)
-        self._targets: dict[str, Target] = {name: make_target(name, limits) for name in targets}
+        self._targets = {name: ALL_TARGETS.target(name, limits) for name in targets}
 
     def verdicts(self, case: Case) -> dict[str, Outcome]:
         """By target. A wrong result carries a witness, checked in plain fractions."""
@@ -35,7 +35,7 @@ class Bench:
 
 def available_cgal(findings: Findings, *wanted: str) -> list[str]:
     """The named CGAL targets on this machine; each absent target becomes a missed target."""
-    entries = {entry.name: entry for entry in list_targets()}
+    entries = {entry.name: entry for entry in ALL_TARGETS.entries()}
     found = []
     for name in wanted:
         entry = entries.get(name)

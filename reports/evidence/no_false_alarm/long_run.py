@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.judges.witness_check import confirmed
 from minkref.fuzz.libraries import catalogue
 from minkref.fuzz.plane.judgement import TRUTHS
-from minkref.fuzz.run.catalogue import list_targets
 from minkref.reports.evidence.framework.command import counts_of, told, verify
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.framework.places import FOLDER
@@ -35,7 +35,7 @@ def run(findings: Findings, size: Size) -> None:
     for name in catalogue.ADAPTERS:
         if catalogue.absence(name) is not None and size is Size.FULL:
             catalogue.install(name)
-    absent = [entry for entry in list_targets() if not entry.available]
+    absent = [entry for entry in ALL_TARGETS.entries() if not entry.available]
     findings.law("targets that are absent", not absent or size is not Size.FULL, 0, len(absent))
     for entry in absent:
         findings.note(f"{entry.name} is absent: {entry.reason}")

@@ -9,10 +9,10 @@ import statistics
 import time
 from collections.abc import Callable
 
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import naming
-from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits, Target
 from minkref.reports.evidence.framework.command import searched
@@ -78,7 +78,7 @@ def _verify(names: list[CaseName], name: str) -> None:
 
     def target(wanted: str) -> Target:
         if wanted not in made:
-            made[wanted] = make_target(wanted, limits)
+            made[wanted] = ALL_TARGETS.target(wanted, limits)
         return made[wanted]
 
     for each in names:

@@ -7,12 +7,12 @@ from collections import Counter
 from fractions import Fraction
 from typing import Any
 
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.geometry.plane import contains, read_shape
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.judgement import TRUTHS
 from minkref.fuzz.plane.witness import holds
-from minkref.fuzz.run.catalogue import list_targets
 from minkref.fuzz.run.naming import load_in_plane
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 from minkref.reports.evidence.framework.comparing import Bench
@@ -100,7 +100,7 @@ def work(job: tuple[range, list[str]]) -> dict[str, Any]:
 
 def run(findings: Findings, size: Size) -> None:
     pairs = size.of(PAIRS)
-    entries = [entry for entry in list_targets() if entry.name.startswith("cgal-")]
+    entries = [entry for entry in ALL_TARGETS.entries() if entry.name.startswith("cgal-")]
     cgal = [entry.name for entry in entries if entry.available and not entry.name.endswith("-raw")]
     if not cgal:
         findings.target("methods of CGAL", False, "at least 1", 0)

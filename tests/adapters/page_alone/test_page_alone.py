@@ -13,9 +13,9 @@ from typing import Any
 
 import pytest
 from minkref.cli.cli import run
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.run import naming
-from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Verdict
@@ -48,7 +48,7 @@ def adapter(name: str) -> str:
 def said_of(name: str, *cases: str) -> list[tuple[Verdict, str]]:
     """Verdicts and messages about a target on named cases, without a run and its workers."""
     limits = Limits(seconds=SECONDS)
-    target = cache(lambda name: make_target(name, limits))  # it, or one of ours
+    target = cache(lambda name: ALL_TARGETS.target(name, limits))  # it, or one of ours
     found = []
     try:
         for text in cases:
