@@ -410,11 +410,9 @@ class Drawing {
   std::vector<std::pair<VertexId, std::uint32_t>> further_edges_;  ///< and their lines
 };
 
-}  // namespace
-
-void bind_disc_index(nb::module_& module) {
-  nb::class_<BoundIndex>(module, "DiscIndex", "P + a disc at all radii.")
-      .def("__len__", [](const BoundIndex& self) { return self.index.radii(); })
+/// The sum at one radius, and the radii of events.
+void bind_index_radii(nb::class_<BoundIndex>& bound) {
+  bound.def("__len__", [](const BoundIndex& self) { return self.index.radii(); })
       .def_ro("seconds", &BoundIndex::seconds, "Of the build.")
       .def_prop_ro("exact_signs",
                    [](const BoundIndex& self) { return self.index.diagram().exact_signs; })
@@ -475,7 +473,12 @@ void bind_disc_index(nb::module_& module) {
           },
           "radius"_a, nb::sig("def vertices(self, radius: float) -> tuple[typing.Any, typing.Any]"),
           "x, y and a bound of the error of each vertex of the boundary, ring by ring, the sum on "
-          "the left; and where rings start. At the radius of an event those just above.")
+          "the left; and where rings start. At the radius of an event those just above.");
+}
+
+/// The events, the diagram between them, and the changes at them.
+void bind_index_events(nb::class_<BoundIndex>& bound) {
+  bound
       .def(
           "rows",
           [](const BoundIndex& self, std::size_t first, std::size_t count) {
@@ -526,6 +529,14 @@ void bind_disc_index(nb::module_& module) {
           },
           "radii"_a, "rounds"_a = 1, Released(),
           "Of all vertices at each of some radii, without Python.");
+}
+
+}  // namespace
+
+void bind_disc_index(nb::module_& module) {
+  nb::class_<BoundIndex> bound(module, "DiscIndex", "P + a disc at all radii.");
+  bind_index_radii(bound);
+  bind_index_events(bound);
   module.def(
       "disc_index",
       [](const Set& P, unsigned threads,

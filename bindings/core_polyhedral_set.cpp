@@ -40,13 +40,7 @@ std::optional<ConvexBody> convex_body(const PolyhedralSet& set) {
   return ConvexBody{std::make_shared<const ConvexPolyhedron>(std::move(*found))};
 }
 
-}  // namespace
-
-void bind_polyhedral_set(nb::module_& module) {
-  auto bound = nb::class_<PolyhedralSet>(
-      module, "PolyhedralSet",
-      "A regular closed set in space, exact: what is exposed in each of its planes. A value: never "
-      "changed, equal to each set of the same points.");
+void bind_set(nb::class_<PolyhedralSet>& bound) {
   unchanging(nb::class_<PolyhedralSet>(bound))
       .def(
           "__init__",
@@ -90,7 +84,9 @@ void bind_polyhedral_set(nb::module_& module) {
           "planes", [](const PolyhedralSet& set) { return set.faces.size(); },
           "In how many oriented planes its faces lie.")
       .def_prop_ro("is_empty", [](const PolyhedralSet& set) { return set.empty(); });
-  bind_space_surface(module, bound);
+}
+
+void bind_sums_in_space(nb::module_& module) {
   module.def(
       "definition_sum_in_space",
       [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling) {
@@ -148,6 +144,18 @@ void bind_polyhedral_set(nb::module_& module) {
       },
       "polyhedron"_a, Released(),
       "Convex polyhedra with disjoint interiors whose union a valid polyhedron is. Exact.");
+}
+
+}  // namespace
+
+void bind_polyhedral_set(nb::module_& module) {
+  auto bound = nb::class_<PolyhedralSet>(
+      module, "PolyhedralSet",
+      "A regular closed set in space, exact: what is exposed in each of its planes. A value: never "
+      "changed, equal to each set of the same points.");
+  bind_set(bound);
+  bind_space_surface(module, bound);
+  bind_sums_in_space(module);
 }
 
 }  // namespace minkref::python
