@@ -7,6 +7,25 @@
 
 namespace minkref::inline plane {
 
+/// A counting sort: `order` has the items group by group, those of group g from first[g] on; items
+/// of one group keep their order.
+template <class GroupOf>
+void order_by_group(std::size_t items, std::size_t groups, const GroupOf& group_of,
+                    std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& order) {
+  first.assign(groups + 1, 0);
+  for (std::uint32_t i = 0; i < items; ++i) {
+    look_for_interrupt();
+    ++first[group_of(i) + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  order.resize(items);
+  std::vector<std::uint32_t> place(first.begin(), first.end());
+  for (std::uint32_t i = 0; i < items; ++i) {
+    look_for_interrupt();
+    order[place[group_of(i)]++] = i;
+  }
+}
+
 template <class K>
 template <class Meet>
 void Arrangement<K>::subdivide(const Meet& meet) {
@@ -25,22 +44,11 @@ void Arrangement<K>::subdivide(const Meet& meet) {
   directions_.resize(segments_.size());
   for (std::uint32_t i = 0; i < proper.size(); ++i) directions_[name[i]] = meeting.directions()[i];
 
-  // Sorts contacts by segment (counting sort), then by position; contacts at one position share a
-  // point.
-  std::vector<std::uint32_t> first(proper.size() + 1, 0);
-  for (const auto& contact : contacts) {
-    look_for_interrupt();
-    ++first[contact.segment + 1];
-  }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<std::uint32_t> order(contacts.size());
-  {
-    std::vector<std::uint32_t> place(first.begin(), first.end());
-    for (std::uint32_t c = 0; c < contacts.size(); ++c) {
-      look_for_interrupt();
-      order[place[contacts[c].segment]++] = c;
-    }
-  }
+  // Sorts contacts by segment, then by position; contacts at one position share a point.
+  std::vector<std::uint32_t> first, order;
+  order_by_group(
+      contacts.size(), proper.size(), [&](std::uint32_t c) { return contacts[c].segment; }, first,
+      order);
   parent_.resize(vertices_.size() + meeting.crossings().size());
   std::iota(parent_.begin(), parent_.end(), 0U);
   std::copy(representative.begin(), representative.end(), parent_.begin());
@@ -115,20 +123,9 @@ void Arrangement<K>::subdivide(const Meet& meet) {
 
 template <class K>
 void Arrangement<K>::link() {
-  first_leaving_.assign(nodes_.size() + 1, 0);
-  for (const std::uint32_t n : origin_) {
-    look_for_interrupt();
-    ++first_leaving_[n + 1];
-  }
-  std::partial_sum(first_leaving_.begin(), first_leaving_.end(), first_leaving_.begin());
-  leaving_.resize(origin_.size());
-  {
-    std::vector<std::uint32_t> place(first_leaving_.begin(), first_leaving_.end());
-    for (std::uint32_t h = 0; h < origin_.size(); ++h) {
-      look_for_interrupt();
-      leaving_[place[origin_[h]]++] = h;
-    }
-  }
+  order_by_group(
+      origin_.size(), nodes_.size(), [&](std::uint32_t h) { return origin_[h]; }, first_leaving_,
+      leaving_);
   next_.resize(origin_.size());
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
     look_for_interrupt();

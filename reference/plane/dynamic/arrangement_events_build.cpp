@@ -26,6 +26,45 @@ ScaleInterval<PlainKernel<Rational>> scales_on_edge(const RationalEdge& edge,
   return intersection_of_half_lines<PlainKernel<Rational>>({}, std::array{after_start, before_end});
 }
 
+/// When each meeting pair begins and ceases to meet, as moments of events.
+std::vector<Lifetime> lifetimes_of(const PairEvents& pairs, const std::vector<RationalEdge>& moving,
+                                   const ScaleWindow& window,
+                                   const std::vector<std::uint32_t>& moment_of_rank) {
+  const auto& meeting = pairs.meeting;
+  std::vector<std::uint32_t> first_of(pairs.edges.size() + 1, 0);
+  for (const MeetingPair& pair : meeting) ++first_of[pair.a + 1];
+  for (std::size_t e = 0; e < pairs.edges.size(); ++e) first_of[e + 1] += first_of[e];
+  std::vector<Lifetime> lifetimes(meeting.size());
+  for (const PairEvent& event : pairs.events) {
+    const auto begin = meeting.begin() + first_of[event.a],
+               end = meeting.begin() + first_of[event.a + 1];
+    const auto pair = std::lower_bound(
+        begin, end, event.b, [](const MeetingPair& p, std::uint32_t b) { return p.b < b; });
+    look_for_interrupt();
+    Lifetime& lifetime = lifetimes[static_cast<std::size_t>(pair - meeting.begin())];
+    const std::uint32_t moment = moment_of_rank[event.rank];
+    const bool at_start = moment == EdgeNode::always && window.from && event.rank == 0 &&
+                          event_scale(PlainKernel<Rational>{}, moving[event.a], moving[event.b],
+                                      event) == *window.from;
+    switch (event.change) {
+      case Change::birth:
+        lifetime.from = moment;
+        if (moment == EdgeNode::always && !at_start) lifetime.outside = true;
+        break;
+      case Change::death:
+        lifetime.to = moment;
+        if (moment == EdgeNode::always && at_start) lifetime.outside = true;
+        break;
+      case Change::touch:
+      case Change::overlap:
+        lifetime.from = lifetime.to = moment;
+        if (moment == EdgeNode::always) lifetime.outside = true;
+        break;
+    }
+  }
+  return lifetimes;
+}
+
 }  // namespace
 
 ArrangementEvents::ArrangementEvents(const PolygonSet& P, const PolygonSet& Q,
@@ -58,37 +97,7 @@ void ArrangementEvents::collect_nodes() {
   group_of_rank_ = moment_of_rank;
 
   const auto& meeting = pairs_.meeting;
-  std::vector<std::uint32_t> first_of(pairs_.edges.size() + 1, 0);
-  for (const MeetingPair& pair : meeting) ++first_of[pair.a + 1];
-  for (std::size_t e = 0; e < pairs_.edges.size(); ++e) first_of[e + 1] += first_of[e];
-  std::vector<Lifetime> lifetimes(meeting.size());
-  for (const PairEvent& event : events) {
-    const auto begin = meeting.begin() + first_of[event.a],
-               end = meeting.begin() + first_of[event.a + 1];
-    const auto pair = std::lower_bound(
-        begin, end, event.b, [](const MeetingPair& p, std::uint32_t b) { return p.b < b; });
-    look_for_interrupt();
-    Lifetime& lifetime = lifetimes[static_cast<std::size_t>(pair - meeting.begin())];
-    const std::uint32_t moment = moment_of_rank[event.rank];
-    const bool at_start = moment == EdgeNode::always && window_.from && event.rank == 0 &&
-                          event_scale(PlainKernel<Rational>{}, moving_[event.a], moving_[event.b],
-                                      event) == *window_.from;
-    switch (event.change) {
-      case Change::birth:
-        lifetime.from = moment;
-        if (moment == EdgeNode::always && !at_start) lifetime.outside = true;
-        break;
-      case Change::death:
-        lifetime.to = moment;
-        if (moment == EdgeNode::always && at_start) lifetime.outside = true;
-        break;
-      case Change::touch:
-      case Change::overlap:
-        lifetime.from = lifetime.to = moment;
-        if (moment == EdgeNode::always) lifetime.outside = true;
-        break;
-    }
-  }
+  const std::vector<Lifetime> lifetimes = lifetimes_of(pairs_, moving_, window_, moment_of_rank);
 
   // Counts, then places, the nodes of each edge.
   struct Placed {
