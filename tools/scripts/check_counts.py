@@ -14,13 +14,14 @@ import re
 import subprocess
 import sys
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
 LIMITS = Path(__file__).with_name("counts.toml")
 CODE = (".cpp", ".hpp", ".py", ".js", ".v", ".ml")
+READ = (*CODE, ".md", ".json", ".toml")
 SETTINGS = ("plane", "disc", "space", "motion")
 LONG = 100  # lines of a function
 FUNCTION_WORDS = frozenset(
@@ -37,8 +38,8 @@ class Sentence(NamedTuple):
     density: float  # share of function words
 
 
-def tracked() -> list[str]:
-    """Tracked files that exist, without the corpus and what commands write."""
+def tracked() -> dict[str, str]:
+    """Texts of tracked files that exist, without the corpus and what commands write."""
     listed = subprocess.run(
         ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
     )
@@ -49,18 +50,15 @@ def tracked() -> list[str]:
         "LICENSES/",
         "CHANGELOG",
     )
-    return [
-        f for f in listed.stdout.splitlines() if not f.startswith(made) and (ROOT / f).is_file()
-    ]
+    return {
+        f: (ROOT / f).read_text(encoding="utf-8")
+        for f in listed.stdout.splitlines()
+        if f.endswith(READ) and not f.startswith(made) and (ROOT / f).is_file()
+    }
 
 
-def text_of(file: str) -> str:
-    return (ROOT / file).read_text(encoding="utf-8")
-
-
-def comments(file: str) -> Iterator[tuple[int, str]]:
+def comments(file: str, text: str) -> Iterator[tuple[int, str]]:
     """Line and text of each comment and docstring, and of each paragraph of a document."""
-    text = text_of(file)
     if file.endswith(".py"):
         blocks = re.finditer(r'"""(.*?)"""|((?:^[ \t]*# .*\n)+)', text, re.S | re.M)
         for found in blocks:
@@ -78,11 +76,11 @@ def comments(file: str) -> Iterator[tuple[int, str]]:
             yield line, re.sub(r"(?m)^[ \t]*(?:///?<?|\*) ?", "", found[0])
 
 
-def sentences(files: list[str]) -> Iterator[Sentence]:
+def sentences(texts: Mapping[str, str]) -> Iterator[Sentence]:
     """Sentences of 5 to 60 words."""
-    for file in files:
-        for line, text in comments(file):
-            for sentence in re.split(r"(?<=[.;:?!])\s+(?=[A-Z`*])", re.sub(r"\s+", " ", text)):
+    for file, text in texts.items():
+        for line, said in comments(file, text):
+            for sentence in re.split(r"(?<=[.;:?!])\s+(?=[A-Z`*])", re.sub(r"\s+", " ", said)):
                 words = re.findall(r"[A-Za-z']+", sentence)
                 if 5 <= len(words) <= 60:
                     share = sum(word.lower() in FUNCTION_WORDS for word in words) / len(words)
@@ -96,15 +94,26 @@ def functions_of_python(text: str) -> Iterator[int]:
 
 
 def functions_of_cpp(text: str) -> Iterator[int]:
-    """Lines from a brace that opens a body at the margin, as clang-format sets it, to the next that
-    closes there; namespaces, classes and tables end otherwise."""
-    start = None
+    """Lines of each function that stands at the margin, as clang-format sets it: its head, perhaps
+    of several lines, to the brace that closes there. Namespaces, classes and tables are none."""
+    head, begin, start = None, 0, None
     for number, line in enumerate(text.splitlines()):
-        if re.match(r"\S.*\) (?:const )?(?:noexcept )?\{$", line):
-            start = number
-        elif line == "}" and start is not None:
-            yield number - start + 1
+        if re.match(r"\w", line):
+            head, begin = "", number
+        if head is not None:
+            head += line
+            if line.endswith("{"):
+                start = begin if is_function(head) else None
+            if line.endswith(("{", "}", ";")):
+                head = None
+        elif line.startswith("}"):
+            if line == "}" and start is not None:
+                yield number - start + 1
             start = None
+
+
+def is_function(head: str) -> bool:
+    return ")" in head and not re.match(r"(?:namespace|struct|class|union|enum)\b", head)
 
 
 def setting_of(name: str) -> str | None:
@@ -113,46 +122,53 @@ def setting_of(name: str) -> str | None:
     return next((part.split("_")[0] for part in parts if part.split("_")[0] in SETTINGS), None)
 
 
-def names_two_settings(file: str) -> bool:
+def names_two_settings(file: str, text: str) -> bool:
     """A file in the folder of no setting that includes or imports two settings."""
     if setting_of(str(Path(file).parent)) is not None:
         return False
-    return len({setting_of(name) for name in IMPORT.findall(text_of(file))} - {None}) > 1
+    return len({setting_of(name) for name in IMPORT.findall(text)} - {None}) > 1
 
 
-def count_rows() -> dict[str, float]:
-    """Each count by its name."""
-    files = tracked()
-    code = [f for f in files if f.endswith(CODE)]
-    ours = [f for f in code if not f.startswith("tests/")]
-    python, cpp = ([f for f in ours if f.endswith(end)] for end in (".py", (".cpp", ".hpp")))
-    project = tomllib.loads(text_of("pyproject.toml"))
-    contracts = project["tool"]["importlinter"]["contracts"]
-    schemas = [f for f in files if f.startswith("minkref/schemas/") and f.endswith(".json")]
-    hooked = [f for f in cpp if f.startswith("reference/")]
-    lengths: Callable[[str], Iterator[int]] = lambda f: (  # noqa: E731
-        functions_of_python(text_of(f)) if f.endswith(".py") else functions_of_cpp(text_of(f))
+def count_rows(texts: Mapping[str, str]) -> dict[str, float]:
+    """Each count by its name, of files by their paths."""
+
+    def those(begin: str, *ends: str) -> dict[str, str]:
+        return {f: t for f, t in texts.items() if f.startswith(begin) and f.endswith(ends)}
+
+    code = those("", *CODE)
+    python, cpp = (
+        {f: t for f, t in those("", *ends).items() if not f.startswith("tests/")}
+        for ends in ((".py",), (".cpp", ".hpp"))
     )
+    project = tomllib.loads(texts["pyproject.toml"])
+    contracts = project["tool"]["importlinter"]["contracts"]
+    lengths = [n for t in python.values() for n in functions_of_python(t)]
+    lengths += [n for t in cpp.values() for n in functions_of_cpp(t)]
     prose = {
-        "C++": [f for f in ours if f.endswith((".cpp", ".hpp"))],
+        "C++": cpp,
         "Python": python,
-        "tests": [f for f in code if f.startswith("tests/")],
-        "documents": [f for f in files if f.endswith(".md")],
+        "tests": those("tests/", *CODE),
+        "documents": those("", ".md"),
     }
     read = {name: list(sentences(group)) for name, group in prose.items()}
+    hooked = those("reference/", ".cpp", ".hpp")
     return {
         "folders of code at the top": len({f.split("/")[0] for f in code if "/" in f}),
-        "lines of JSON schemas written by hand": sum(text_of(f).count("\n") for f in schemas),
-        f"functions over {LONG} lines": sum(n > LONG for f in python + cpp for n in lengths(f)),
-        "files of no setting that name two": sum(map(names_two_settings, python + cpp)),
+        "lines of JSON schemas written by hand": sum(
+            t.count("\n") for t in those("minkref/schemas/", ".json").values()
+        ),
+        f"functions over {LONG} lines": sum(n > LONG for n in lengths),
+        "files of no setting that name two": sum(
+            names_two_settings(f, t) for f, t in (python | cpp).items()
+        ),
         "exceptions to the floors": sum(len(c.get("ignore_imports", ())) for c in contracts),
-        "hooks for faults in reference/": sum(text_of(f).count("planted(") for f in hooked),
+        "hooks for faults in reference/": sum(t.count("planted(") for t in hooked.values()),
         "sentences that begin with Of, What, That, Which, Those": sum(
             bool(HEADS.match(s.text)) for group in read.values() for s in group
         ),
         **{
             f"function words in {name}, per thousand": round(
-                1000 * sum(s.density for s in group) / len(group)
+                1000 * sum(s.density for s in group) / max(len(group), 1)
             )
             for name, group in read.items()
         },
@@ -166,11 +182,12 @@ def main() -> int:
     parser.add_argument("paths", nargs="*", metavar="PATH")
     options = parser.parse_args()
     if options.worst:
-        chosen = [f for f in tracked() if f.startswith(tuple(options.paths or [""]))]
+        below = tuple(options.paths or [""])
+        chosen = {f: t for f, t in tracked().items() if f.startswith(below)}
         for row in sorted(sentences(chosen), key=lambda row: -row.density)[: options.worst]:
             print(f"{row.density:.2f} {row.where}: {row.text}")
         return 0
-    found = count_rows()
+    found = count_rows(tracked())
     limits = tomllib.loads(LIMITS.read_text(encoding="utf-8")) if LIMITS.exists() else {}
     if options.lower:
         lines = (f'"{name}" = {min(n, limits.get(name, n))}\n' for name, n in found.items())
