@@ -131,7 +131,8 @@ class Made:
         return self.judges[name]
 
     def close(self) -> None:
-        for each in (*self.targets.values(), *self.judges.values()):
+        held: list[Target | Judge] = [*self.targets.values(), *self.judges.values()]
+        for each in held:
             each.close()
 
 

@@ -77,8 +77,8 @@ def run(findings: Findings, size: Size) -> None:
 def asked(way: str, family: str, count: int) -> Run:
     names = tuple(f"{family}:{SEED}:{k}" for k in range(count))
     cases = CaseList(SEED, named=names, models=False)
-    given = ([path_adapter(way)], ALL_TARGETS, {}, Baseline(), Limits(seconds=60), JOBS)
-    return run_cases(cases, *given)
+    limits = Limits(seconds=60)
+    return run_cases(cases, [path_adapter(way)], ALL_TARGETS, {}, Baseline(), limits, JOBS)
 
 
 def verdicts(done: Run) -> Counter[str]:
