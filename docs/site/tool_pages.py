@@ -64,7 +64,7 @@ def _with_examples(lines: list[str]) -> Iterator[str]:
 def schema_pages(root: Path) -> Iterator[tuple[Path, str]]:
     """A page and a file for each schema, the index last."""
     logger.disable("jsonschema_markdown")  # it tells of forms that it shows as they are
-    words = [root / ".venv/bin/python", "-c", ALL_SCHEMAS]
+    words = [str(root / ".venv/bin/python"), "-c", ALL_SCHEMAS]
     done = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
     listed = []
     for name, schema in json.loads(done.stdout).items():
