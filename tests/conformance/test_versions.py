@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from minkref.fuzz.run.catalogue import Catalogue
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 from minkref.reports.conformance import versions
@@ -13,7 +14,7 @@ from minkref.reports.conformance import versions
 class Asked:
     """Replaces a worker: 6.0.1 is right, 5.6 is wrong, 5.4 dies."""
 
-    def __init__(self, target: str, limits: Limits) -> None:
+    def __init__(self, target: str, catalogue: Catalogue, limits: Limits) -> None:
         self.target = target
 
     def ask(self, text: str) -> tuple[None, Outcome]:
