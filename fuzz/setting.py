@@ -92,8 +92,7 @@ class Setting(ABC):
 
 
 class Question(ABC):
-    """A question about sets in a setting, other than their sum: the cases that ask it, and how to
-    make them smaller."""
+    """A question about sets in a setting, other than their sum, and the cases that ask it."""
 
     cases: ClassVar[type]
     asking: ClassVar[type[Asking]]
@@ -106,13 +105,18 @@ class Question(ABC):
         """The case of a JSON value; None if it asks something else. Refuses a wrong value."""
         return None
 
+
+class ShrinkableQuestion(Question):
+    """A question whose cases can be made smaller."""
+
+    @abstractmethod
     def is_asked(self, literal: str) -> bool:
-        """Whether the text that names a case asks this, and can be made smaller."""
-        return False
+        """Whether the text that names a case asks this."""
 
+    @abstractmethod
     def small_case(self, literal: str) -> SmallCase:
-        raise NotImplementedError
+        """The small case of a text that names one."""
 
+    @abstractmethod
     def smaller(self, case: Any) -> Iterator[Any]:
         """Valid candidates, the boldest first."""
-        raise NotImplementedError

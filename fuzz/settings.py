@@ -9,12 +9,13 @@ from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.invalid.question import REFUSALS
 from minkref.fuzz.motion.question import PATHS
 from minkref.fuzz.plane.setting import PLANE
-from minkref.fuzz.setting import Question, Setting, SmallCase
+from minkref.fuzz.setting import Question, Setting, ShrinkableQuestion, SmallCase
 from minkref.fuzz.space.setting import SPACE
 from minkref.fuzz.targets.asking import Asking
 
 SETTINGS: tuple[Setting, ...] = (PLANE, SPACE)
 QUESTIONS: tuple[Question, ...] = (PATHS, REFUSALS)
+SHRINKABLE: tuple[ShrinkableQuestion, ...] = (PATHS,)
 
 
 def setting_of(dimension: int) -> Setting:
@@ -31,9 +32,9 @@ def setting_of_operands(operands: list[Any]) -> Setting:
     return next((s for s in reversed(SETTINGS) if s.holds(operands)), PLANE)
 
 
-def question_of(literal: str) -> Question | None:
+def question_of(literal: str) -> ShrinkableQuestion | None:
     """Returns the question in a text that names a case; None if the text asks for a sum."""
-    return next((question for question in QUESTIONS if question.is_asked(literal)), None)
+    return next((question for question in SHRINKABLE if question.is_asked(literal)), None)
 
 
 def asking_about(case: AnyCase, *how: Any) -> Asking:

@@ -10,10 +10,10 @@ from minkref.fuzz.cases.verbs import is_path
 from minkref.fuzz.motion.asked_path import FAMILIES, AskedPath, drawn_path, named_path
 from minkref.fuzz.motion.asking import PathAsking
 from minkref.fuzz.motion.small_path import SmallPath, smaller_paths
-from minkref.fuzz.setting import Question
+from minkref.fuzz.setting import ShrinkableQuestion
 
 
-class Paths(Question):
+class Paths(ShrinkableQuestion):
     """Parts, obstacles and paths in the plane."""
 
     cases = AskedPath
