@@ -29,11 +29,12 @@ inline ExactPoint to_strings(const Point& point) {
 }
 
 /// Python's PolygonSet: the set, whether it is known to be canonical (which saves a
-/// canonicalization), and the places of its rings within the source file.
+/// canonicalization), the places of its rings within the source file, and the reader's warnings.
 struct Set {
   PolygonSet value;
   bool canonical = false;
   std::vector<RingOrigin> origins = {};
+  std::vector<std::string> warnings = {};
 };
 
 /// kind "S" or "T", sign, ring and index of the edge, ring and index of the vertex.

@@ -12,12 +12,8 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// Warnings of this thread's last successful read.
-thread_local std::vector<std::string> last_warnings;
-
-Set keep(Reading reading) {
-  last_warnings = std::move(reading.warnings);
-  return {std::move(reading.set), false, std::move(reading.origins)};
+Set kept(Reading reading) {
+  return {std::move(reading.set), false, std::move(reading.origins), std::move(reading.warnings)};
 }
 
 }  // namespace
@@ -31,22 +27,16 @@ void bind_files(nb::module_& module) {
   }
   module.attr("SET_FORMATS") = formats;
   module.def(
-      "read_file",
-      [](const std::string& path) {
-        last_warnings.clear();
-        return keep(read_file(path));
-      },
-      "path"_a, Released(),
+      "read_file", [](const std::string& path) { return kept(read_file(path)); }, "path"_a,
+      Released(),
       "Reads an operand, exact; the format by the extension. Raises BadInput.");
   module.def(
       "read_text",
       [](const std::string& text, const std::string& format, const std::string& source) {
-        last_warnings.clear();
-        return keep(read_text(text, format_named(format), source));
+        return kept(read_text(text, format_named(format), source));
       },
       "text"_a, "format"_a, "source"_a = "", Released(),
       "Reads an operand from text in wkt, geojson, poly, json or case. Raises BadInput.");
-  module.def("warnings", [] { return last_warnings; }, "The warnings of the last read.");
   module.def(
       "write",
       [](const Set& set, const std::string& format) {

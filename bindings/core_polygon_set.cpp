@@ -139,6 +139,8 @@ void bind_polygon_set(nb::module_& module) {
             validate_as_read(set.value, set.origins, source);
           },
           "source"_a = "", Released(), "Raises BadInput unless the set is regular closed.")
+      .def_ro("warnings", &Set::warnings,
+              "What the reader of the file or text put right; empty for all other sets.")
       .def("rings", exact_rings,
            nb::sig("def rings(self) -> list[list[list[tuple[fractions.Fraction, "
                    "fractions.Fraction]]]]"),

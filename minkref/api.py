@@ -230,7 +230,7 @@ def read_file(path: str | os.PathLike[str]) -> PolygonSet:
     `.geojson`, `.poly`, `.json`). Not validated. Linear in the file's length. Raises BadInput
     (Refusal for a file whose name is not UTF-8). docs/formats.md."""
     name = os.fsdecode(path)
-    return _core.read_file(name) if is_utf8(name) else read_set(Path(name))[0]
+    return _core.read_file(name) if is_utf8(name) else read_set(Path(name))
 
 
 def read_text(text: str, format: str, source: str = "") -> PolygonSet:

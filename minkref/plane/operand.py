@@ -89,9 +89,8 @@ def _of_text(name: str) -> Operand:
     text, form = text_and_form(name)
     source = escaped(source_of(name))
     operand = refusing(source, lambda: _core.read_text(text, form, source))
-    warnings = list(_core.warnings())
     refusing(source, lambda: operand.validate(source))
-    return Operand(source, source, operand, warnings)
+    return Operand(source, source, operand, operand.warnings)
 
 
 def is_file(name: str) -> bool:
@@ -111,23 +110,21 @@ def is_regular(path: Path) -> bool:
         return False
 
 
-def read_set(path: Path) -> tuple[_core.PolygonSet, list[str]]:
-    """Read the set in a file, not validated, with the reader's warnings."""
+def read_set(path: Path) -> _core.PolygonSet:
+    """Read the set in a file, not validated; the reader's warnings are its `warnings`."""
     source = str(path)
     if is_utf8(source):
-        read = refusing(source, lambda: _core.read_file(source))
-    else:
-        text = text_of_file(path, escaped(source), "name a file that you may read")
-        form = path.suffix.lower().removeprefix(".")
-        read = refusing(escaped(source), lambda: _core.read_text(text, form, escaped(source)))
-    return read, list(_core.warnings())
+        return refusing(source, lambda: _core.read_file(source))
+    text = text_of_file(path, escaped(source), "name a file that you may read")
+    form = path.suffix.lower().removeprefix(".")
+    return refusing(escaped(source), lambda: _core.read_text(text, form, escaped(source)))
 
 
 def _read(name: str, path: Path) -> Operand:
-    operand, warnings = read_set(path)
+    operand = read_set(path)
     source = escaped(str(path))
     refusing(source, lambda: operand.validate(source))
-    return Operand(name, str(path), operand, warnings)
+    return Operand(name, str(path), operand, operand.warnings)
 
 
 def _refuse_special(name: str, path: Path) -> None:

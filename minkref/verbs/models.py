@@ -60,7 +60,7 @@ def command(json: Json = False, schema: Schema = False) -> None:
 
 
 def _row(model: Model) -> dict[str, Any]:
-    read, _ = read_set(model.path)
+    read = read_set(model.path)
     polygons = len(read.rings())
     return {
         "name": model.name,

@@ -79,6 +79,14 @@ def test_shapely_and_arrays_hold_the_same_set(case: PolygonSet) -> None:
     assert [ring.shape for ring in case.arrays()[0]] == [(len(r), 2) for r in case.rings()[0]]
 
 
+def test_warnings_of_a_reader_stay_with_the_set_that_was_read() -> None:
+    doubtful = minkref.read_text("1\n3 out\n0 0\n4.50.5\n0 4\n", "poly", "one")
+    assert "4.50.5" in doubtful.warnings[0]
+    assert minkref.read_text("POLYGON((0 0,1 0,0 1,0 0))", "wkt").warnings == []
+    assert len(doubtful.warnings) == 1
+    assert doubtful.scaled("2").warnings == []
+
+
 def test_numbers_count_by_their_exact_value() -> None:
     tenth = PolygonSet([(0, 0), (Fraction(1, 10), 0), (0, 1)])
     assert PolygonSet([(0, 0), ("0.1", 0), (0, 1)]) == tenth
