@@ -22,6 +22,7 @@
 
 #include "bindings/core.hpp"
 #include "bindings/core_build.hpp"
+#include "bindings/core_readings.hpp"
 #include "bindings/core_space.hpp"
 #include "bindings/vector_caster.hpp"
 #include "reference/paper/trials/facet_contact_trial.hpp"
@@ -129,10 +130,12 @@ std::vector<ConcurrentRow> concurrent(const CriticalEvents& events, std::size_t 
 }
 
 std::map<std::string, std::uint64_t> trial(const Surface& P, const Surface& Q,
-                                           const std::string& arithmetic, const std::string& form) {
+                                           const std::string& arithmetic, const Words& readings) {
   const FacetContactTrial found =
-      facet_contact_trial(P.value(), Q.value(), arithmetic, form_named(form));
+      facet_contact_trial(P.value(), Q.value(), arithmetic, readings_of<FacetReadings>(readings));
   return {{"pairs", found.pairs},
+          {"parallel_pairs", found.parallel_pairs},
+          {"coplanar_pairs", found.coplanar_pairs},
           {"undecided_pairs", found.undecided_pairs},
           {"roots", found.roots},
           {"false_inconsistent", found.false_inconsistent},
@@ -140,7 +143,9 @@ std::map<std::string, std::uint64_t> trial(const Surface& P, const Surface& Q,
           {"invented_roots", found.invented_roots},
           {"events", found.events},
           {"missed", found.missed},
-          {"singular", found.singular},
+          {"parallel_faces", found.parallel_faces},
+          {"parallel_sides", found.parallel_sides},
+          {"side_along_plane", found.side_along_plane},
           {"invented", found.invented},
           {"misplaced", found.misplaced}};
 }
@@ -258,10 +263,22 @@ void bind_space_events(nb::module_& module) {
       },
       "P"_a, "Q"_a, "from_scale"_a, "to_scale"_a, "concurrent"_a = false, Released(),
       "The same by all pairs of facets, without boxes and filters: slow.");
-  module.def("facet_contact_trial", &trial, "P"_a, "Q"_a, "arithmetic"_a, "form"_a, Released(),
-             "The paper's way to the events of two facets (Sec. 5.1, 5.2) in an arithmetic, all "
-             "pairs of facets that are not parallel, against the exact events. Raises BadInput, "
-             "LimitExceeded.");
+  module.def("facet_contact_trial", &trial, "P"_a, "Q"_a, "arithmetic"_a, "readings"_a = Words{},
+             Released(),
+             "The paper's way to the events of two facets (Sec. 5.1, 5.2) in an arithmetic, on all "
+             "pairs of facets, against the exact events. `readings`: as `facet_readings` lists "
+             "them; those left out are the printed ones. Raises BadInput, LimitExceeded.");
+  module.def(
+      "check_facet_reading",
+      [](const std::string& name, const std::string& value) {
+        FacetReadings readings;
+        set_reading(readings, name, value);
+      },
+      "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
+  module.def(
+      "facet_readings", [] { return rows_of(facet_reading_names()); },
+      "The choices of the way to events of facets: name, values (the printed one first), the "
+      "corrected one, section of the paper.");
 }
 
 }  // namespace minkref::python

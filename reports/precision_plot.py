@@ -23,7 +23,7 @@ def draw(tables: dict[str, Table], target: Path) -> None:
             rows = {
                 int(name.split(",")[0].removeprefix("mpfr:")): row
                 for name, row in table.items()
-                if name.startswith("mpfr:") and name.endswith(form)
+                if name.startswith("mpfr:") and name.endswith(f", {form}")
             }
             bits = sorted(rows)
             label = f"{title}, {form}"

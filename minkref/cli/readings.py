@@ -35,6 +35,7 @@ class Choices:
 
 
 PLANE_CHOICES = Choices(_core.paper_readings(), _core.check_paper_reading)
+FACET_CHOICES = Choices(_core.facet_readings(), _core.check_facet_reading)
 
 Form = Annotated[
     str | None,

@@ -10,7 +10,7 @@ import typer
 from minkref.cli.arithmetic import check_arithmetic
 from minkref.cli.memory import Memory
 from minkref.cli.options import FirstOperand, GreatestScale, Json, LeastScale, SecondOperand
-from minkref.cli.readings import PLANE_CHOICES
+from minkref.cli.readings import FACET_CHOICES, PLANE_CHOICES
 from minkref.cli.verb import Verb, command_of
 from minkref.errors import Refusal, choice
 from minkref.plane.commands.event_output import FORMATS
@@ -39,6 +39,8 @@ minkref events g1 g2 --kind topology --where 'feature = hole and not change in (
 minkref events g1 g2 --form printed --arithmetic mpfr:53
 
 minkref events P.off Q.off --from 1/5 --to 2 -o events.jsonl
+
+minkref events P.off Q.off --from 1/5 --to 2 --form printed --reading corner=itself
 
 minkref events g1 disc --kind topology
 
@@ -81,7 +83,8 @@ OneReading = Annotated[
     typer.Option(
         "--reading",
         help="Follow the paper's program, with one formula as read whatever --form says; may "
-        f"be repeated. {PLANE_CHOICES.names()}.",
+        f"be repeated. {PLANE_CHOICES.names()}. In space (Sections 5.1 and 5.2): "
+        f"{FACET_CHOICES.names()}.",
         metavar="NAME=VALUE",
     ),
 ]
@@ -164,6 +167,7 @@ class EventsInSpace:
     kind: Kind = None
     form: PaperForm = "corrected"
     arithmetic: Arithmetic = "rational"
+    reading: OneReading = None
     limit: Limit = None
     output: Output = None
     file_format: FileFormat = None

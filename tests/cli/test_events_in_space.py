@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import jsonschema
 import pytest
@@ -132,12 +132,39 @@ def test_the_paper_s_way_on_trial(minkref: Minkref, operands: tuple[Path, Path])
         jsonschema.validate(ran.json, schema("events"))
         told[form, arithmetic] = ran.json["trial"]
         assert told[form, arithmetic]["events"] > 0
-    exact = told["printed", "rational"]
-    assert exact["invented"] == exact["false_inconsistent"] == 0
-    assert exact["missed"] == exact["singular"] > 0  # sides along the other facet's plane
+    assert told["printed", "rational"]["false_inconsistent"] == 0
+    assert told["printed", "rational"]["invented"] > 0  # of facets in one plane, as in the plane
     assert told["printed", "double"]["missed"] >= told["corrected", "double"]["missed"]
     shown = minkref("events", *operands, *WINDOW, "--form", "printed", "--arithmetic", "mpfr:53")
     assert "called inconsistent" in " ".join(shown.out.split())
+
+
+def test_sentences_of_the_paper_are_read_one_by_one(
+    minkref: Minkref, operands: tuple[Path, Path]
+) -> None:
+    def told(*readings: str) -> dict[str, int]:
+        chosen = [word for reading in readings for word in ("--reading", reading)]
+        ran = minkref("events", *operands, *WINDOW, *chosen, "--json")
+        jsonschema.validate(ran.json, schema("events"))
+        assert all(f"{name}={ran.json['readings'][name]}" in readings for name in names(readings))
+        return cast(dict[str, int], ran.json["trial"])
+
+    def names(readings: tuple[str, ...]) -> list[str]:
+        return [reading.partition("=")[0] for reading in readings]
+
+    lines = told("corner=lines", "crossing=points")
+    singular = [lines[why] for why in ("parallel_faces", "parallel_sides", "side_along_plane")]
+    assert lines["missed"] == sum(singular) > 0 and lines["invented"] == 0
+    right = told("solve=least-squares", "coplanar=turned")
+    assert right["missed"] == right["invented"] == 0 < right["parallel_pairs"]
+    assert told("ends=lines")["invented"] > 0
+    for words, what in (
+        (("--reading", "corner=none"), "there is no reading corner = none"),
+        (("--reading", "observation=printed"), "there is no reading 'observation'"),
+        (("--kind", "triple", "--reading", "corner=lines"), "events of two facets only"),
+    ):
+        refused = minkref("events", *operands, *WINDOW, *words)
+        assert refused.code == 2 and what in refused.err
 
 
 def test_people_see_the_first_of_them(minkref: Minkref, operands: tuple[Path, Path]) -> None:

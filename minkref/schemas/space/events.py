@@ -46,8 +46,12 @@ class SpaceEventSigns(TypedDict):
 
 
 class SpaceEventTrial(TypedDict):
-    pairs: Count
-    undecided_pairs: Count
+    pairs: Annotated[Count, Meta(description="All pairs of facets.")]
+    parallel_pairs: Annotated[Count, Meta(description="Parallel, and not always coplanar.")]
+    coplanar_pairs: Annotated[Count, Meta(description="Coplanar at all scales.")]
+    undecided_pairs: Annotated[
+        Count, Meta(description="The arithmetic could not tell a sign; left out below.")
+    ]
     roots: Count
     false_inconsistent: Count
     false_identity: Count
@@ -56,7 +60,15 @@ class SpaceEventTrial(TypedDict):
     missed: Count
     invented: Count
     misplaced: Count
-    singular: Count
+    parallel_faces: Annotated[
+        Count, Meta(description="Missed: the matrix is singular, for the faces are parallel.")
+    ]
+    parallel_sides: Annotated[
+        Count, Meta(description="Missed: the matrix is singular, for the sides are parallel.")
+    ]
+    side_along_plane: Annotated[
+        Count, Meta(description="Missed: the matrix is singular, for a side is along the plane.")
+    ]
 
 
 class EventFacet(TypedDict):
@@ -122,6 +134,10 @@ class SpaceEventsDocument(LastingHead, InSpace, Operands, Written, SpaceEventsWi
     ]
     form: Annotated[Form, Meta(description="Of the paper's way that is on trial.")]
     arithmetic: Annotated[str, Meta(description="Of the paper's way that is on trial.")]
+    readings: Annotated[
+        dict[str, str] | None,
+        Meta(description="Of the paper's way that is on trial, by name; null where there is none."),
+    ]
     compute_seconds: Amount | None
     count: Annotated[Count, Meta(description="Events in the window.")]
     distinct: Annotated[Count, Meta(description="Different scales.")]
@@ -137,8 +153,8 @@ class SpaceEventsDocument(LastingHead, InSpace, Operands, Written, SpaceEventsWi
     trial: Annotated[
         SpaceEventTrial | None,
         Meta(
-            description="With another arithmetic than rational, or --form printed: how the paper's "
-            "way fares, in counts of all pairs of facets that are not parallel; null otherwise."
+            description="With another arithmetic than rational, --form printed or --reading: how "
+            "the paper's way fares, in counts of all pairs of facets; null otherwise."
         ),
     ]
     events: Annotated[

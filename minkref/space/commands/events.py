@@ -11,6 +11,7 @@ from typing import Any
 from minkref import _core
 from minkref.cli.memory import SMALLER, memory_wall
 from minkref.cli.progress import told_of
+from minkref.cli.readings import FACET_CHOICES, readings_of
 from minkref.errors import Refusal, choice, refusing
 from minkref.output.documents import (
     Stopwatch,
@@ -36,6 +37,7 @@ SHOWN = 10  # events that people see
 def run(request: EventsInSpace) -> None:
     watch = Stopwatch()
     kind, limit, output, json = _kind(request), request.limit, request.output, request.json
+    readings = _readings(request, kind)
     if request.from_scale is None or request.to_scale is None:
         missing = "--from" if request.from_scale is None else "--to"
         raise Refusal("in space events are found in a window", missing, "give both --from and --to")
@@ -51,7 +53,7 @@ def run(request: EventsInSpace) -> None:
             raise Refusal(
                 "Parquet is written to a file", "-o -", "name one, or choose --format jsonl"
             )
-        trial = _trial(request, first, second)
+        trial = _trial(request, readings, first, second)
         began = watch.seconds()
         streamed = target is not None and target.form != "json"
         with told_of("finding all events") as tell:
@@ -67,7 +69,8 @@ def run(request: EventsInSpace) -> None:
                 refusing(where, lambda: _write(target, _rows(parts, kind, limit)))
             found = refusing(where, lambda: list(parts))  # what is left
         head = _head(watch, first, second, window, kind, parts, watch.seconds() - began, output)
-        head |= {"form": request.form, "arithmetic": request.arithmetic, "trial": trial}
+        head |= {"form": request.form, "arithmetic": request.arithmetic}
+        head |= {"readings": readings, "trial": trial}
         if target is not None and not streamed:
             target.write_pieces(listing(lasting(head), "events", _rows(found, kind, limit)))
         if json and target is None:
@@ -102,13 +105,25 @@ def _kind(request: EventsInSpace) -> str:
     return kind
 
 
-def _trial(request: EventsInSpace, P: SpaceOperand, Q: SpaceOperand) -> dict[str, int] | None:
+def _readings(request: EventsInSpace, kind: str) -> dict[str, str] | None:
+    """How the paper is read; None where its way is not followed."""
+    if request.reading and kind != "pair":
+        where = f"--kind {kind} --reading {request.reading[0]}"
+        raise Refusal("the paper has events of two facets only", where, "leave out one of the two")
+    if request.arithmetic == "rational" and request.form == "corrected" and not request.reading:
+        return None
+    return readings_of(request.form, request.reading, FACET_CHOICES)
+
+
+def _trial(
+    request: EventsInSpace, readings: dict[str, str] | None, P: SpaceOperand, Q: SpaceOperand
+) -> dict[str, int] | None:
     """How the paper's method fares; None where it is not asked."""
-    if request.arithmetic == "rational" and request.form == "corrected":
+    if readings is None:
         return None
     trial = refusing(
         f"{P.name} and {Q.name}",
-        lambda: _core.facet_contact_trial(P.surface, Q.surface, request.arithmetic, request.form),
+        lambda: _core.facet_contact_trial(P.surface, Q.surface, request.arithmetic, readings),
     )
     return dict(trial)
 
@@ -167,7 +182,8 @@ def _print(head: dict[str, Any], shown: list[Row]) -> None:
         f"meet, {head['pairs_with_events']:,} with events; {head['compute_seconds']:.3f} s"
     )
     if head["trial"] is not None:
-        how = f"the paper's way, {head['form']}, in {head['arithmetic']}"
+        readings = " ".join(f"{name}={value}" for name, value in head["readings"].items())
+        how = f"the paper's way, in {head['arithmetic']}, {readings}"
         told.print(f"{how}: {_fares(head['trial'])}")
     for row in shown:
         told.print(in_words(row))
@@ -179,5 +195,10 @@ def _fares(trial: dict[str, int]) -> str:
     return (
         f"{trial['false_inconsistent']:,} of {trial['roots']:,} systems with a root called "
         f"inconsistent; of {counted(trial['events'], 'event')} at all scales {trial['missed']:,} "
-        f"missed, {trial['misplaced']:,} off by more than an ulp, {trial['invented']:,} invented"
+        f"missed ({trial['parallel_faces']:,} of parallel faces, {trial['parallel_sides']:,} of "
+        f"parallel sides and {trial['side_along_plane']:,} with a side along the plane, where the "
+        f"matrix is singular), {trial['misplaced']:,} off by more than an ulp, "
+        f"{trial['invented']:,} invented; {trial['parallel_pairs']:,} of {trial['pairs']:,} pairs "
+        f"are parallel, {trial['coplanar_pairs']:,} coplanar at all scales, "
+        f"{trial['undecided_pairs']:,} undecided"
     )

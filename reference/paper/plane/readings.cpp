@@ -7,13 +7,13 @@ namespace {
 
 constexpr std::string_view tolerance_prefix = "tolerance:";
 
-Rational tolerance_of(std::string_view name, std::string_view value) {
+Rational tolerance_of(const std::vector<ReadingName>& known, std::string_view value) {
   try {
     Rational tolerance = parse_rational(value.substr(tolerance_prefix.size()));
     if (sign(tolerance) >= 0) return tolerance;
   } catch (const BadInput&) {  // no number: refused as a reading
   }
-  refuse_reading(reading_names(), name, value);
+  refuse_reading(known, "solve", value);
 }
 
 }  // namespace
@@ -42,8 +42,21 @@ const std::vector<ReadingName>& reading_names() {
   return names;
 }
 
-void set_reading(Readings& readings, std::string_view name, std::string_view value) {
+void set_solve(Readings::Solve& solve, Rational& tolerance, const std::vector<ReadingName>& known,
+               std::string_view value) {
   using Solve = Readings::Solve;
+  if (value.starts_with(tolerance_prefix)) {
+    tolerance = tolerance_of(known, value);
+    solve = Solve::tolerance;
+    return;
+  }
+  choose_reading(known, "solve", value, solve,
+                 {{"printed", Solve::printed},
+                  {"least-squares", Solve::least_squares},
+                  {"corrected", Solve::corrected}});
+}
+
+void set_reading(Readings& readings, std::string_view name, std::string_view value) {
   using NoRoot = Readings::NoRoot;
   using Order = Readings::Order;
   const auto choose = [&]<class Value>(Value& field, Words<Value> words) {
@@ -53,13 +66,8 @@ void set_reading(Readings& readings, std::string_view name, std::string_view val
     choose(readings.observation, {{"printed", Form::printed}, {"corrected", Form::corrected}});
   } else if (name == "interval") {
     choose(readings.interval, {{"printed", Form::printed}, {"corrected", Form::corrected}});
-  } else if (name == "solve" && value.starts_with(tolerance_prefix)) {
-    readings.tolerance = tolerance_of(name, value);
-    readings.solve = Solve::tolerance;
   } else if (name == "solve") {
-    choose(readings.solve, {{"printed", Solve::printed},
-                            {"least-squares", Solve::least_squares},
-                            {"corrected", Solve::corrected}});
+    set_solve(readings.solve, readings.tolerance, reading_names(), value);
   } else if (name == "no-root") {
     choose(readings.no_root, {{"unbounded", NoRoot::unbounded}, {"never", NoRoot::never}});
   } else if (name == "order") {

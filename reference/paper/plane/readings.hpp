@@ -59,4 +59,9 @@ void set_reading(Readings& readings, std::string_view name, std::string_view val
 /// The names and values that set_reading takes.
 const std::vector<ReadingName>& reading_names();
 
+/// Sets how systems are solved, and the tolerance if it is one ("printed", "tolerance:1e-9").
+/// Throws BadInput ("unknown-reading") with the choices that are `known`.
+void set_solve(Readings::Solve& solve, Rational& tolerance, const std::vector<ReadingName>& known,
+               std::string_view value);
+
 }  // namespace minkref::inline plane

@@ -1,192 +1,225 @@
-// The paper's way to two facets' events (Sec. 5.1, 5.2), with any arithmetic.
+// The paper's way to two facets' events (Sec. 5.1, 5.2), each sentence as read, with any
+// arithmetic.
 #pragma once
 
-#include <Eigen/Geometry>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "reference/paper/space/coplanar_sides.hpp"
+#include "reference/paper/space/facet_readings.hpp"
+#include "reference/paper/space/two_facets.hpp"
 #include "reference/plane/critical/scale_solve.hpp"
 #include "reference/space/critical/facet_event.hpp"
 
 namespace minkref::inline space {
 
+/// Why a side's line has no point on the other facet's plane: the matrix of Sec. 5.2 is singular.
+/// "Parallel faces" are the case that the paper names.
+enum class Singular : std::uint8_t { no, parallel_faces, parallel_sides, side_along_plane };
+
 /// A contact of one facet's corner with the other facet (5.1), or of a side of each (5.2).
 template <class T>
 struct PaperContact {
-  ContactKind kind;
-  /// Solutions of the equation systems for s - 1: two for a corner (a system for each of its
-  /// sides), a single solution for two sides. Missing if a side's line runs along the other plane,
-  /// or never meets it.
-  std::vector<ScaleSolution<T>> solutions{};
-  std::optional<T> scale{};  ///< of the event, if any
+  ContactKind kind = ContactKind::vertex;
+  Singular singular = Singular::no;
+  std::vector<ScaleSolution<T>> solutions{};  ///< of the systems for s that were set up
+  std::optional<T> scale{};                   ///< of the event, if any
 };
 
-/// The events of two facets that are not parallel. `printed` follows the text sentence by sentence:
-/// x(1) and x(2), where a side's line meets the other facet's plane; sigma = x(2) - x(1); x(s) =
+/// The events of two facets. As printed, the text sentence by sentence: x(1) and x(2), where a
+/// side's line meets the other facet's plane, by the matrix of 5.2; sigma = x(2) - x(1); x(s) =
 /// x(1) + (s - 1) sigma, set equal to an end of the side, or to the point where the line of a side
-/// of the other facet meets the first plane. Each gives three equations for s, and all must agree.
-/// `corrected` has one equation: the corner lies on the plane, or the sides share a plane. It also
-/// finds events of a side along the other plane, which holds the side at one scale. Contacts always
-/// come in the same order, so that answers of two arithmetics can be compared. Throws UndecidedSign
-/// where T cannot tell.
+/// of the other facet meets the first plane; parallel faces at the scale that makes them coplanar,
+/// and always coplanar ones by the way of the plane. With all readings corrected and exact numbers
+/// these are the exact events. Throws UndecidedSign where T cannot tell.
 template <class T>
 class FacetContacts {
  public:
-  using Vector = Eigen::Matrix<T, 3, 1>;
-  /// The corner p s + q.
-  struct Corner {
-    Vector p, q;
-  };
-  using Facet = std::vector<Corner>;
+  using Pair = TwoFacets<T>;
+  using Vector = typename Pair::Vector;
+  using Corner = typename Pair::Corner;
+  using Facet = typename Pair::Facet;
 
-  FacetContacts(const Facet& first, const Facet& second, Form form)
-      : facets_{&first, &second}, form_(form) {}
+  /// `zero`: the tolerance below which numbers count as zero. All must outlive it.
+  FacetContacts(const Facet& first, const Facet& second, const FacetReadings& readings,
+                const T& zero)
+      : pair_(first, second), readings_(readings), zero_(zero) {}
 
+  /// Always in the same order, so that answers of two arithmetics can be compared: each corner,
+  /// each side of the first with each of the second, and once more these, for the second scale of
+  /// sides in one plane. O(1) for triangles and parallelograms.
   std::vector<PaperContact<T>> all() const {
-    std::vector<PaperContact<T>> found;
-    const bool printed = form_ == Form::printed;
-    for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
-      for (std::size_t k = 0; k < size(which); ++k) {
-        found.push_back(printed ? printed_corner(which, k) : corrected_corner(which, k));
-      }
+    const std::size_t corners = pair_.size(0) + pair_.size(1),
+                      crossings = pair_.size(0) * pair_.size(1);
+    std::vector<PaperContact<T>> found(corners + 2 * crossings);
+    const bool parallel = pair_.are_parallel();
+    if (parallel && pair_.are_coplanar()) {
+      if (readings_.coplanar != FacetReadings::Coplanar::left_out) add_in_plane(found);
+      return found;
     }
-    for (std::size_t k = 0; k < size(0); ++k) {
-      for (std::size_t l = 0; l < size(1); ++l) {
-        found.push_back(printed ? printed_crossing(k, l) : corrected_crossing(k, l));
-      }
+    if (parallel && readings_.parallel == FacetReadings::Parallel::left_out) return found;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const std::size_t which = i < pair_.size(0) ? 0 : 1;
+      found[i] = corner_contact(which, i - which * pair_.size(0), parallel);
     }
+    if (parallel) {
+      add_at_one_scale(found);
+      return found;
+    }
+    each_crossing([&](std::size_t k, std::size_t l, std::size_t i) {
+      found[corners + i] = readings_.crossing == FacetReadings::Crossing::points ? points_meet(k, l)
+                                                                                 : lines_meet(k, l);
+    });
     return found;
   }
 
  private:
-  /// x(1) and sigma.
-  struct Track {
-    Vector start, sigma;
-    Vector at(const T& s) const { return start + sigma * T(s - T(1)); }
-  };
-
-  std::size_t size(std::size_t which) const { return facets_[which]->size(); }
-
-  Vector corner(std::size_t which, std::size_t k, const T& s) const {
-    const Facet& facet = *facets_[which];
-    const Corner& c = facet[k % facet.size()];
-    return c.q + c.p * s;
+  template <class Use>
+  void each_crossing(Use&& use) const {
+    for (std::size_t k = 0; k < pair_.size(0); ++k) {
+      for (std::size_t l = 0; l < pair_.size(1); ++l) use(k, l, k * pair_.size(1) + l);
+    }
   }
 
-  /// The point where a side's line meets the other facet's plane, by the equation of 5.2.
-  std::optional<Vector> hit(std::size_t which, std::size_t k, const T& s) const {
-    const Vector a = corner(which, k, s), b = corner(which, k + 1, s);
-    const std::size_t other = 1 - which;
-    const Vector ta = corner(other, 0, s), u = corner(other, 1, s) - ta,
-                 v = corner(other, 2, s) - ta, e = a - b, d = a - ta;
-    const T determinant = e.dot(u.cross(v));
-    if (sign(determinant) == 0) return std::nullopt;  // singular: a line along the plane
-    const T t = T(d.dot(u.cross(v))) / determinant;
-    return Vector(a + (b - a) * t);
-  }
-
-  std::optional<Track> track(std::size_t which, std::size_t k) const {
-    const auto one = hit(which, k, T(1)), two = hit(which, k, T(2));
-    if (!one || !two) return std::nullopt;
-    return Track{*one, *two - *one};
-  }
-
-  /// The contact of the corner, from the sides before and after the corner.
-  PaperContact<T> printed_corner(std::size_t which, std::size_t k) const {
+  PaperContact<T> corner_contact(std::size_t which, std::size_t k, bool parallel) const {
+    if (readings_.corner == FacetReadings::Corner::lines) return by_lines(which, k, parallel);
+    const auto &own = pair_.named(which, k), &ta = pair_.named(1 - which, 0);
+    const Vector n = pair_.normal(1 - which);
     PaperContact<T> contact{ContactKind::vertex};
-    const Vector &p = (*facets_[which])[k].p, start = corner(which, k, T(1));
-    for (const std::size_t side : {(k + size(which) - 1) % size(which), k}) {
-      const auto x = track(which, side);
+    const auto s = add(contact, level(n.dot(Vector(own.p - ta.p)), n.dot(Vector(ta.q - own.q))));
+    if (s && pair_.is_inside(1 - which, pair_.corner(which, k, *s), *s)) contact.scale = s;
+    return contact;
+  }
+
+  /// x(s) = e_i(s) for the sides before and after the corner (5.1).
+  PaperContact<T> by_lines(std::size_t which, std::size_t k, bool parallel) const {
+    PaperContact<T> contact{ContactKind::vertex};
+    const Corner& own = pair_.named(which, k);
+    for (const std::size_t side : {(k + pair_.size(which) - 1) % pair_.size(which), k}) {
+      const auto x = pair_.track(which, side);
       if (!x) continue;
-      contact.solutions.push_back(solve_by_consistency<T, 3>(x->sigma - p, start - x->start));
-      const auto s = positive(contact.solutions.back());
-      if (s && !contact.scale && is_inside(1 - which, x->at(*s), *s)) contact.scale = s;
+      const auto s = add(contact, solve(pair_.side(which, side, T(1)), own.p - x->sigma,
+                                        x->x0 - x->sigma - own.q));
+      if (s && !contact.scale && pair_.is_inside(1 - which, x->at(*s), *s)) contact.scale = s;
+    }
+    if (contact.solutions.empty()) {
+      contact.singular = parallel ? Singular::parallel_faces : Singular::side_along_plane;
     }
     return contact;
   }
 
-  PaperContact<T> printed_crossing(std::size_t k, std::size_t l) const {
+  /// x1(s) = x2(s) (5.2).
+  PaperContact<T> points_meet(std::size_t k, std::size_t l) const {
     PaperContact<T> contact{ContactKind::edge};
-    const auto x1 = track(0, k), x2 = track(1, l);
-    if (!x1 || !x2) return contact;
-    contact.solutions.push_back(
-        solve_by_consistency<T, 3>(x1->sigma - x2->sigma, x2->start - x1->start));
-    const auto s = positive(contact.solutions.back());
-    if (s && is_between(0, k, x1->at(*s), *s) && is_between(1, l, x1->at(*s), *s)) {
+    const auto x1 = pair_.track(0, k), x2 = pair_.track(1, l);
+    if (!x1 || !x2) {
+      contact.singular =
+          pair_.is_parallel_to_side(k, l) ? Singular::parallel_sides : Singular::side_along_plane;
+      return contact;
+    }
+    const Vector alpha = x1->sigma - x2->sigma,
+                 beta = Vector(x2->x0 - x2->sigma) - Vector(x1->x0 - x1->sigma);
+    const auto s = add(contact, solve(pair_.normal(0).cross(pair_.normal(1)), alpha, beta));
+    if (s) keep_within(contact, k, l, x1->at(*s), *s);
+    return contact;
+  }
+
+  /// The determinant of both sides and the way from one to the other is zero: linear in s.
+  PaperContact<T> lines_meet(std::size_t k, std::size_t l) const {
+    PaperContact<T> contact{ContactKind::edge};
+    const auto &a = pair_.named(0, k), &b = pair_.named(1, l);
+    const Vector u = pair_.side(0, k, T(1)), v = pair_.side(1, l, T(1));
+    const auto volume = [&](const Vector& way) {
+      typename Pair::Matrix columns;
+      columns << u, v, way;
+      return T(columns.determinant());
+    };
+    const auto s = add(contact, level(volume(b.p - a.p), volume(a.q - b.q)));
+    if (!s) return contact;
+    const Vector from = pair_.corner(0, k, *s), across = u.cross(v).cross(v);
+    const T along = T(u.dot(across));
+    if (sign(along) == 0) return contact;  // parallel sides
+    const T way = T(Vector(pair_.corner(1, l, *s) - from).dot(across)) / along;
+    keep_within(contact, k, l, Vector(from + u * way), *s);
+    return contact;
+  }
+
+  void keep_within(PaperContact<T>& contact, std::size_t k, std::size_t l, const Vector& x,
+                   const T& s) const {
+    if (readings_.ends == FacetReadings::Ends::lines ||
+        (pair_.is_between(0, k, x, s) && pair_.is_between(1, l, x, s))) {
       contact.scale = s;
     }
-    return contact;
   }
 
-  PaperContact<T> corrected_corner(std::size_t which, std::size_t k) const {
-    PaperContact<T> contact{ContactKind::vertex};
-    const auto s =
-        add_solution(contact, normal(1 - which), (*facets_[which])[k], (*facets_[1 - which])[0]);
-    if (s && is_inside(1 - which, corner(which, k, *s), *s)) contact.scale = s;
-    return contact;
-  }
-
-  PaperContact<T> corrected_crossing(std::size_t k, std::size_t l) const {
-    PaperContact<T> contact{ContactKind::edge};
-    const Vector u = corner(0, k + 1, T(1)) - corner(0, k, T(1)),
-                 v = corner(1, l + 1, T(1)) - corner(1, l, T(1)), n = u.cross(v);
-    const auto s = add_solution(contact, n, (*facets_[0])[k], (*facets_[1])[l]);
-    if (!s) return contact;
-    const Vector a = corner(0, k, *s), across = n.cross(v);
-    const T way = T(Vector(corner(1, l, *s) - a).dot(across)) / T(u.dot(across));
-    const Vector x = a + u * way;
-    if (is_between(0, k, x, *s) && is_between(1, l, x, *s)) contact.scale = s;
-    return contact;
-  }
-
-  /// The scale at which two corners are level along n: (s - 1) n . (p' - p) = n . (x - x').
-  std::optional<T> add_solution(PaperContact<T>& contact, const Vector& n, const Corner& from,
-                                const Corner& to) const {
-    const T slope = n.dot(Vector(to.p - from.p)),
-            height = n.dot(Vector(Vector(from.p + from.q) - Vector(to.p + to.q)));
-    ScaleSolution<T> solution{};
-    if (sign(slope) != 0) {
-      solution = {Solution::root, T(height / slope)};
-    } else if (sign(height) == 0) {
-      solution.kind = Solution::identity;
+  /// Parallel faces: "if there are no vertex events, we check for edge intersections", at the scale
+  /// that the first corner has, whether or not it is inside the other face.
+  void add_at_one_scale(std::vector<PaperContact<T>>& found) const {
+    const std::size_t corners = pair_.size(0) + pair_.size(1);
+    for (std::size_t i = 0; i < corners; ++i) {
+      if (found[i].scale) return;
     }
-    contact.solutions.push_back(solution);
-    return positive(solution);
+    std::optional<T> s;
+    for (const ScaleSolution<T>& solution : found[0].solutions) {
+      if (!s) s = positive(solution);
+    }
+    if (!s) return;
+    each_crossing([&](std::size_t k, std::size_t l, std::size_t i) {
+      found[corners + i].kind = ContactKind::edge;
+      if (pair_.sides_cross(k, l, *s)) found[corners + i].scale = s;
+    });
+  }
+
+  /// Coplanar faces: where sides begin and cease to meet, as in the plane.
+  void add_in_plane(std::vector<PaperContact<T>>& found) const {
+    const CoplanarSides<T> sides(pair_, readings_, zero_);
+    const std::size_t corners = pair_.size(0) + pair_.size(1),
+                      crossings = pair_.size(0) * pair_.size(1);
+    each_crossing([&](std::size_t k, std::size_t l, std::size_t i) {
+      auto region = sides.region(k, l);
+      if (!region) return;
+      found[corners + i].scale = std::move(region->lower);
+      found[corners + crossings + i].scale = std::move(region->upper);
+    });
+  }
+
+  /// s alpha = beta as read; both are multiples of `direction`.
+  ScaleSolution<T> solve(const Vector& direction, const Vector& alpha, const Vector& beta) const {
+    switch (readings_.solve) {
+      case Readings::Solve::printed:
+        return solve_by_consistency<T, 3>(alpha, beta);
+      case Readings::Solve::tolerance:
+        return solve_within<T, 3>(alpha, beta, zero_);
+      case Readings::Solve::least_squares:
+        return solve_by_least_squares<T, 3>(alpha, beta);
+      case Readings::Solve::corrected:
+        break;
+    }
+    return solve_along<T, 3>(direction, alpha, beta);
+  }
+
+  /// The scale at which s slope = value.
+  static ScaleSolution<T> level(const T& slope, const T& value) {
+    if (sign(slope) != 0) return {Solution::root, T(value / slope)};
+    return {sign(value) == 0 ? Solution::identity : Solution::inconsistent, T(0)};
+  }
+
+  static std::optional<T> add(PaperContact<T>& contact, ScaleSolution<T> solution) {
+    contact.solutions.push_back(std::move(solution));
+    return positive(contact.solutions.back());
   }
 
   static std::optional<T> positive(const ScaleSolution<T>& solution) {
-    if (solution.kind != Solution::root) return std::nullopt;
-    const T s = solution.scale + T(1);
-    if (sign(s) <= 0) return std::nullopt;
-    return s;
+    if (solution.kind != Solution::root || sign(solution.scale) <= 0) return std::nullopt;
+    return solution.scale;
   }
 
-  Vector normal(std::size_t which) const {
-    const Vector a = corner(which, 0, T(1));
-    return Vector(corner(which, 1, T(1)) - a).cross(Vector(corner(which, 2, T(1)) - a));
-  }
-
-  /// Whether a point of the facet's plane lies inside the facet.
-  bool is_inside(std::size_t which, const Vector& x, const T& s) const {
-    const Vector n = normal(which);
-    for (std::size_t k = 0; k < size(which); ++k) {
-      const Vector a = corner(which, k, s), side = corner(which, k + 1, s) - a;
-      if (sign(T(n.cross(side).dot(Vector(x - a)))) < 0) return false;
-    }
-    return true;
-  }
-
-  /// Whether a point of the line lies between the ends of the side.
-  bool is_between(std::size_t which, std::size_t k, const Vector& x, const T& s) const {
-    const Vector a = corner(which, k, s), b = corner(which, k + 1, s), side = b - a;
-    return sign(T(side.dot(Vector(x - a)))) >= 0 && sign(T(side.dot(Vector(b - x)))) >= 0;
-  }
-
-  std::array<const Facet*, 2> facets_;
-  Form form_;
+  const Pair pair_;
+  const FacetReadings& readings_;
+  const T& zero_;
 };
 
 }  // namespace minkref::inline space

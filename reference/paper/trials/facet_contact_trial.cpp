@@ -1,5 +1,6 @@
 #include "reference/paper/trials/facet_contact_trial.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "reference/error.hpp"
@@ -8,6 +9,7 @@
 #include "reference/paper/trials/misplaced.hpp"
 #include "reference/plane/kernel/arithmetic_name.hpp"
 #include "reference/space/critical/moving_facet.hpp"
+#include "reference/space/critical/parallel_facets.hpp"
 
 namespace minkref {
 namespace {
@@ -25,8 +27,9 @@ std::vector<typename FacetContacts<T>::Facet> facets_in(const MovingConvolution&
   for (const MovingFacet& facet : convolution.facets) {
     auto& corners = facets.emplace_back();
     for (std::size_t k = 0; k < facet.size; ++k) {
-      corners.push_back({vector(convolution.P.points[facet.names[k].of_P].exact),
-                         vector(convolution.Q.points[facet.names[k].of_Q].exact)});
+      const auto& [of_P, of_Q] = facet.names[k];
+      corners.push_back({vector(convolution.P.points[of_P].exact),
+                         vector(convolution.Q.points[of_Q].exact), of_P, of_Q});
     }
   }
   return facets;
@@ -46,8 +49,10 @@ template <class T>
 void compare(const std::vector<PaperContact<Rational>>& truth,
              const std::vector<PaperContact<T>>& answer, long bits, FacetContactTrial& result) {
   for (std::size_t k = 0; k < truth.size(); ++k) {
-    const bool root = truth[k].solutions[0].kind == Solution::root;
+    const bool solved = !truth[k].solutions.empty();
+    const bool root = solved && truth[k].solutions[0].kind == Solution::root;
     for (const ScaleSolution<T>& found : answer[k].solutions) {
+      if (!solved) break;  // no such system in truth
       result.roots += root;
       result.false_inconsistent += root && found.kind == Solution::inconsistent;
       result.false_identity += root && found.kind == Solution::identity;
@@ -57,17 +62,35 @@ void compare(const std::vector<PaperContact<Rational>>& truth,
     result.events += event;
     if (event && !answered && !another_has(truth, answer, k)) {
       ++result.missed;
-      result.singular += answer[k].solutions.empty();
+      result.parallel_faces += answer[k].singular == Singular::parallel_faces;
+      result.parallel_sides += answer[k].singular == Singular::parallel_sides;
+      result.side_along_plane += answer[k].singular == Singular::side_along_plane;
     }
     result.invented += !event && answered;
     result.misplaced += event && answered && misplaced(*truth[k].scale, *answer[k].scale, bits);
   }
 }
 
+Integer largest(const SpaceOperand& body) {
+  Integer most = 0;
+  for (const auto& point : body.points) {
+    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, Integer(abs(point.exact[k])));
+  }
+  return most;
+}
+
+void count_parallel(const MovingConvolution& convolution, const MovingFacet& a,
+                    const MovingFacet& b, FacetContactTrial& result) {
+  ++result.pairs;
+  if (!is_zero(cross(a.normal.exact, b.normal.exact))) return;
+  ++(are_coplanar(convolution, a, b) ? result.coplanar_pairs : result.parallel_pairs);
+}
+
 }  // namespace
 
 FacetContactTrial facet_contact_trial(const Polyhedron& P, const Polyhedron& Q,
-                                      const std::string& arithmetic, Form form) {
+                                      const std::string& arithmetic,
+                                      const FacetReadings& readings) {
   FacetContactTrial result;
   if (P.empty() || Q.empty()) return result;
   const SpaceOperands operands = space_operands(P, Q, {1, 1, 1});
@@ -79,19 +102,21 @@ FacetContactTrial facet_contact_trial(const Polyhedron& P, const Polyhedron& Q,
             " facets, and the paper's way looks at all pairs",
         "give operands whose convolution has at most " + std::to_string(most_facets));
   }
+  const FacetReadings corrected = corrected_facet_readings();
+  const Rational nothing = 0;
   const auto exact = facets_in<Rational>(convolution, {});
   with_arithmetic(arithmetic, [&]<class T>(const Arithmetic<T>& in) {
     const auto facets = facets_in<T>(convolution, in);
     const long bits = precision(in);
+    const T zero = in(readings.tolerance * Rational(largest(operands.P) + largest(operands.Q)));
     for (std::size_t i = 0; i < facets.size(); ++i) {
       for (std::size_t j = i + 1; j < facets.size(); ++j) {
         look_for_interrupt();
-        const MovingFacet &a = convolution.facets[i], &b = convolution.facets[j];
-        if (is_zero(cross(a.normal.exact, b.normal.exact))) continue;
-        ++result.pairs;
-        const auto truth = FacetContacts<Rational>(exact[i], exact[j], Form::corrected).all();
+        count_parallel(convolution, convolution.facets[i], convolution.facets[j], result);
+        const auto truth = FacetContacts<Rational>(exact[i], exact[j], corrected, nothing).all();
         try {
-          compare(truth, FacetContacts<T>(facets[i], facets[j], form).all(), bits, result);
+          compare(truth, FacetContacts<T>(facets[i], facets[j], readings, zero).all(), bits,
+                  result);
         } catch (const UndecidedSign&) {
           ++result.undecided_pairs;
         }

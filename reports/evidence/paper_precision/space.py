@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from minkref import _core
+from minkref.cli.readings import FACET_CHOICES, readings_of
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import FAMILIES, pair_of_family
 from minkref.reports.evidence.framework.in_processes import in_processes
@@ -20,9 +21,13 @@ MINUTES = Minutes(0.1, 1.5, 15)
 ARITHMETICS = ("mpfr:24", "mpfr:53", "mpfr:113", "mpfr:256", "double", "interval", "rational")
 FEW_ARITHMETICS = ("mpfr:53", "double", "rational")
 FORMS = ("printed", "corrected")
+BLAMED = ("rational", "mpfr:53", "mpfr:256")  # arithmetics in which sentences are tried one by one
+HARMLESS = ("solve=printed", "solve=least-squares", "coplanar=turned", "plane-solve=printed",
+            "plane-solve=least-squares", "plane-adjacent=taken")  # fmt: skip
 SEED = 512
 GROUPS = {"general position": ("mixed",), "degenerate": ("slot", "ring", "cup", "spikes", "same")}
 PAIRS = Counts(1, 5, 60)  # of each group
+BLAMED_PAIRS = Counts(0, 1, 12)
 MOST_FACETS = Counts(40, 110, 110)
 
 
@@ -32,6 +37,7 @@ class Task:
     number: int
     arithmetics: tuple[str, ...]
     most_facets: int
+    blames: bool
 
 
 def study(task: Task) -> dict[str, dict[str, int]] | None:
@@ -44,22 +50,42 @@ def study(task: Task) -> dict[str, dict[str, int]] | None:
     P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
     if dict(_core.space_events(P, Q, "1", "1").counts())["facets"] > task.most_facets:
         return None
-    return {
-        f"{arithmetic}, {form}": dict(_core.facet_contact_trial(P, Q, arithmetic, form))
+    rows = {
+        f"{arithmetic}, {form}": dict(
+            _core.facet_contact_trial(P, Q, arithmetic, readings_of(form, None, FACET_CHOICES))
+        )
         for arithmetic in task.arithmetics
         for form in FORMS
     }
+    for arithmetic in BLAMED if task.blames else ():
+        for reading in one_by_one():
+            readings = readings_of("corrected", [reading], FACET_CHOICES)
+            found = dict(_core.facet_contact_trial(P, Q, arithmetic, readings))
+            rows[f"{arithmetic}, corrected but {reading}"] = found
+    return rows
+
+
+def one_by_one() -> list[str]:
+    """Each value of each sentence that is not the corrected one: `corner=lines`."""
+    return [
+        f"{name}={value.replace('EPS', '1e-9')}"
+        for name, values, corrected, _ in FACET_CHOICES.rows
+        for value in values
+        if value != corrected
+    ]
 
 
 def run(findings: Findings, size: Size) -> None:
     arithmetics = FEW_ARITHMETICS if size is Size.QUICK else ARITHMETICS
     wanted = size.of(PAIRS)
     tables: dict[str, dict[str, dict[str, Any]]] = {}
+    blamed = size.of(BLAMED_PAIRS)
     for group in GROUPS:
         totals: dict[str, Counter[str]] = {}
         studied = 0
         tasks = [
-            Task(group, number, arithmetics, size.of(MOST_FACETS)) for number in range(12 * wanted)
+            Task(group, number, arithmetics, size.of(MOST_FACETS), number < 2 * blamed)
+            for number in range(12 * wanted)
         ]
         for found in in_processes(study, tasks, each=wanted):
             if found is None:
@@ -86,12 +112,7 @@ def _judge(findings: Findings, title: str, table: dict[str, dict[str, Any]]) -> 
     exact = table["rational, corrected"]
     wrong = exact["missed"] + exact["invented"] + exact["false_inconsistent"]
     findings.none(f"{title}: corrected, in rational numbers: what is not exact", wrong)
-    printed = table["rational, printed"]
-    findings.equal(
-        f"{title}: printed, in rational numbers: events missed but where a side is along the plane",
-        printed["singular"], printed["missed"],
-    )  # fmt: skip
-    findings.none(f"{title}: printed, in rational numbers: invented", printed["invented"])
+    _blame(findings, title, table)
     if "interval, corrected" in table:
         row = table["interval, corrected"]
         findings.none(
@@ -101,8 +122,26 @@ def _judge(findings: Findings, title: str, table: dict[str, dict[str, Any]]) -> 
     for name, row in table.items():
         findings.note(
             f"{title}, {name}: {row['share called inconsistent']:.1%} of {row['roots']:,} systems "
-            f"with a root called inconsistent; {row['missed']:,} missed ({row['singular']:,} with "
-            f"a side along the plane) and {row['invented']:,} invented of {row['events']:,} "
-            f"events, {row['misplaced']:,} off by more than an ulp, {row['undecided_pairs']:,} of "
-            f"{row['pairs']:,} pairs undecided"
+            f"with a root called inconsistent; {row['missed']:,} missed "
+            f"({row['parallel_faces']:,}, {row['parallel_sides']:,} and "
+            f"{row['side_along_plane']:,} where a matrix is singular: parallel faces, parallel "
+            f"sides, a side along the plane) and {row['invented']:,} invented of "
+            f"{row['events']:,} events, {row['misplaced']:,} off by more than an ulp, "
+            f"{row['undecided_pairs']:,} of {row['pairs']:,} pairs undecided"
         )
+
+
+def _blame(findings: Findings, title: str, table: dict[str, dict[str, Any]]) -> None:
+    """In rational numbers each sentence has its own fault, or none."""
+    for reading in one_by_one():
+        row = table.get(f"rational, corrected but {reading}")
+        if row is None:
+            continue
+        wrong = row["missed"] + row["invented"]
+        if reading in HARMLESS:
+            findings.none(f"{title}: {reading} alone, in rational numbers: wrong", wrong)
+        singular = sum(row[why] for why in ("parallel_faces", "parallel_sides", "side_along_plane"))
+        if reading in ("corner=lines", "crossing=points"):
+            what = f"{title}: {reading} alone: missed, but not where a matrix is singular"
+            findings.equal(what, 0, row["missed"] - singular)
+            findings.none(f"{title}: {reading} alone: invented", row["invented"])

@@ -125,7 +125,7 @@ TEST(CriticalEvents, ParallelFacetsWithoutAVertexInTheOther) {
       p, {corner(p, -9, 0, 1), corner(p, 9, -1, 1), corner(p, 9, 1, 1)}, true, corner(q, 0, 0, 2));
   const MovingFacet second = triangle(
       q, {corner(q, 0, -9, 3), corner(q, 1, 9, 3), corner(q, -1, 9, 3)}, false, corner(p, 0, 0, 0));
-  SignCounts signs;
+  space::SignCounts signs;
   for (const auto& events : {parallel_events(convolution, first, second, signs),
                              parallel_events(convolution, second, first, signs)}) {
     ASSERT_EQ(events.size(), 1U);

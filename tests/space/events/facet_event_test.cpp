@@ -102,7 +102,7 @@ struct Counts {
 
 void check_pair(const MovingConvolution& convolution, const MovingFacet& a, const MovingFacet& b,
                 Counts& counts) {
-  SignCounts signs;
+  space::SignCounts signs;
   const auto events = ContactRegion(convolution, a, b, signs).events();
   const auto at = [&](const Rational& s) {
     return shared(FixedFacet(convolution, a, s), FixedFacet(convolution, b, s));

@@ -115,7 +115,7 @@ def _in_arithmetics(shown: Shown) -> None:
     pair = pair_of_family("mixed", 1, 0)
     P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
     for arithmetic in ("rational", "double", "mpfr:53", "mpfr:200"):
-        told = dict(_core.facet_contact_trial(P, Q, arithmetic, "printed"))
+        told = dict(_core.facet_contact_trial(P, Q, arithmetic))
         wrong = told["false_inconsistent"]
         shown.true(
             f"{arithmetic}: {wrong:,} of {told['roots']:,} systems with a solution are called "

@@ -10,6 +10,7 @@ from math import isqrt
 
 import sympy as sp
 from minkref import _core
+from minkref.cli.readings import FACET_CHOICES, readings_of
 from minkref.fuzz.geometry.space import cross, dot, minus
 from minkref.fuzz.judges.space import paper_space
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
@@ -172,13 +173,19 @@ def _(shown: Shown) -> None:
     pair = pair_of_family("mixed", 1, 0)
     P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
     printed, right = (
-        dict(_core.facet_contact_trial(P, Q, "rational", form)) for form in ("printed", "corrected")
+        dict(_core.facet_contact_trial(P, Q, "rational", readings_of(form, None, FACET_CHOICES)))
+        for form in ("printed", "corrected")
     )
+    singular = {
+        "of parallel faces": printed["parallel_faces"],
+        "of parallel edges": printed["parallel_sides"],
+        "with an edge along the plane": printed["side_along_plane"],
+    }
     shown.true(
         f"two polyhedra, in rational numbers, by `minkref events --form printed`: of "
-        f"{printed['events']} events {printed['missed']} are missed, all with an edge along the "
-        "plane",
-        printed["missed"] == printed["singular"] > 0,
+        f"{printed['events']} events {printed['missed']} are missed, where the matrix is singular: "
+        + ", ".join(f"{number} {what}" for what, number in singular.items()),
+        printed["missed"] == sum(singular.values()) > 0,
     )
     shown.equal("missed where edges in one plane are one equation", right["missed"], 0)
     at = Fraction(3)
