@@ -51,25 +51,27 @@ def entangled(n: Vector, m: Vector, s: Whole) -> bool:
     return chord * order < 0 < inverse * order
 
 
-def _table(P: Body, Q: Body, s: Whole) -> list[list[bool]]:
+def table(P: Body, Q: Body, s: Whole) -> list[list[bool]]:
+    """Entangled or not, for each normal of P and each of Q."""
     return [[entangled(n, m, s) for m in Q.normals] for n in P.normals]
 
 
-def _sums(P: Body, Q: Body, table: list[list[bool]]) -> list[int]:
+def sums(P: Body, Q: Body, pairs: list[list[bool]]) -> list[int]:
     """Entangled pairs among the four of each edge of P and each edge of Q."""
     return [
-        sum(table[i][k] for i in e for k in a)
+        sum(pairs[i][k] for i in e for k in a)
         for e, a in product(P.edges.values(), Q.edges.values())
     ]
 
 
-def _changed(P: Body, Q: Body, s: Whole) -> list[bool]:
+def changed(P: Body, Q: Body, s: Whole) -> list[bool]:
     """Of each edge of P and each edge of Q, whether they are compatible at one end only."""
     before, after = edge_pairs(P, Q, ONE), edge_pairs(P, Q, s)
     return [((e, a) in before) != ((e, a) in after) for e, a in product(P.edges, Q.edges)]
 
 
-def _keeps(P: Body, Q: Body, s: Whole) -> bool:
+def keeps(P: Body, Q: Body, s: Whole) -> bool:
+    """Whether each facet has one vertex, and the same one after the scaling."""
     before = facet_pairs(P, Q, ONE)
     return before == facet_pairs(P, Q, s) and all(
         len(each) == 1 for each in (*before[0], *before[1])
@@ -113,22 +115,22 @@ def _(shown: Shown) -> None:
         "its sign is that of the order", sp.expand(order + factors * (u + 1) * (x + 1) * (x + u))
     )
     for P, Q, s in KEPT:
-        table = _table(P, Q, s)
-        count = sum(map(sum, table))
+        pairs = table(P, Q, s)
+        count = sum(map(sum, pairs))
         shown.true(
             f"scaled by {s}: all facets keep their vertices, and {count} pairs of normals are "
             "entangled",
-            _keeps(P, Q, s) and count > 0,
+            keeps(P, Q, s) and count > 0,
         )
-        shown.equal("odd sums of four", sum(k % 2 for k in _sums(P, Q, table)), 0)
-        shown.equal("pairs of edges that change", sum(_changed(P, Q, s)), 0)
+        shown.equal("odd sums of four", sum(k % 2 for k in sums(P, Q, pairs)), 0)
+        shown.equal("pairs of edges that change", sum(changed(P, Q, s)), 0)
     dice = random.Random(SEED)
     kept = same = 0
     for _ in range(1500):
         P, Q, s = drawn_body(dice), drawn_body(dice), drawn_scaling(dice)
-        if len(set(s)) == 3 and _keeps(P, Q, s):
+        if len(set(s)) == 3 and keeps(P, Q, s):
             kept += 1
-            odd = [k % 2 == 1 for k in _sums(P, Q, _table(P, Q, s))]
-            same += odd == _changed(P, Q, s)
+            odd = [k % 2 == 1 for k in sums(P, Q, table(P, Q, s))]
+            same += odd == changed(P, Q, s)
     shown.true(f"in {kept} random trials without an error of a facet pairs change as the four say",
                kept == same > 50)  # fmt: skip
