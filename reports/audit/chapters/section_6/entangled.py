@@ -7,7 +7,7 @@ from itertools import product
 from math import prod
 
 import sympy as sp
-from minkref.fuzz.geometry.space import Vector, cross, dot
+from minkref.fuzz.geometry.space import cross, dot
 from minkref.reports.audit.bodies import (
     ONE,
     Body,
@@ -37,7 +37,7 @@ KEPT: tuple[tuple[Body, Body, Whole], ...] = (
 )  # fmt: skip
 
 
-def entangled(n: Vector, m: Vector, s: Whole) -> bool:
+def entangled(n: Whole, m: Whole, s: Whole) -> bool:
     """Whether n = D m for a diagonal D > 0 in the lens between the chord from I to S and the
     inverse of the chord from I to 1/S, both up to factors. Its sides: the sign of a determinant of
     powers 0, 1 and 1/2 is known, as Vandermonde's."""
