@@ -137,14 +137,14 @@ def load(question: Question) -> None:
 
 
 def masked(text: str) -> str:
-    """Documents and ledgers without what varies, their keys in order; other text as it is."""
+    """Documents and ledgers without what varies, their keys in order; other text without seconds."""
     try:
         return json.dumps(_constant(json.loads(text)), sort_keys=True, ensure_ascii=False)
     except ValueError:
         lines = text.splitlines()
     if len(lines) > 1 and all(line.startswith("{") for line in lines):  # a ledger
         return "\n".join(masked(line) for line in lines)
-    return text
+    return IN_TEXT.sub("#", text)
 
 
 def of_file(path: Path) -> str:

@@ -166,10 +166,11 @@ class FacetContacts {
     for (const ScaleSolution<T>& solution : found[0].solutions) {
       if (!s) s = positive(solution);
     }
-    if (!s) return;
     each_crossing([&](std::size_t k, std::size_t l, std::size_t i) {
-      found[corners + i].kind = ContactKind::edge;
-      if (pair_.sides_cross(k, l, *s)) found[corners + i].scale = s;
+      PaperContact<T>& contact = found[corners + i];
+      contact.kind = ContactKind::edge;
+      if (!s) contact.singular = found[0].singular;
+      if (s && pair_.sides_cross(k, l, *s)) contact.scale = s;
     });
   }
 

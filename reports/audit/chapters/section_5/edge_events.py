@@ -10,7 +10,8 @@ from math import isqrt
 
 import sympy as sp
 from minkref import _core
-from minkref.cli.readings import FACET_CHOICES, readings_of
+from minkref.cli.readings import FACET_CHOICES as CHOICES
+from minkref.cli.readings import readings_of
 from minkref.fuzz.geometry.space import cross, dot, minus
 from minkref.fuzz.judges.space import paper_space
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
@@ -173,8 +174,10 @@ def _(shown: Shown) -> None:
     pair = pair_of_family("mixed", 1, 0)
     P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
     printed, right = (
-        dict(_core.facet_contact_trial(P, Q, "rational", readings_of(form, None, FACET_CHOICES)))
-        for form in ("printed", "corrected")
+        dict(
+            _core.facet_contact_trial(P, Q, "rational", readings_of("corrected", as_read, CHOICES))
+        )
+        for as_read in (["corner=lines", "crossing=points"], None)
     )
     singular = {
         "of parallel faces": printed["parallel_faces"],
@@ -182,8 +185,9 @@ def _(shown: Shown) -> None:
         "with an edge along the plane": printed["side_along_plane"],
     }
     shown.true(
-        f"two polyhedra, in rational numbers, by `minkref events --form printed`: of "
-        f"{printed['events']} events {printed['missed']} are missed, where the matrix is singular: "
+        "two polyhedra, in rational numbers, by `minkref events --reading corner=lines --reading "
+        f"crossing=points`: of {printed['events']} events {printed['missed']} are missed, where "
+        "the matrix is singular: "
         + ", ".join(f"{number} {what}" for what, number in singular.items()),
         printed["missed"] == sum(singular.values()) > 0,
     )

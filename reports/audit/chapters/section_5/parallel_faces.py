@@ -7,9 +7,11 @@ from fractions import Fraction
 from itertools import product
 
 from minkref import _core
+from minkref.cli.readings import FACET_CHOICES, readings_of
 from minkref.fuzz.geometry.space import cross, dot, minus
 from minkref.fuzz.judges.space import paper_space
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
+from minkref.fuzz.space.general_pairs import pair_of_family
 from minkref.reports.audit.bodies import hull
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.space import (
@@ -134,7 +136,7 @@ def _the_code_sees(shown: Shown) -> None:
     equation $n \cdot (e_i(s) - t_a(s)) = 0$ does need no special case.""",
     reading=r"""Take the path of the vertex itself to the plane of the other face, without $x(1)$
     and $x(2)$: then parallel faces are no special case.""",
-    code=ORACLE,
+    code=(*ORACLE, "reference/paper/space/facet_contacts.hpp"),
 )
 def _(shown: Shown) -> None:
     """Fifty random pairs of parallel facets: the denominator of $x(s)$ is zero for all their
@@ -152,9 +154,18 @@ def _(shown: Shown) -> None:
         for one, other in ((a, b), (b, a)):
             zero &= all(dot(other.normal, each.direction) == 0 for each in one.edges)
         case, at, _ = paper_space.plane_event(a.numbers, b.numbers)
-        told = [paper_space.vertex_event(b.numbers, v.numbers)[:2] for v in a.vertices]
-        same &= told == [(case, at)] * len(told)
+        scales = [paper_space.vertex_event(b.numbers, v.numbers)[:2] for v in a.vertices]
+        same &= scales == [(case, at)] * len(scales)
         once += case == "once"
+    pair = pair_of_family("mixed", 1, 0)
+    P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
+    readings = readings_of("corrected", ["corner=lines"], FACET_CHOICES)
+    told = dict(_core.facet_contact_trial(P, Q, "rational", readings))
+    shown.true(
+        "two polyhedra, in rational numbers, by `minkref events --reading corner=lines`: "
+        f"{told['missed']} events are missed, all of them of parallel faces",
+        told["missed"] == told["parallel_faces"] > 0,
+    )
     shown.true("the denominator $n \\cdot d$ is zero for each edge of fifty pairs", zero)
     shown.true(f"each vertex has the scale of the planes, where there is one ({once} pairs)", same)
 
