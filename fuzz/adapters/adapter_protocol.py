@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, BinaryIO, TextIO
 
 Set = dict[str, Any]  # {"polygons": ...} or {"vertices": ..., "faces": ...}
 Sum = Callable[[Set, Set], dict[str, Any]]
 Path = Callable[[Set, Set, dict[str, Any]], dict[str, Any]]
+Verbs = Mapping[str, Path]
 LONGEST_REASON = 4000  # characters
 
 
@@ -29,14 +30,19 @@ class Errored(Exception):
     """No result; the text gives the reason."""
 
 
+class GaveUp(Exception):
+    """The implementation says that it cannot tell; the text gives the reason."""
+
+
 class Adapter:
     """Answers requests: `hello` is the declaration, `sum_of(sP, Q)` returns a result's members, and
-    `path_of(P, Q, request)` the members for the verb `path`."""
+    each function of `verbs`, by verb, a result's members from P, Q and the request: `path`,
+    `update`, or `at` itself for an implementation that scales P by itself."""
 
-    def __init__(self, hello: dict[str, Any], sum_of: Sum, path_of: Path | None = None) -> None:
+    def __init__(self, hello: dict[str, Any], sum_of: Sum | None, verbs: Verbs) -> None:
         self.hello = hello
         self.sum_of = sum_of
-        self.path_of = path_of
+        self.verbs = verbs
         self.P: Set | None = None
         self.Q: Set | None = None
 
@@ -49,19 +55,21 @@ class Adapter:
             if verb == "load":
                 self.P, self.Q = request.get("P"), request["Q"]
                 return {"status": "result"}
-            if verb == "at":
+            if isinstance(verb, str) and verb in self.verbs:
+                if self.P is None or self.Q is None:
+                    raise ValueError(f"`{verb}` before any `load`")
+                return {"status": "result", **self.verbs[verb](self.P, self.Q, request)}
+            if verb == "at" and self.sum_of is not None:
                 if self.Q is None:
                     raise ValueError("`at` before any `load`")
                 return {"status": "result", **self.sum_of(request["sP"], self.Q)}
-            if verb == "path" and self.path_of is not None:
-                if self.P is None or self.Q is None:
-                    raise ValueError("`path` before any `load`")
-                return {"status": "result", **self.path_of(self.P, self.Q, request)}
             return {"status": "skipped", "reason": f"no verb {verb!r} here"}
         except Skipped as reason:
             return {"status": "skipped", "reason": str(reason)}
         except Rejected as reason:
             return {"status": "rejected", "reason": str(reason)}
+        except GaveUp as reason:
+            return {"status": "gave-up", "reason": str(reason)[:LONGEST_REASON]}
         except Errored as reason:
             return {"status": "errored", "reason": str(reason)}
         except BaseException as error:  # noqa: BLE001 whatever the implementation raises
@@ -91,14 +99,16 @@ def streams() -> tuple[BinaryIO, TextIO]:
 
 def serve(
     hello: dict[str, Any],
-    sum_of: Sum,
+    sum_of: Sum | None,
     given: tuple[BinaryIO, TextIO] | None = None,
     path_of: Path | None = None,
+    verbs: Verbs | None = None,
 ) -> None:
     """Answers until `stop` or the input's end. `given`: streams that were taken already. `path_of`
-    answers the verb `path`, from P, Q and the request."""
+    answers the verb `path`, and `verbs` others, from P, Q and the request."""
     requests, answers = given or streams()
-    adapter = Adapter(hello, sum_of, path_of)
+    others: Verbs = {} if path_of is None else {"path": path_of}
+    adapter = Adapter(hello, sum_of, {**others, **(verbs or {})})
     for line in requests:
         if not line.strip():
             continue

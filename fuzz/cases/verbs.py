@@ -2,6 +2,7 @@
 path, or operands with one invalid."""
 
 UPDATE, EVENTS = "update", "events"
+PAIR_EVENTS = "pair-events"  # of edges of the reduced convolution
 PATH, RANGES = "path", "path-ranges"  # the verb `path`: single scales, or all of a window
 REJECTS = "rejects-invalid"  # the capability that invalid cases ask for
 

@@ -37,9 +37,28 @@ ADAPTERS = {adapter.name: adapter for library in LIBRARIES.values() for adapter 
 
 
 def adapter_named(name: str) -> Adapter:
-    if name not in ADAPTERS:
+    """Refuses unknown names, and names with an unknown part."""
+    if name in ADAPTERS:
+        return ADAPTERS[name]
+    library = _reader_of(name)
+    if library is None or library.read is None:
         raise Refusal(f"there is no adapter {name[:60]!r}", "adapter", choice(name, ADAPTERS))
-    return ADAPTERS[name]
+    return library.adapter(library.read(name))
+
+
+def is_named(name: str) -> bool:
+    """Whether the name is listed, or a library reads names that begin so."""
+    return name in ADAPTERS or _reader_of(name) is not None
+
+
+def in_all(name: str) -> bool:
+    """Whether the group of all targets has the adapter."""
+    return all(each.in_all for each in LIBRARIES.values() if adapter_named(name) in each.adapters)
+
+
+def _reader_of(name: str) -> Library | None:
+    reading = (each for each in LIBRARIES.values() if each.read is not None)
+    return next((each for each in reading if name.startswith(each.targets)), None)
 
 
 def install(name: str, folder: Path | None = None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 
@@ -36,8 +37,10 @@ class Method:
 @dataclass(frozen=True)
 class Library:
     """`targets`: the prefix of target names. `place`: the position in lists. `has_program`: whether
-    `program.py` beside it shows a finding with the library alone. All the library's adapters share
-    the other members."""
+    `program.py` beside it shows a finding with the library alone. `read`: makes a method of a name
+    that begins with the prefix and is not listed, or refuses the name; None if all names are
+    listed. `in_all`: whether the group of all targets has it. All the library's adapters share the
+    other members."""
 
     title: str
     targets: str
@@ -49,12 +52,14 @@ class Library:
     licence: str
     home: str = ""
     has_program: bool = True
+    read: Callable[[str], Method] | None = None
+    in_all: bool = True
 
     @property
     def adapters(self) -> tuple[Adapter, ...]:
-        return tuple(self._adapter(method) for method in self.methods)
+        return tuple(self.adapter(method) for method in self.methods)
 
-    def _adapter(self, method: Method) -> Adapter:
+    def adapter(self, method: Method) -> Adapter:
         arguments = (method.argument,) if method.argument else ()
         of_all = (self.kind, self.program, self.source, self.licence)
         return Adapter(method.name, method.title, *of_all, arguments, self.home)

@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 from minkref.errors import Refusal
-from minkref.fuzz.libraries.catalogue import ADAPTERS, absence, command
+from minkref.fuzz.libraries.catalogue import (
+    ADAPTERS,
+    absence,
+    adapter_named,
+    command,
+    in_all,
+    is_named,
+)
 from minkref.fuzz.run.offer import Offer
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Limits
@@ -16,4 +23,10 @@ def _target(name: str, limits: Limits) -> AdapterTarget:
     return AdapterTarget(name, words, limits)
 
 
-OFFER = Offer({name: adapter.title for name, adapter in ADAPTERS.items()}, absence, _target)
+def _title(name: str) -> str | None:
+    return adapter_named(name).title if is_named(name) else None
+
+
+OFFER = Offer(
+    {name: adapter.title for name, adapter in ADAPTERS.items()}, absence, _target, _title, in_all
+)

@@ -1,4 +1,4 @@
-"""Asks a target for the scales at which the sum's topology changes."""
+"""Asks a target for the scales of events."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from minkref.fuzz.cases.verbs import EVENTS
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Answer
@@ -15,12 +14,12 @@ from minkref.fuzz.targets.numbers import Unreadable, received_scale
 
 
 def asked_events(
-    target: AdapterTarget, case: Case, start: str, end: str
+    target: AdapterTarget, case: Case, verb: str, start: str, end: str
 ) -> tuple[list[Fraction], Declaration] | Answer:
-    """Returns the target's scales of topology events in [start, end], and its declaration; else the
-    answer without them."""
+    """Returns the scales in [start, end] that the target lists for the verb, and its declaration;
+    else the answer without them."""
     window = {"from": start, "to": end}
-    return target.asked(case, EVENTS, lambda _: window, _scales, EVENTS)
+    return target.asked(case, verb, lambda _: window, _scales, verb)
 
 
 def _scales(value: dict[str, Any], declaration: Declaration) -> list[Fraction]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import partial
 
-from minkref.fuzz.cases.verbs import EVENTS, UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, UPDATE
 from minkref.fuzz.plane.asked_events import asked_events
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.event_judgement import MOST_PAIRS, judge_events, window, without_scales
@@ -98,9 +98,11 @@ class PlaneAsking(Asking):
         law, base = case.law
         outcomes = []
         for name in names:
-            if law in (UPDATE, EVENTS):
-                ask = self._updated if law == UPDATE else self._events
-                outcomes.append(ask(name, base, case))
+            if law == UPDATE:
+                outcomes.append(self._updated(name, base, case))
+                continue
+            if law in (EVENTS, PAIR_EVENTS):
+                outcomes.append(self._events(name, law, case))
                 continue
             answer = self._ask(name, case)
             before = None if LAWS[law].constant else self._ask(name, base)
@@ -133,13 +135,13 @@ class PlaneAsking(Asking):
             return replace(outcome, reasons=(*outcome.reasons, Reason.STATE_DRIFT))
         return outcome
 
-    def _events(self, name: str, _: Case, case: Case) -> Outcome:
-        """Judges the scales of topology events that a target lists."""
+    def _events(self, name: str, verb: str, case: Case) -> Outcome:
+        """Judges the scales of events that a target lists."""
         if name in self.lost:
             return self.lost[name]
         target = self.target(name)
         if not isinstance(target, AdapterTarget):
-            return Outcome(name, Verdict.SKIPPED, message="does not declare events")
+            return Outcome(name, Verdict.SKIPPED, message=f"does not declare {verb}")
         if case.vertex_pairs > MOST_PAIRS:
             message = f"{case.vertex_pairs:,} pairs of vertices, more than {MOST_PAIRS:,}"
             return Outcome(name, Verdict.SKIPPED, message=message)
@@ -147,7 +149,7 @@ class PlaneAsking(Asking):
             message = "of two operands without area no events are known"
             return Outcome(name, Verdict.SKIPPED, message=message)
         self.begin(name)
-        claimed = asked_events(target, case, *window(case))
+        claimed = asked_events(target, case, verb, *window(case))
         if isinstance(claimed, Answer):
             return without_scales(case, name, claimed)
         if JUDGING + name in self.lost:
@@ -157,4 +159,4 @@ class PlaneAsking(Asking):
         if declared.boundary:
             message = "of the sum of the boundaries no events are known"
             return Outcome(name, Verdict.SKIPPED, message=message)
-        return judge_events(case, name, scales, declared)
+        return judge_events(case, name, scales, declared, verb)

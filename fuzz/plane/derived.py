@@ -10,7 +10,7 @@ from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.grid import rounded, unit_for
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import EVENTS, UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, UPDATE
 from minkref.fuzz.geometry.plane import Ring, mapped
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.exact_shapes import set_of, shape_of
@@ -22,7 +22,8 @@ MOST_PROBES = 12
 MOST_BITS = 1000
 SCALED = {"scaled-up": Fraction(2), "scaled-down": Fraction(1, 2)}
 MOST_VERTICES = 2000  # most vertices requested by cutting a case's edges
-WAYS = ("probe:K", "mutant:K", "grid:B", "scaled-up:B", "scaled-down:B", "cut:N", UPDATE, EVENTS)
+ASKED = (UPDATE, EVENTS, PAIR_EVENTS)
+WAYS = ("probe:K", "mutant:K", "grid:B", "scaled-up:B", "scaled-down:B", "cut:N", *ASKED)
 
 
 def derived(base: Case, name: CaseName, operation: str, number: int | None) -> Case | None:
@@ -56,8 +57,8 @@ def _by_law(base: Case, name: CaseName, operation: str) -> Case | None:
         return replace(LAWS[operation].changed(base), name=name)
     if operation == UPDATE:
         return replace(base, name=name, scale=_other_scale(base, name), law=(UPDATE, base))
-    if operation == EVENTS:
-        return replace(base, name=name, law=(EVENTS, base))
+    if operation in (EVENTS, PAIR_EVENTS):
+        return replace(base, name=name, law=(operation, base))
     return None
 
 

@@ -1,14 +1,16 @@
-"""The verdict on the topology events' scales that a target lists."""
+"""The verdict on the scales of events that a target lists."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from bisect import bisect_left
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import inf, nextafter
 
 from minkref import _core
 from minkref.exact import scientific
+from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.comparison import decide, some_point
 from minkref.fuzz.plane.judgement import without_answer
@@ -17,6 +19,15 @@ from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 
 MOST_PAIRS = 2000  # pairs of vertices
+# The change at an event, and what does not happen at an invented one.
+WORDS = {
+    EVENTS: ("the topology changes", "the topology does not change"),
+    PAIR_EVENTS: (
+        "two edges of the convolution begin or cease to meet",
+        "no two edges of the convolution begin or cease to meet",
+    ),
+}
+Places = dict[Fraction, tuple[str, str]]
 TWO_STEPS = Fraction(1, 2**51)  # relative: twice what lies between a double and the next, at most
 
 
@@ -35,7 +46,9 @@ def without_scales(case: Case, name: str, answer: Answer) -> Outcome:
     return replace(outcome, reasons=(Reason.REJECTED_VALID,), witness=some_point(case))
 
 
-def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Declaration) -> Outcome:
+def judge_events(
+    case: Case, name: str, claimed: list[Fraction], declared: Declaration, verb: str = EVENTS
+) -> Outcome:
     """Judges a list of scales. An exact target's list must equal the reference's; for a rounding
     target each scale must lie within its tolerance of a counterpart, and vice versa
     (docs/adapter-protocol.md). A missed event's place, with the event's scale, serves as witness.
@@ -48,13 +61,15 @@ def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Decla
         message = f"a tolerance of {scientific(str(room))} is as large as the window of scales"
         return Outcome(name, Verdict.SKIPPED, message=message)
     wide = (low - room if room < low else low / 2, high + room)
-    moving = _core.DynamicSum(case.P, case.Q, *map(str, wide))
-    places: dict[Fraction, tuple[str, str]] = {}
-    for row in moving.topology_events():
-        places.setdefault(Fraction(row[0]), (row[6][0], row[6][1]))
+    places = _places(case, verb, *map(str, wide))
     inner = [s for s in places if low + within.room(s) < s < high - within.room(s)]
-    missed = [s for s in inner if not any(map(within(s), claimed))]
-    invented = [listed for listed in claimed if not any(within(s)(listed) for s in places)]
+    claims, scales, reach = sorted(set(claimed)), sorted(places), within.room(wide[1])
+    missed = [s for s in inner if not any(map(within(s), _near(claims, s, reach)))]
+    invented = [
+        listed
+        for listed in claims
+        if not any(within(s)(listed) for s in _near(scales, listed, reach))
+    ]
     if not missed and not invented:
         right = declared.exact or set(inner) <= set(claimed) <= set(places)
         return Outcome(name, Verdict.PASS if right else Verdict.PASS_WITHIN)
@@ -63,23 +78,44 @@ def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Decla
     )
     text = ""
     witness = None
+    changes, stays = WORDS[verb]
     if missed:
         s = min(missed)
         at = replace(case, scale=str(s), law=None)
         witness = replace(decide(at, places[s]), scale=str(s))
-        text = f"the topology changes at {s}, at ({', '.join(places[s])}), which is not listed"
+        text = f"{changes} at {s}, at ({', '.join(places[s])}), which is not listed"
     if invented:
         s = min(invented)
         near = min(places, key=lambda other: abs(other - s), default=None)
         nearest = "there is none" if near is None else f"the nearest is at {near}"
-        text += (
-            f"{'; ' if text else ''}{s} is listed, where the topology does not change: {nearest}"
-        )
+        text += f"{'; ' if text else ''}{s} is listed, where {stays}: {nearest}"
         if witness is None:
             # No single point shows that the sum equals the sums just below and above.
             at = replace(case, scale=str(s) if s > 0 else case.scale, law=None)
             witness = replace(some_point(at), scale=at.scale)
     return Outcome(name, Verdict.WRONG, reasons, message=text, witness=witness)
+
+
+def _places(case: Case, verb: str, start: str, end: str) -> Places:
+    """The exact scales of a window's events, each with the place of one."""
+    places: Places = {}
+    if verb == PAIR_EVENTS:
+        found = _core.pair_events(case.P, case.Q, start, end)
+        for scale, *_, at, _to in found.rows(0, len(found)):
+            places.setdefault(Fraction(scale), at)
+        return places
+    for row in _core.DynamicSum(case.P, case.Q, start, end).topology_events():
+        places.setdefault(Fraction(row[0]), (row[6][0], row[6][1]))
+    return places
+
+
+def _near(ascending: Sequence[Fraction], at: Fraction, reach: Fraction) -> Sequence[Fraction]:
+    """The numbers at most `reach` from a number."""
+    first = bisect_left(ascending, at - reach)
+    last = first
+    while last < len(ascending) and ascending[last] <= at + reach:
+        last += 1
+    return ascending[first:last]
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from minkref.exact import read_scale
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, PATH, RANGES, REJECTS, UPDATE
 from minkref.fuzz.geometry.number_text import number_of
 from minkref.fuzz.plane.asking import PlaneAsking
 from minkref.fuzz.plane.case import Case
@@ -31,7 +31,7 @@ class Plane(Setting):
     target = "minkref:paper"
     asking = PlaneAsking
     families: ClassVar[dict[str, str]] = {name: one.title for name, one in FAMILIES.items()}
-    verbs = (UPDATE, EVENTS, REJECTS, PATH, RANGES)
+    verbs = (UPDATE, EVENTS, PAIR_EVENTS, REJECTS, PATH, RANGES)
     never = frozenset({"non-uniform"})
 
     def holds(self, operands: list[Any]) -> bool:

@@ -74,7 +74,7 @@ class Catalogue:
             return [e for e in wanted if e.available], [e for e in wanted if not e.available]
         groups = {
             EVERY_JUDGE: [entries[name] for name in self.judges.about],
-            "all": [e for e in plain if "-raw" not in e.name],
+            "all": [e for e in plain if "-raw" not in e.name and self._is_in_all(e.name)],
         }
         chosen: list[TargetEntry] = []
         absent: list[TargetEntry] = []
@@ -88,6 +88,9 @@ class Catalogue:
                 chosen.append(TargetEntry(name, None, about, True))
             elif is_program(name):
                 chosen.append(_named_adapter(name))
+            elif name not in entries and self.adapters.has(name):
+                about = self.adapters.title(name) or ""
+                chosen.append(TargetEntry(name, version(), about, True))
             elif name not in entries:
                 raise Refusal("there is no such target", name, _mend(name, [*entries, *groups]))
             elif not entries[name].available:
@@ -113,10 +116,13 @@ class Catalogue:
             return False
         return name.startswith((REFERENCE, "cgal-")) and name not in self.adapters.about
 
+    def _is_in_all(self, name: str) -> bool:
+        return name not in self.adapters.about or self.adapters.in_all(name)
+
     def declares_itself(self, name: str) -> bool:
         """Whether the name means a foreign program or function, which declares its own
         capabilities."""
-        return is_program(name) or is_function(name) or name in self.adapters.about
+        return is_program(name) or is_function(name) or self.adapters.has(name)
 
     def target(self, name: str, limits: Limits) -> Target:
         """Makes the target with this name, which is no judge."""
@@ -126,7 +132,7 @@ class Catalogue:
             return FunctionTarget(name, host_command(name), limits)
         if is_program(name):
             return AdapterTarget(name, named_command(name), limits)
-        if name in self.adapters.about:
+        if self.adapters.has(name):
             return self.adapters.make(name, limits)
         return CgalMethod(name, limits)
 

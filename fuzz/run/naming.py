@@ -12,6 +12,7 @@ mutant:K(NAME)            something close to the case, drawn by the seed K
 LAW(NAME)                 the case changed so that a law tells the sum: swap, quarter-turn, ...
 update(NAME)              the case by the verb `update` from another scale
 events(NAME)              the scales at which the topology of the sum changes
+pair-events(NAME)         the scales at which two edges of the convolution begin or cease to meet
 invalid:SEED:INDEX        operands of which one is invalid
 path:SEED:INDEX           a part on a path, at given scales (path-grid: on a grid of doubles)
 path-ranges:SEED:INDEX    the same, all valid scales of a window (path-ranges-grid: on a grid)

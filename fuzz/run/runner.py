@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE, is_path
+from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, PATH, RANGES, REJECTS, UPDATE, is_path
 from minkref.fuzz.invalid.invalid_case import FAMILY as INVALID
 from minkref.fuzz.plane.judgement import REFEREE
 from minkref.fuzz.run.case_list import CaseList, Wait
@@ -94,7 +94,7 @@ class Run:
             return ExitCode.USAGE
         if verdicts & set(BROKEN):
             return ExitCode.BROKEN
-        if strict and Verdict.UNDECIDED in verdicts:
+        if strict and verdicts & {Verdict.UNDECIDED, Verdict.GAVE_UP}:
             return ExitCode.UNDECIDED
         return ExitCode.ALL_WELL
 
@@ -110,7 +110,8 @@ class Run:
 
 def verb_of(text: str) -> str:
     """Returns the capability that a case's name asks for, or the verb `at`."""
-    verbs = {f"{UPDATE}(": UPDATE, f"{EVENTS}(": EVENTS, f"{INVALID}:": REJECTS}
+    verbs = {f"{verb}(": verb for verb in (UPDATE, EVENTS, PAIR_EVENTS)}
+    verbs |= {f"{INVALID}:": REJECTS}
     verbs |= {f"{RANGES}:": RANGES, f"{RANGES}-": RANGES, f"{PATH}:": PATH, f"{PATH}-grid": PATH}
     if is_path(text):
         return PATH if '"scales"' in text else RANGES

@@ -16,6 +16,7 @@ from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 from minkref.output.signals import Ended
 
 EXAMPLES = 3  # findings shrunk per kind; one for a known fault
+UNSHRUNK = (Verdict.GAVE_UP, Verdict.UNDECIDED)  # no fault is shown
 CALLS_FOR_KNOWN = 150
 CALLS_FOR_MEMORY = 60  # for a target that exhausts its memory
 CALLS_FOR_TIME_OUT = 12  # for a target that does not answer, each as long as `brief` says
@@ -71,7 +72,7 @@ def _shrink_all(
 ) -> None:
     for group in groups:
         outcome = group.example.outcome
-        if outcome.verdict is Verdict.UNDECIDED or most_calls <= 0:
+        if outcome.verdict in UNSHRUNK or most_calls <= 0:
             continue
         calls, examples = _bounds(outcome, most_calls)
         same = [finding for finding in run.findings if finding.kind == group.example.kind]

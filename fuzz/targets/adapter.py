@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 from minkref.errors import cut, message_of
 from minkref.fuzz.cases.any_case import AnyCase
-from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
+from minkref.fuzz.targets.adapter_process import GAVE_UP, AdapterProcess, Failure
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.numbers import Unreadable
@@ -134,6 +134,9 @@ class ProgramTarget:
         reason = cut(str(value.get("reason", "")))
         if value["status"] == "rejected":
             return Answer(verdict=Verdict.WRONG, message=reason, declaration=declaration)
+        if value["status"] == GAVE_UP:
+            message = reason or "gave up, without a reason"
+            return Answer(verdict=Verdict.GAVE_UP, message=message, declaration=declaration)
         if value["status"] == "skipped":
             message = f"skipped what it declares to take: {reason}"
         else:

@@ -25,7 +25,8 @@ from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.version import version
 
 PROTOCOLS = ("adapter-v1",)
-STATUSES = ("result", "skipped", "errored", "rejected")
+GAVE_UP = "gave-up"
+STATUSES = ("result", "skipped", "errored", "rejected", GAVE_UP)
 LONGEST_INTEGER = 100_000  # digits
 LOG_BYTES = 4096  # kept from the end of its standard error
 MEMORY_WORDS = ("bad_alloc", "memoryerror", "out of memory", "cannot allocate")

@@ -27,6 +27,8 @@ CAPABILITIES = {
     "rejects-invalid": "invalid operands in the plane, to be rejected",
     "update": "an update from another scale",
     "events": "the scales of topology events in the plane",
+    "pair-events": "the scales at which two edges of the reduced convolution begin or cease to "
+    "meet, in the plane",
     "path": "whether a part passes along a path, in the plane, at given scales",
     "path-ranges": "all scales at which a part passes along a path, in the plane",
 }

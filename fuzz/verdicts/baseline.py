@@ -16,7 +16,7 @@ from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict
 
 _FIELDS = ("target", "version", "kind", "reason")
 _NO_FAULT = (*GOOD, Verdict.SKIPPED, Verdict.UNDECIDED, Verdict.KNOWN)
-KINDS = tuple(str(kind) for kind in (*Reason, *BROKEN))
+KINDS = tuple(str(kind) for kind in (*Reason, *BROKEN, Verdict.GAVE_UP))
 
 
 @dataclass(frozen=True)

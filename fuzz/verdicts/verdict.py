@@ -18,6 +18,7 @@ class Verdict(StrEnum):
     CRASHED = "crashed"
     TIMED_OUT = "timed-out"
     OUT_OF_MEMORY = "out-of-memory"
+    GAVE_UP = "gave-up"  # the target says that it cannot tell
     UNDECIDED = "undecided"
     SKIPPED = "skipped"
 

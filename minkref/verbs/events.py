@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from minkref.cli.arithmetic import check_arithmetic
+from minkref.arithmetic import check_arithmetic
 from minkref.cli.memory import Memory
 from minkref.cli.options import FirstOperand, GreatestScale, Json, LeastScale, SecondOperand
 from minkref.cli.readings import FACET_CHOICES, PLANE_CHOICES

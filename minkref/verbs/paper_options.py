@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from minkref.cli.arithmetic import check_arithmetic
+from minkref.arithmetic import check_arithmetic
 from minkref.cli.readings import ROUTE, readings_of, refuse_options
 from minkref.errors import Refusal
 

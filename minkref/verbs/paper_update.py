@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any, TypeVar
 
 from minkref import _core
-from minkref.cli.arithmetic import check_arithmetic
+from minkref.arithmetic import check_arithmetic
 from minkref.cli.row_spool import Row
 from minkref.errors import Refusal, refusing
 from minkref.exact import in_double_range

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from minkref import _core
-from minkref.cli.arithmetic import check_arithmetic
+from minkref.arithmetic import check_arithmetic
 from minkref.cli.readings import Choices, readings_of, with_other
 from minkref.errors import Refusal, choice
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from minkref.errors import Refusal, choice, nearest
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, PATH, RANGES, UPDATE
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.laws import LAWS
 from minkref.fuzz.run import naming
@@ -45,7 +45,7 @@ def case_list(asked: Cases, declared: Iterable[Declaration]) -> CaseList:
     filed = suite in ("corpus", "all") and not named
     taken = [setting for setting in SETTINGS if setting.name in able]
     files = case_files(asked.corpus, taken) if filed else CaseFiles()
-    laws = [*LAWS, *(verb for verb in (UPDATE, EVENTS) if verb in able)]
+    laws = [*LAWS, *(verb for verb in (UPDATE, EVENTS, PAIR_EVENTS) if verb in able)]
     cases = CaseList(
         asked.seed,
         asked.pairs,

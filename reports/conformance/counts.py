@@ -17,6 +17,7 @@ _APART = (*GOOD, Verdict.SKIPPED)
 # The worst last.
 _SEVERITY = (
     Verdict.UNDECIDED,
+    Verdict.GAVE_UP,
     Verdict.KNOWN,
     Verdict.ERRORED,
     Verdict.TIMED_OUT,

@@ -18,7 +18,9 @@ from minkref.version import version
 SCHEMA = (
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 )
-LEVELS = {Verdict.WRONG: "error", Verdict.KNOWN: "note", Verdict.UNDECIDED: "note"}
+LEVELS = {Verdict.WRONG: "error"} | dict.fromkeys(
+    (Verdict.KNOWN, Verdict.UNDECIDED, Verdict.GAVE_UP), "note"
+)
 Kinds = tuple[str, ...]
 
 

@@ -13,6 +13,7 @@ VERDICTS = {
     Verdict.CRASHED: "the process of the target died",
     Verdict.TIMED_OUT: "no answer in time",
     Verdict.OUT_OF_MEMORY: "needed more memory than allowed",
+    Verdict.GAVE_UP: "says itself that it cannot tell, as where its arithmetic knows no sign",
     Verdict.UNDECIDED: "no point settles whether it is right",
     Verdict.SKIPPED: "not asked, or outside what it declares; not counted in any fraction",
 }
@@ -48,6 +49,7 @@ SIGNS = {
     Verdict.CRASHED: "☠",
     Verdict.TIMED_OUT: "⏱",
     Verdict.OUT_OF_MEMORY: "M",
+    Verdict.GAVE_UP: "⊘",
     Verdict.UNDECIDED: "?",
     Verdict.SKIPPED: "–",
 }

@@ -5,7 +5,7 @@ from minkref.fuzz.libraries.library import Library, Method
 LIBRARY = Library(
     title="minkref",
     targets="minkref",
-    place=7,
+    place=8,
     methods=(
         Method("minkref-double", "minkref in double arithmetic, without exactness", "double"),
         Method("minkref-mpfr53", "minkref in MPFR of 53 bits, without exactness", "mpfr:53"),

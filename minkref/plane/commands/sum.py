@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from minkref import _core
-from minkref.cli.arithmetic import check_arithmetic
+from minkref.arithmetic import check_arithmetic
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.cli.readings import readings_of, refuse_options

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from minkref import _core
-from minkref.cli.arithmetic import check_arithmetic
+from minkref.arithmetic import check_arithmetic
 from minkref.cli.memory import SMALLER, memory_wall
 from minkref.cli.output import plain_table
 from minkref.cli.paper_words import events_in_words, in_words

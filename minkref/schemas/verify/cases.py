@@ -10,7 +10,9 @@ from minkref.schemas.values import Count, Digest, Number, PositiveCount, Rule
 from msgspec import Meta
 
 AnyPoint = Annotated[list[Number], Meta(min_length=2, max_length=3)]
-Verdict = Literal["wrong", "known", "errored", "crashed", "timed-out", "out-of-memory", "undecided"]
+Verdict = Literal[
+    "wrong", "known", "errored", "crashed", "timed-out", "out-of-memory", "gave-up", "undecided"
+]  # fmt: skip
 
 Reason = Literal[
     "missing",
@@ -158,7 +160,7 @@ class Finding(TypedDict):
     target_version: str | None
     verdict: Verdict
     was: Annotated[
-        Literal["wrong", "errored", "crashed", "timed-out", "out-of-memory", None],
+        Literal["wrong", "errored", "crashed", "timed-out", "out-of-memory", "gave-up", None],
         Meta(description="The verdict that the baseline turned into known."),
     ]
     reasons: list[Reason]

@@ -17,6 +17,7 @@ EveryVerdict = Literal[
     "crashed",
     "timed-out",
     "out-of-memory",
+    "gave-up",
     "undecided",
     "skipped",
 ]

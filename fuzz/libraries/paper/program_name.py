@@ -1,0 +1,144 @@
+"""Names of the paper's own programs: arithmetic, form, and the reading of each formula.
+
+minkref-paper@ARITHMETIC            all formulas as printed: the update, walked from another scale
+minkref-paper@ARITHMETIC,corrected  all formulas corrected
+minkref-paper@ARITHMETIC,static     the program of Section 3, from scratch; it has no readings
+...,NAME=VALUE                      one formula or sentence as read, as --reading spells it
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from minkref import _core
+from minkref.arithmetic import check_arithmetic
+from minkref.errors import Refusal, nearest, refusal_of
+
+PREFIX = "minkref-paper"
+PRINTED, CORRECTED, STATIC = FORMS = ("printed", "corrected", "static")
+EXACT = "rational"
+RELATIVE_OF_DOUBLES = 9  # decimal digits of a sum that have to be right, of 53 bits
+
+
+@dataclass(frozen=True)
+class _Choices:
+    """A section's readings: name, values (the printed one first), the corrected one, section."""
+
+    rows: list[tuple[str, list[str], str, str]]
+    check: Callable[[str, str], None]
+
+    def all_of(self, form: str) -> dict[str, str]:
+        printed = form != CORRECTED
+        return {name: values[0] if printed else right for name, values, right, _ in self.rows}
+
+
+IN_PLANE = _Choices(_core.paper_readings(), _core.check_paper_reading)
+IN_SPACE = _Choices(_core.repair_readings(), _core.check_repair_reading)
+_BOTH = (IN_PLANE, IN_SPACE)
+
+
+@dataclass(frozen=True)
+class ProgramName:
+    """What a name says. `argument`: the name without its prefix."""
+
+    argument: str
+    arithmetic: str
+    form: str
+    readings: dict[str, str]  # in the plane, Section 4
+    repair: dict[str, str]  # in space, Section 6
+
+    @property
+    def is_static(self) -> bool:
+        return self.form == STATIC
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether it claims to have the sum: exact numbers, and nothing read as printed."""
+        right = self.readings == IN_PLANE.all_of(CORRECTED)
+        right = right and self.repair == IN_SPACE.all_of(CORRECTED)
+        return self.arithmetic == EXACT and (self.is_static or right)
+
+    @property
+    def bits(self) -> int | None:
+        """The significant bits of its numbers; None if they are exact."""
+        if self.arithmetic.startswith("mpfr:"):
+            return int(self.arithmetic.removeprefix("mpfr:"))
+        return None if self.arithmetic == EXACT else 53
+
+    @property
+    def relative(self) -> Fraction:
+        """The relative tolerance: 1e-9 for 53 bits, as for other targets with doubles, and as many
+        digits more or fewer as the bits have. 0 for exact numbers, whatever the formulas."""
+        if self.bits is None:
+            return Fraction(0)
+        return Fraction(1, 10 ** max(1, RELATIVE_OF_DOUBLES * self.bits // 53))
+
+    @property
+    def title(self) -> str:
+        """A few words on it."""
+        _, _, rest = self.argument.partition(",")
+        return f"{rest or PRINTED}, in {self.arithmetic}"
+
+
+def read_name(name: str) -> ProgramName:
+    """Reads a target's name. Refuses an unknown arithmetic, word or reading with all choices."""
+    prefix, at, argument = name.partition("@")
+    arithmetic, *words = argument.split(",")
+    if prefix != PREFIX or not at:
+        what = "the name of the paper's program has no arithmetic"
+        raise Refusal(what, name[:60], f"write {PREFIX}@double, or {_spelling()}")
+    check_arithmetic(arithmetic, name[:60])
+    form = _form([word for word in words if "=" not in word], name)
+    readings, repair = IN_PLANE.all_of(form), IN_SPACE.all_of(form)
+    for word in (word for word in words if "=" in word):
+        if form == STATIC:
+            what = "the static program has no readings"
+            raise Refusal(what, name[:60], f"leave out {word[:40]} or {STATIC}")
+        if not _set(IN_PLANE, readings, word, name) and not _set(IN_SPACE, repair, word, name):
+            what = f"there is no reading {word[:40]!r}"
+            raise Refusal(what, name[:60], f"{nearest(word, _every_word())}write {_spelling()}")
+    return ProgramName(argument, arithmetic, form, readings, repair)
+
+
+def _form(words: list[str], name: str) -> str:
+    """All formulas as printed, unless a word says otherwise."""
+    unknown = [word for word in words if word not in FORMS]
+    if unknown:
+        what = f"the paper's program has no form {unknown[0][:40]!r}"
+        raise Refusal(what, name[:60], f"{nearest(unknown[0], _every_word())}write {_spelling()}")
+    if len(words) > 1:
+        what = f"the name has two forms, {words[0]} and {words[1]}"
+        raise Refusal(what, name[:60], "leave out one of the two")
+    return words[0] if words else PRINTED
+
+
+def _set(choices: _Choices, readings: dict[str, str], word: str, name: str) -> bool:
+    """Sets the reading that a word spells; False if the section has none of this name."""
+    reading, _, value = word.partition("=")
+    if reading not in readings:
+        return False
+    try:
+        choices.check(reading, value)
+    except _core.BadInput as error:
+        every = next(values for each, values, *_ in choices.rows if each == reading)
+        mend = f"{nearest(word, _every_word())}write {reading}={'|'.join(every)}"
+        raise Refusal(refusal_of(error).what, name[:60], mend) from error
+    readings[reading] = value
+    return True
+
+
+def _every_word() -> list[str]:
+    rows = [row for choices in _BOTH for row in choices.rows]
+    return [*FORMS, *(f"{name}={value}" for name, values, *_ in rows for value in values)]
+
+
+def _spelling() -> str:
+    """How a name is made, with all choices."""
+    rows = [row for choices in _BOTH for row in choices.rows]
+    readings = ", ".join(f"{name}={'|'.join(values)}" for name, values, *_ in rows)
+    return (
+        f"{PREFIX}@ARITHMETIC[,{'|'.join(FORMS)}][,NAME=VALUE...] with rational, interval, double "
+        f"or mpfr:BITS, and the readings {readings}"
+    )
