@@ -11,6 +11,7 @@ from minkref.reports.paper import speedup_entries
 from minkref.reports.paper.crossing_facets import figure_9
 from minkref.reports.paper.drawn_entries import drawn_entries
 from minkref.reports.paper.entry import Entry
+from minkref.reports.paper.judged_entry import judged_entries
 from minkref.reports.paper.program_entry import kept, program_entry
 from minkref.reports.paper.speedups import Speedups, speedups
 from minkref.reports.paper.table_entries import first_table, second_table
@@ -47,6 +48,7 @@ def entries(quick: bool, seed: int, tell: Tell, done: Callable[[], None]) -> lis
     return [
         *drawn_entries(large[0], absent),
         program_entry(kept()),
+        *judged_entries(),
         first_table(table, walks),
         *sorted((speedup_entries.figure(pair, runs, absent)
                  for pair, runs in zip(large, figures, strict=True)), key=lambda one: one.place),

@@ -32,7 +32,7 @@ from minkref.reports.paper.judged_runs import EVENTS, Judged, Row, as_text
 
 MINUTES = Minutes(0.2, 1.5, 10)
 
-CASES = Counts(40, 240, 800)
+CASES = Counts(40, 160, 400)
 MOST_EDGES = Counts(30, 60, 90)
 ARITHMETICS = Counts(
     ("rational", "mpfr:53", "mpfr:200"),

@@ -37,8 +37,8 @@ from minkref.reports.paper.judged_runs import SUMS, Judged, Row, as_text
 
 MINUTES = Minutes(0.3, 2, 12)
 
-CASES = Counts(24, 120, 400)
-SOLIDS = Counts(8, 40, 100)
+CASES = Counts(24, 80, 200)
+SOLIDS = Counts(8, 24, 60)
 ARITHMETICS = Counts(
     ("rational", "mpfr:53", "mpfr:200"),
     ("rational", "double", "mpfr:24", "mpfr:53", "mpfr:100", "mpfr:200"),
