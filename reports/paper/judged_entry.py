@@ -5,21 +5,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from minkref.fuzz.judges.beside import AGREE, COMPARED, GAVE_UP, OURS
 from minkref.fuzz.judges.plane.paper_algebra import INVENTED, MISPLACED, MISSED, RIGHT, UNDECIDED
-from minkref.fuzz.judges.plane.paper_cgal import AGREE, GAVE_UP, NEITHER, OURS, THEIRS
 from minkref.reports.paper.entry import Claim, Entry, Picture, Table
-from minkref.reports.paper.judged_plots import events_plot, sums_plot
-from minkref.reports.paper.judged_runs import EVENTS, SUMS, Judged, Row, kept
+from minkref.reports.paper.judged_plots import TRUE_EVENTS, events_plot, sums_plot
+from minkref.reports.paper.judged_runs import EVENTS, SOLIDS, SUMS, Judged, Row, kept, together
 
 COMMAND = "make evidence ONLY=paper_targets FULL=1"
-COMPARED = (AGREE, OURS, THEIRS, GAVE_UP, NEITHER)
-TRUE_EVENTS = (RIGHT, MISPLACED, MISSED, UNDECIDED)
 CORRECTED = "all corrected"
 EXACT = "“two exact, output-sensitive algorithms”"
 
 
 def judged_entries() -> list[Entry]:
-    return [sums_entry(kept(SUMS)), events_entry(kept(EVENTS))]
+    return [sums_entry(together(kept(SUMS), kept(SOLIDS))), events_entry(kept(EVENTS))]
 
 
 def sums_entry(judged: Judged | None) -> Entry:
@@ -119,7 +117,7 @@ def _events(judged: Judged) -> Table:
 
 
 def _least(name: str, what: str, judged: Judged) -> Table:
-    """How many cases are right from so many bits on."""
+    """Counts cases by sufficient bits."""
     words: Sequence[str] = sorted(
         {word for counts in judged.least.values() for word in counts},
         key=lambda word: int(word.split()[0]) if word[0].isdigit() else 10**9,

@@ -1,4 +1,4 @@
-"""Plots of how the paper's programs stand beside other programs, as elements of SVG."""
+"""Plots of the paper's programs beside other programs, as SVG elements."""
 
 from __future__ import annotations
 
@@ -6,20 +6,18 @@ from collections.abc import Sequence
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from minkref.fuzz.judges.beside import AGREE, COMPARED
 from minkref.fuzz.judges.plane.paper_algebra import INVENTED, MISPLACED, MISSED, RIGHT, UNDECIDED
-from minkref.fuzz.judges.plane.paper_cgal import AGREE, GAVE_UP, NEITHER, OURS, THEIRS
 from minkref.reports.paper.judged_runs import Judged, Row, share
 from minkref.reports.paper.plots import svg_element
 from minkref.reports.paper.program_plots import style
 
-COMPARED = (AGREE, OURS, THEIRS, GAVE_UP, NEITHER)
 TRUE_EVENTS = (RIGHT, MISPLACED, MISSED, UNDECIDED)
 MARKERS = "osv^D<>pP*X"
 
 
 def sums_plot(judged: Judged) -> str:
-    """A panel for each other program: the share of sums that agree with its sums, against the
-    bits."""
+    """Plots agreement with each other program against the bits, one panel each."""
     others = list(dict.fromkeys(row.against for row in judged.rows))
     with style():
         figure = Figure(figsize=(10.5, 3.9), layout="constrained")
@@ -39,8 +37,8 @@ def sums_plot(judged: Judged) -> str:
 
 
 def events_plot(judged: Judged) -> str:
-    """A panel for events missed, invented and misplaced: their share of all true ones, against the
-    bits, a line for each formula as printed."""
+    """Plots missed, invented and misplaced events, relative to true events, against the bits: one
+    line for each printed formula."""
     with style():
         figure = Figure(figsize=(10.5, 3.9), layout="constrained")
         panels = figure.subplots(1, 3)

@@ -1,5 +1,6 @@
 """Runs of the paper's own programs beside other programs, made by the evidence (`make evidence
-ONLY=paper_targets`). A full evidence run writes judged_sums.json and judged_events.json."""
+ONLY=paper_targets`). A full evidence run writes judged_sums.json, judged_solids.json and
+judged_events.json."""
 
 from __future__ import annotations
 
@@ -8,12 +9,13 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from importlib import resources
 
-SUMS, EVENTS = "judged_sums.json", "judged_events.json"
+SUMS, SOLIDS = "judged_sums.json", "judged_solids.json"
+EVENTS = "judged_events.json"
 
 
 @dataclass(frozen=True)
 class Row:
-    """A program in one arithmetic beside another program: how many cases, or events, ended how."""
+    """A program in one arithmetic beside another program: counts of cases or events by outcome."""
 
     program: str
     arithmetic: str
@@ -29,8 +31,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Judged:
-    """`least`: for each program the numbers of cases that are right from so many bits on, at all
-    precisions tried."""
+    """`least`: counts, for each program, how many bits suffice for a case."""
 
     date: str
     cases: int
@@ -38,7 +39,7 @@ class Judged:
     least: dict[str, dict[str, int]]
 
     def of(self, program: str, against: str) -> list[Row]:
-        """The rows in MPFR, by ascending precision."""
+        """Rows in MPFR, ascending precision."""
         found = [r for r in self.rows if (r.program, r.against) == (program, against) and r.bits]
         return sorted(found, key=lambda row: row.bits or 0)
 
@@ -71,7 +72,18 @@ def kept(file: str) -> Judged | None:
         return None
 
 
+def together(*every: Judged | None) -> Judged | None:
+    """Joins the runs of several files; None without any."""
+    found = [judged for judged in every if judged is not None]
+    if not found:
+        return None
+    rows = tuple(row for judged in found for row in judged.rows)
+    least = {program: counts for judged in found for program, counts in judged.least.items()}
+    date = min(judged.date for judged in found)
+    return Judged(date, sum(judged.cases for judged in found), rows, least)
+
+
 def share(row: Row, kinds: Sequence[str], of: Sequence[str]) -> float:
-    """Percentage of `kinds` among all of `of`."""
+    """Percentage: `kinds` per `of`."""
     total = sum(row.counts.get(kind, 0) for kind in of)
     return 100 * sum(row.counts.get(kind, 0) for kind in kinds) / total if total else 0.0

@@ -7,6 +7,7 @@ import pytest
 from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.geometry.region import region_of_sum
+from minkref.fuzz.judges.beside import ABSENT, AGREE, GAVE_UP, OURS, THEIRS, Beside, least_bits
 from minkref.fuzz.judges.plane.paper_algebra import (
     INVENTED,
     MISPLACED,
@@ -16,18 +17,8 @@ from minkref.fuzz.judges.plane.paper_algebra import (
     compared,
     listed,
 )
-from minkref.fuzz.judges.plane.paper_cgal import (
-    ABSENT,
-    AGREE,
-    GAVE_UP,
-    OURS,
-    THEIRS,
-    Beside,
-    beside_in_plane,
-    beside_in_space,
-    least_bits,
-    plane_answer,
-)
+from minkref.fuzz.judges.plane.paper_cgal import beside_in_plane, plane_answer
+from minkref.fuzz.judges.space.paper_nef import beside_in_space
 from minkref.fuzz.libraries.paper.program_name import read_name
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run.naming import load, load_in_plane

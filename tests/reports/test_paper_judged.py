@@ -3,11 +3,22 @@
 from __future__ import annotations
 
 import pytest
+from minkref.fuzz.judges.beside import AGREE, GAVE_UP, OURS, THEIRS
 from minkref.fuzz.judges.plane.paper_algebra import INVENTED, MISPLACED, MISSED, RIGHT
-from minkref.fuzz.judges.plane.paper_cgal import AGREE, GAVE_UP, OURS, THEIRS
 from minkref.reports.paper.entry import Verdict
 from minkref.reports.paper.judged_entry import events_entry, sums_entry
-from minkref.reports.paper.judged_runs import EVENTS, SUMS, Judged, Row, as_text, kept, read, share
+from minkref.reports.paper.judged_runs import (
+    EVENTS,
+    SOLIDS,
+    SUMS,
+    Judged,
+    Row,
+    as_text,
+    kept,
+    read,
+    share,
+    together,
+)
 
 CORRECTED = "update, all corrected"
 LEAST = {CORRECTED: {"53 bits": 5, "200 bits": 2, "no tried precision": 3}}
@@ -74,7 +85,7 @@ def test_without_runs_the_entries_say_how_to_make_them() -> None:
 
 
 def test_the_kept_runs_have_no_fault_of_the_corrected_programs_in_rational_numbers() -> None:
-    judged, listed = kept(SUMS), kept(EVENTS)
+    judged, listed = together(kept(SUMS), kept(SOLIDS)), kept(EVENTS)
     assert judged is not None and listed is not None
     right = ("static program", CORRECTED, "repair, all corrected")
     exact = [r for r in judged.rows if r.arithmetic == "rational" and r.program in right]

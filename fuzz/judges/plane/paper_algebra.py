@@ -1,5 +1,5 @@
-"""The event array of the paper's program before computer algebra: each birth and death of two
-edges that one of both lists."""
+"""The event array of the paper's program before computer algebra: births and deaths of contacts
+between two edges."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ UNDECIDED = "undecided"  # the arithmetic told no sign: no list
 
 @dataclass(frozen=True)
 class Algebra:
-    """The events of a pair of sets by computer algebra."""
+    """Events by computer algebra."""
 
     edges: int
     scales: Scales
 
 
 def by_algebra(P: _core.PolygonSet, Q: _core.PolygonSet, most_edges: int) -> Algebra | None:
-    """All births and deaths of pairs of edges, from the definitions; None for more than so many
-    edges. O(n^2), exact."""
+    """Derives all births and deaths from the definitions; None beyond `most_edges`. O(n^2),
+    exact."""
     first, second = (
         [
             [rationals(map(str, corner)) for corner in ring]
@@ -56,7 +56,7 @@ def by_algebra(P: _core.PolygonSet, Q: _core.PolygonSet, most_edges: int) -> Alg
 
 
 def listed(P: _core.PolygonSet, Q: _core.PolygonSet, name: ProgramName) -> Scales:
-    """The births and deaths that the program lists. Raises UndecidedSign."""
+    """The program's births and deaths. Raises UndecidedSign."""
     edges = [parents_of(row) for row in _core.reduced_convolution(P, Q)]
     program = _core.PaperUpdate(P, Q, "1", name.arithmetic, name.readings)
     return {

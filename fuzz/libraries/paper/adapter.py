@@ -1,8 +1,8 @@
-"""The paper's own programs; the argument is a target's name without its prefix
-(`program_name.py`), as `mpfr:53` or `rational,corrected`.
+"""The paper's own programs; the argument, `mpfr:53` or `rational,corrected`, is a target's name
+without its prefix (`program_name.py`).
 
 Operands come as exact numbers; the program takes the nearest numbers of its arithmetic, and scales
-P by itself. What its arithmetic cannot tell, and what the program refuses, it gives up.
+P by itself. It gives up undecided signs and refused operands.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Programs:
 
 
 def guarded(work: Callable[[], Fields]) -> Fields:
-    """Gives up what the program refuses or its arithmetic cannot tell."""
+    """Turns refusals and undecided signs into GaveUp."""
     try:
         return work()
     except REFUSALS as error:

@@ -10,11 +10,11 @@ from minkref import _core
 from minkref.fuzz.libraries.paper.program_name import ProgramName
 
 Fields = dict[str, Any]
-ELSEWHERE = ("1", "2")  # where a walk begins: at the first that is not asked for
+ELSEWHERE = ("1", "2")  # walks begin at the first other scale
 
 
 class PlaneProgram:
-    """One program in the plane, and the state that its last sum left."""
+    """One program, and its state after the last sum."""
 
     def __init__(self, name: ProgramName) -> None:
         self._name = name
@@ -32,7 +32,7 @@ class PlaneProgram:
         return self.update(scale)
 
     def update(self, scale: str) -> Fields:
-        """Walks on from the scale that the last sum left."""
+        """Walks on from the last sum's scale."""
         if self._walk is None:
             raise ValueError("`update` before any sum")
         self._walk.move_to(scale)

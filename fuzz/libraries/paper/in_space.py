@@ -17,7 +17,7 @@ ELSEWHERE: tuple[Scaling, ...] = (("1", "1", "1"), ("2", "1", "1/3"))  # as in t
 
 
 class SpaceProgram:
-    """The repair, and the state that its last sum left."""
+    """The repair, and its state after the last sum."""
 
     def __init__(self, name: ProgramName) -> None:
         self._name = name
@@ -36,8 +36,7 @@ class SpaceProgram:
         return self.update(scale)
 
     def update(self, scale: str | list[str]) -> Fields:
-        """Repairs on from the scaling that the last sum left: its facets as they are claimed, each
-        by itself."""
+        """Repairs on from the last sum's scaling; returns each claimed facet by itself."""
         if self._repair is None:
             raise ValueError("`update` before any sum")
         self._repair.update(_scaling(scale))

@@ -19,7 +19,7 @@ from minkref.errors import Refusal, nearest, refusal_of
 PREFIX = "minkref-paper"
 PRINTED, CORRECTED, STATIC = FORMS = ("printed", "corrected", "static")
 EXACT = "rational"
-RELATIVE_OF_DOUBLES = 9  # decimal digits of a sum that have to be right, of 53 bits
+RELATIVE_OF_DOUBLES = 9  # right decimal digits of a sum, for 53 bits
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ _BOTH = (IN_PLANE, IN_SPACE)
 
 @dataclass(frozen=True)
 class ProgramName:
-    """What a name says. `argument`: the name without its prefix."""
+    """A name, read. `argument`: the name without its prefix."""
 
     argument: str
     arithmetic: str
@@ -55,22 +55,22 @@ class ProgramName:
 
     @property
     def is_exact(self) -> bool:
-        """Whether it claims to have the sum: exact numbers, and nothing read as printed."""
+        """Whether it claims the exact sum: exact numbers, all readings corrected."""
         right = self.readings == IN_PLANE.all_of(CORRECTED)
         right = right and self.repair == IN_SPACE.all_of(CORRECTED)
         return self.arithmetic == EXACT and (self.is_static or right)
 
     @property
     def bits(self) -> int | None:
-        """The significant bits of its numbers; None if they are exact."""
+        """Significant bits; None for exact numbers."""
         if self.arithmetic.startswith("mpfr:"):
             return int(self.arithmetic.removeprefix("mpfr:"))
         return None if self.arithmetic == EXACT else 53
 
     @property
     def relative(self) -> Fraction:
-        """The relative tolerance: 1e-9 for 53 bits, as for other targets with doubles, and as many
-        digits more or fewer as the bits have. 0 for exact numbers, whatever the formulas."""
+        """The relative tolerance: 1e-9 for 53 bits, like other targets with doubles, in proportion
+        for other bits. 0 for exact numbers, with any formulas."""
         if self.bits is None:
             return Fraction(0)
         return Fraction(1, 10 ** max(1, RELATIVE_OF_DOUBLES * self.bits // 53))
@@ -103,7 +103,7 @@ def read_name(name: str) -> ProgramName:
 
 
 def _form(words: list[str], name: str) -> str:
-    """All formulas as printed, unless a word says otherwise."""
+    """Defaults to `printed`."""
     unknown = [word for word in words if word not in FORMS]
     if unknown:
         what = f"the paper's program has no form {unknown[0][:40]!r}"
@@ -115,7 +115,7 @@ def _form(words: list[str], name: str) -> str:
 
 
 def _set(choices: _Choices, readings: dict[str, str], word: str, name: str) -> bool:
-    """Sets the reading that a word spells; False if the section has none of this name."""
+    """Sets one reading; False if the section has no such name."""
     reading, _, value = word.partition("=")
     if reading not in readings:
         return False

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.judges.beside import least_bits
 from minkref.fuzz.judges.plane.paper_algebra import (
     INVENTED,
     MISPLACED,
@@ -20,7 +21,6 @@ from minkref.fuzz.judges.plane.paper_algebra import (
     compared,
     listed,
 )
-from minkref.fuzz.judges.plane.paper_cgal import least_bits
 from minkref.fuzz.libraries.paper.program_name import PREFIX, ProgramName, read_name
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run.naming import load
@@ -61,8 +61,8 @@ class Task:
 
 @dataclass
 class Found:
-    """Counts of events by program and arithmetic; `wrong`: the first case that all formulas
-    corrected, in rational numbers, get wrong."""
+    """Event counts by program and arithmetic; `wrong`: faults of the all-corrected program in
+    rational numbers."""
 
     cases: int = 0
     events: int = 0

@@ -1,5 +1,5 @@
-"""The paper's programs beside CGAL and the exact routes, in one matrix of `minkref verify`: no case
-is left out that could be asked, and every wrong answer has a witness."""
+"""The paper's programs beside CGAL and the exact routes, in one matrix of `minkref verify`: all
+possible questions asked, each wrong answer with a witness."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ PROGRAMS = tuple(
 CGAL = ("cgal-reduced", "cgal-triangulation", "cgal-nef")
 OURS = ("minkref:paper", "minkref:dynamic", "minkref:convex", "minkref:edges")
 CASES, SOLIDS, SECONDS = Counts(20, 100, None), Counts(6, 30, None), 60
-# What no program can be asked: events of sums without area, or of many pairs of edges, laws that
-# say nothing of a case, and questions that no paper's program answers.
+# Questions beyond every program: events of sums without area or with many pairs of edges, laws
+# without consequence for a case, verbs of no program.
 NO_QUESTION = (
     "does not declare", "no events are known", "more than", "the law says nothing",
     "as large as the window",
