@@ -6,7 +6,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from minkref.fuzz.judges.beside import AGREE, COMPARED, GAVE_UP, OURS
-from minkref.fuzz.judges.plane.paper_algebra import INVENTED, MISPLACED, MISSED, RIGHT, UNDECIDED
+from minkref.fuzz.judges.plane.paper_algebra import (
+    GENERAL,
+    INVENTED,
+    MISPLACED,
+    MISSED,
+    RIGHT,
+    UNDECIDED,
+)
 from minkref.reports.paper.entry import Claim, Entry, Picture, Table
 from minkref.reports.paper.judged_plots import TRUE_EVENTS, events_plot, sums_plot
 from minkref.reports.paper.judged_runs import EVENTS, SOLIDS, SUMS, Judged, Row, kept, together
@@ -108,7 +115,7 @@ def _sums(judged: Judged) -> Table:
 
 
 def _events(judged: Judged) -> Table:
-    kinds = (RIGHT, MISSED, INVENTED, MISPLACED, UNDECIDED)
+    kinds = (RIGHT, MISSED, INVENTED, MISPLACED, UNDECIDED, GENERAL)
     rows = [
         [row.program, row.arithmetic, _true(row), *(row.counts.get(kind, 0) for kind in kinds)]
         for row in judged.rows

@@ -85,7 +85,7 @@ def test_printed_events_are_missed_invented_and_misplaced() -> None:
     case = case_of("touching:61:1")
     truth = by_algebra(case.P, case.Q, MOST_EDGES)
     assert truth is not None
-    counts = compared(truth.scales, listed(case.P, case.Q, PRINTED), PRINTED.relative)
+    counts = compared(truth, listed(case.P, case.Q, PRINTED), PRINTED.relative)
     assert counts[MISSED] > 0 and counts[INVENTED] > 0
     assert counts[RIGHT] + counts[MISPLACED] + counts[MISSED] == len(truth.scales)
 

@@ -8,10 +8,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from minkref import _core
+from minkref.fuzz.judges.plane.event_comparison import is_degenerate
 from minkref.fuzz.judges.plane.event_rows import parents_of
 from minkref.fuzz.libraries.paper.program_name import ProgramName
 from minkref.oracle.symbolic.arrangement import pairwise_events
 from minkref.oracle.symbolic.convolution import reduced_convolution
+from minkref.oracle.symbolic.moving import MovingSegment
 from minkref.oracle.symbolic.rational import rationals
 
 Parents = tuple[str, int, int, int, int]
@@ -20,6 +22,7 @@ Change = tuple[frozenset[Parents], bool]
 Scales = dict[Change, Fraction]
 BEGINS = {"birth": (True,), "death": (False,), "touch": (True, False), "overlap": (True, False)}
 RIGHT, MISPLACED, MISSED, INVENTED = "right", "misplaced", "missed", "invented"
+GENERAL = "wrong in general position"  # of the wrong ones, those of pairs that are not degenerate
 UNDECIDED = "undecided"  # the arithmetic told no sign: no list
 
 
@@ -29,6 +32,13 @@ class Algebra:
 
     edges: int
     scales: Scales
+    segments: dict[Parents, MovingSegment]
+
+    def is_general(self, change: Change) -> bool:
+        """Whether the pair is in general position: not parallel, and each end comes to the other
+        edge's line at a scale of its own."""
+        pair = sorted((self.segments[each] for each in change[0]), key=lambda each: each.kind)
+        return len(pair) == 2 and not is_degenerate(pair[0], pair[1])
 
 
 def by_algebra(P: _core.PolygonSet, Q: _core.PolygonSet, most_edges: int) -> Algebra | None:
@@ -52,7 +62,7 @@ def by_algebra(P: _core.PolygonSet, Q: _core.PolygonSet, most_edges: int) -> Alg
             scales[pair, begins] = Fraction(
                 int(each.event.s.numerator), int(each.event.s.denominator)
             )
-    return Algebra(len(found), scales)
+    return Algebra(len(found), scales, {edge.parents: edge.segment for edge in found})
 
 
 def listed(P: _core.PolygonSet, Q: _core.PolygonSet, name: ProgramName) -> Scales:
@@ -65,14 +75,17 @@ def listed(P: _core.PolygonSet, Q: _core.PolygonSet, name: ProgramName) -> Scale
     }
 
 
-def compared(truth: Scales, claimed: Scales, relative: Fraction) -> Counter[str]:
+def compared(truth: Algebra, claimed: Scales, relative: Fraction) -> Counter[str]:
     """Counts: a scale is right within a relative tolerance."""
     counts: Counter[str] = Counter()
-    for change, scale in truth.items():
+    wrong = [change for change in claimed if change not in truth.scales]
+    counts[INVENTED] += len(wrong)
+    for change, scale in truth.scales.items():
         got = claimed.get(change)
-        if got is None:
-            counts[MISSED] += 1
-        else:
-            counts[RIGHT if abs(got - scale) <= relative * scale else MISPLACED] += 1
-    counts[INVENTED] += sum(change not in truth for change in claimed)
+        if got is not None and abs(got - scale) <= relative * scale:
+            counts[RIGHT] += 1
+            continue
+        counts[MISSED if got is None else MISPLACED] += 1
+        wrong.append(change)
+    counts[GENERAL] += sum(map(truth.is_general, wrong))
     return counts

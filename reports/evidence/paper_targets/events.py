@@ -11,6 +11,7 @@ from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.judges.beside import least_bits
 from minkref.fuzz.judges.plane.paper_algebra import (
+    GENERAL,
     INVENTED,
     MISPLACED,
     MISSED,
@@ -116,7 +117,7 @@ def _follow(case: Case, truth: Algebra, task: Task, found: Found) -> None:
 
 def _counts(case: Case, truth: Algebra, name: ProgramName) -> Counter[str]:
     try:
-        return compared(truth.scales, listed(case.P, case.Q, name), name.relative)
+        return compared(truth, listed(case.P, case.Q, name), name.relative)
     except _core.UndecidedSign:
         return Counter({UNDECIDED: len(truth.scales)})
 
@@ -132,6 +133,14 @@ def run(findings: Findings, size: Size) -> None:
     findings.none(
         "all corrected, rational: cases whose events are not computer algebra's", found.wrong
     )
+    finest = size.of(ARITHMETICS)[-1]
+    general = found.counts.get((ALL_CORRECTED, finest), Counter())[GENERAL]
+    findings.target(
+        f"all corrected, {finest}: wrong events of pairs in general position",
+        not general,
+        0,
+        general,
+    )
     rows = [
         Row(program, arithmetic, ALGEBRA, dict(counts))
         for (program, arithmetic), counts in found.counts.items()
@@ -146,7 +155,7 @@ def run(findings: Findings, size: Size) -> None:
     for row in rows:
         told = ", ".join(
             f"{row.counts.get(kind, 0):,} {kind}"
-            for kind in (MISSED, INVENTED, MISPLACED, UNDECIDED)
+            for kind in (MISSED, INVENTED, MISPLACED, UNDECIDED, GENERAL)
             if row.counts.get(kind, 0)
         )
         findings.note(f"{row.program}, {row.arithmetic}: {told or 'nothing wrong'}")
