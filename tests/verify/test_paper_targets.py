@@ -18,7 +18,7 @@ from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.runner import run
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.baseline import Baseline
-from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
+from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Reason, Verdict
 from named_cases import named
 from thoroughness import draws
 
@@ -145,6 +145,12 @@ def test_the_tolerance_follows_the_bits() -> None:
         "mpfr:53": Fraction(1, 10**9),
         "mpfr:200": Fraction(1, 10**33),
     }
+
+
+@pytest.mark.parametrize("bits", [2, 2000, 100_000])
+def test_any_number_of_bits_can_be_declared(outcomes: Outcomes, bits: int) -> None:
+    (said,) = outcomes(f"minkref-paper@mpfr:{bits},static", "random:1:3")
+    assert said.verdict in (*GOOD, Verdict.WRONG), said
 
 
 def test_all_targets_leave_out_programs_that_are_wrong_by_design() -> None:

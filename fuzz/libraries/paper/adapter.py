@@ -65,7 +65,10 @@ def declaration(name: ProgramName) -> Fields:
         "sets": "regularised",
         "capabilities": able.split(),
     }
-    return fields if name.is_exact else {**fields, "tolerance": {"relative": str(name.relative)}}
+    if name.is_exact:
+        return fields
+    relative = "0" if name.digits is None else f"1e-{name.digits}"
+    return {**fields, "tolerance": {"relative": relative}}
 
 
 def main(argument: str) -> None:

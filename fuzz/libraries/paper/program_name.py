@@ -19,7 +19,8 @@ from minkref.errors import Refusal, nearest, refusal_of
 PREFIX = "minkref-paper"
 PRINTED, CORRECTED, STATIC = FORMS = ("printed", "corrected", "static")
 EXACT = "rational"
-RELATIVE_OF_DOUBLES = 9  # right decimal digits of a sum, for 53 bits
+DIGITS_OF_DOUBLES = 9  # right decimal digits of a sum, for 53 bits
+MOST_DIGITS = 9999  # of a tolerance in a declaration
 
 
 @dataclass(frozen=True)
@@ -68,12 +69,17 @@ class ProgramName:
         return None if self.arithmetic == EXACT else 53
 
     @property
+    def digits(self) -> int | None:
+        """How many decimal digits of a sum have to be right; None for all."""
+        if self.bits is None:
+            return None
+        return min(MOST_DIGITS, max(1, DIGITS_OF_DOUBLES * self.bits // 53))
+
+    @property
     def relative(self) -> Fraction:
         """The relative tolerance: 1e-9 for 53 bits, like other targets with doubles, in proportion
         for other bits. 0 for exact numbers, with any formulas."""
-        if self.bits is None:
-            return Fraction(0)
-        return Fraction(1, 10 ** max(1, RELATIVE_OF_DOUBLES * self.bits // 53))
+        return Fraction(0) if self.digits is None else Fraction(1, 10**self.digits)
 
     @property
     def title(self) -> str:
