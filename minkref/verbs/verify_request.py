@@ -127,7 +127,9 @@ LinesFile = Annotated[
 First = Annotated[
     bool, typer.Option("--first", help="Stop at the first case that is wrong or broken.")
 ]
-Strict = Annotated[bool, typer.Option("--strict", help="Exit with 4 if something stays undecided.")]
+Strict = Annotated[
+    bool, typer.Option("--strict", help="Exit with 4 if something stays undecided or is given up.")
+]
 CallOutput = Annotated[
     int,
     typer.Option(

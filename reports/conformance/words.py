@@ -69,5 +69,5 @@ def ending(code: int) -> str:
         1: "Something is proven wrong.",
         2: "Nothing was run: there was no case, or every target skipped all of them.",
         3: "Something crashed, hung or gave no answer; nothing is proven wrong.",
-        4: "Something stays undecided.",
+        4: "Something stays undecided, or is given up.",
     }.get(code, f"Exit code {code}.")

@@ -20,7 +20,7 @@ from minkref.reports.paper.judged_runs import SOLIDS
 
 MINUTES = Minutes(0.1, 1, 4)
 
-CASES = Counts(10, 40, 100)
+CASES = Counts(10, 24, 40)
 FORMS = {"corrected": "repair, all corrected", "printed": "repair, all as printed"}
 NEF = "cgal-nef"
 
