@@ -77,18 +77,40 @@ std::optional<TouchingPoint> touching(const PathProblem& problem, const ConvexCo
 
 }  // namespace
 
+namespace {
+
+/// The contact at a place where two pieces start or stop to collide.
+PathBound contact_of(const PathProblem& problem, const MovingPieces& pieces,
+                     const CollisionEnd<Point>& end) {
+  const auto& [scale, blocks, at, triple] = end;
+  const auto where = touching(problem, pieces.part()[triple.part].corners,
+                              pieces.obstacles()[triple.obstacle].corners, at.point, scale);
+  if (!where) throw std::logic_error("pieces do not touch where their collisions end");
+  return {scale, blocks, at, where->part, where->obstacle, where->at};
+}
+
+MovingPieces pieces_of(const PathProblem& problem) {
+  return {problem.part, problem.obstacles, problem.path, problem.rule == ContactRule::allowed};
+}
+
+}  // namespace
+
 std::vector<PathBound> bounds_of(const PathProblem& problem, const std::vector<ScaleRange>& valid) {
-  const MovingPieces pieces(problem.part, problem.obstacles, problem.path,
-                            problem.rule == ContactRule::allowed);
+  const MovingPieces pieces = pieces_of(problem);
   std::vector<PathBound> bounds;
-  for (const auto& [scale, blocks, at, triple] :
-       ends_of_collisions(pieces, problem.window, valid)) {
-    const auto where = touching(problem, pieces.part()[triple.part].corners,
-                                pieces.obstacles()[triple.obstacle].corners, at.point, scale);
-    if (!where) throw std::logic_error("pieces do not touch at a bound of the valid scales");
-    bounds.push_back({scale, blocks, at, where->part, where->obstacle, where->at});
+  for (const auto& end : ends_of_collisions(pieces, problem.window, valid)) {
+    bounds.push_back(contact_of(problem, pieces, end));
   }
   return bounds;
+}
+
+std::vector<PathBound> stops_of(const PathProblem& problem, const std::vector<Rational>& scales) {
+  const MovingPieces pieces = pieces_of(problem);
+  std::vector<PathBound> stops;
+  for (const Rational& scale : scales) {
+    stops.push_back(contact_of(problem, pieces, first_collision(pieces, scale)));
+  }
+  return stops;
 }
 
 }  // namespace minkref::inline motion

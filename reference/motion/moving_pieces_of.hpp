@@ -106,6 +106,13 @@ class MovingPiecesOf {
     return polygon_of(triple, all);
   }
 
+  /// The least place of the segment at which a triple collides at a scale, or the limit of such
+  /// places. Exact.
+  std::optional<Rational> first_place(const Triple& triple, const Rational& scale) const {
+    return least_place(conditions(triple), scale, strict_,
+                       path_[triple.segment] == end_of(triple.segment));
+  }
+
   const std::vector<Piece>& part() const { return part_; }
   const std::vector<Piece>& obstacles() const { return obstacles_; }
   bool is_strict() const { return strict_; }

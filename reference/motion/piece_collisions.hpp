@@ -98,4 +98,25 @@ std::vector<CollisionEnd<typename Geometry::Point>> ends_of_collisions(
   return result;
 }
 
+/// The first place along the path where some triple collides at a scale, or the limit of such
+/// places, with that triple. Throws std::logic_error if nothing collides. Exact.
+template <class Geometry>
+CollisionEnd<typename Geometry::Point> first_collision(const MovingPiecesOf<Geometry>& pieces,
+                                                       const Rational& scale) {
+  std::optional<CollisionEnd<typename Geometry::Point>> first;
+  const Enclosure about = enclose(scale);
+  pieces.each({{about.lower, about.upper}}, false, [&](const PieceTriple& triple) {
+    const auto t = pieces.first_place(triple, scale);
+    if (!t) return;
+    const auto is_first = [&](const PieceTriple& of, const Rational& at) {
+      return std::tie(of.segment, at, of.part, of.obstacle) <=
+             std::tie(triple.segment, *t, triple.part, triple.obstacle);
+    };
+    if (first && is_first(first->triple, first->at.t)) return;
+    first = {scale, true, pieces.place(triple.segment, *t), triple};
+  });
+  if (!first) throw std::logic_error("nothing collides on the path at a scale that is not valid");
+  return *first;
+}
+
 }  // namespace minkref::inline motion

@@ -69,6 +69,25 @@ std::optional<StripPolygon> strip_polygon(const std::vector<StripCondition>& con
   return result;
 }
 
+std::optional<Rational> least_place(const std::vector<StripCondition>& conditions,
+                                    const Rational& scale, bool strict, bool is_point) {
+  Rational low = 0, high = is_point ? 0 : 1;
+  for (const StripCondition& c : conditions) {
+    const Rational rest = c.s_slope * scale + c.constant;
+    const int slope = is_point ? 0 : sign(c.t_slope);
+    if (slope == 0) {
+      if (strict ? rest >= 0 : rest > 0) return std::nullopt;
+    } else if (slope > 0) {
+      high = std::min(high, Rational(-rest / c.t_slope));
+    } else {
+      low = std::max(low, Rational(-rest / c.t_slope));
+    }
+  }
+  // Strict conditions hold on an open interval, which has a part between 0 and 1 or none.
+  const bool some = strict && !is_point ? low < high : low <= high;
+  return some ? std::optional(low) : std::nullopt;
+}
+
 StripScales scales_of(const StripPolygon& polygon) {
   const StripPoint& first = polygon.corners[0];
   StripScales result{first.s, first.s, first.t, first.t};

@@ -38,6 +38,11 @@ struct StripScales {
 std::optional<StripPolygon> strip_polygon(const std::vector<StripCondition>& conditions,
                                           bool strict, bool is_point);
 
+/// The infimum of the places that meet all conditions at a scale; none without such a place. Exact.
+/// O(n).
+std::optional<Rational> least_place(const std::vector<StripCondition>& conditions,
+                                    const Rational& scale, bool strict, bool is_point);
+
 /// Exact. O(n).
 StripScales scales_of(const StripPolygon& polygon);
 

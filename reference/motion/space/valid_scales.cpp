@@ -66,24 +66,17 @@ SolidPiece placed_piece(const SolidPiece& turned, const SpacePoint& x, const Rat
   return SolidPiece(result);
 }
 
-std::vector<SpacePathBound> bounds_in_space(const SpaceProblem& problem, const MovingSolids& pieces,
-                                            const std::vector<ScaleRange>& valid) {
-  std::vector<SpacePathBound> bounds;
-  for (const auto& [scale, blocks, at, triple] :
-       ends_of_collisions(pieces, problem.window, valid)) {
-    const SolidPiece part = placed_piece(pieces.part()[triple.part], at.point, scale);
-    std::optional<SpacePathBound> bound;
-    for (const SpacePoint& p : touching_points(part, pieces.obstacles()[triple.obstacle])) {
-      const auto of_part = feature_at(problem.part, 1 / scale * (p - at.point));
-      const auto of_obstacles = feature_at(problem.obstacles, p);
-      if (!of_part || !of_obstacles) continue;
-      bound = SpacePathBound{scale, blocks, at, *of_part, *of_obstacles, p};
-      break;
-    }
-    if (!bound) throw std::logic_error("pieces do not touch at a bound of the valid scales");
-    bounds.push_back(*bound);
+/// The contact at a place where two pieces start or stop to collide.
+SpacePathBound contact_of(const SpaceProblem& problem, const MovingSolids& pieces,
+                          const CollisionEnd<SpacePoint>& end) {
+  const auto& [scale, blocks, at, triple] = end;
+  const SolidPiece part = placed_piece(pieces.part()[triple.part], at.point, scale);
+  for (const SpacePoint& p : touching_points(part, pieces.obstacles()[triple.obstacle])) {
+    const auto of_part = feature_at(problem.part, 1 / scale * (p - at.point));
+    const auto of_obstacles = feature_at(problem.obstacles, p);
+    if (of_part && of_obstacles) return {scale, blocks, at, *of_part, *of_obstacles, p};
   }
-  return bounds;
+  throw std::logic_error("pieces do not touch where their collisions end");
 }
 
 bool contains_origin_in_plane(const Polyhedron& polygon) {
@@ -130,8 +123,22 @@ SpaceValidScales valid_scales(const Polyhedron& part, const Polyhedron& obstacle
                                   ? collisions_of(pieces, window, result.statistics)
                                   : collisions_by_contacts_in_space(problem, result.statistics);
   result.valid = collisions.left_of(window);
-  result.bounds = bounds_in_space(problem, pieces, result.valid);
+  for (const auto& end : ends_of_collisions(pieces, window, result.valid)) {
+    result.bounds.push_back(contact_of(problem, pieces, end));
+  }
   return result;
+}
+
+std::vector<SpacePathBound> stops_of(const Polyhedron& part, const Polyhedron& obstacles,
+                                     const std::vector<SpacePoint>& path, ContactRule rule,
+                                     const std::vector<Rational>& scales) {
+  const SpaceProblem problem{part, obstacles, path, rule, {}};
+  const MovingSolids pieces = moving_solids(problem);
+  std::vector<SpacePathBound> stops;
+  for (const Rational& scale : scales) {
+    stops.push_back(contact_of(problem, pieces, first_collision(pieces, scale)));
+  }
+  return stops;
 }
 
 bool star_shaped(const Polyhedron& part) {

@@ -33,6 +33,13 @@ SpaceValidScales valid_scales(const Polyhedron& part, const Polyhedron& obstacle
                               ContactRule rule = ContactRule::allowed,
                               const ScaleWindow& window = {}, PathRoute route = PathRoute::pieces);
 
+/// The first place along the path where the part collides at each scale, or the limit of such
+/// places, and the contact there. Requires operands as above, not empty, a path that is not valid
+/// at any of the scales, and a free first place. Exact.
+std::vector<SpacePathBound> stops_of(const Polyhedron& part, const Polyhedron& obstacles,
+                                     const std::vector<SpacePoint>& path, ContactRule rule,
+                                     const std::vector<Rational>& scales);
+
 /// The most pairs of pieces, or of a piece and a path vertex; some 300 bytes each.
 constexpr std::size_t most_pairs_on_a_path = std::size_t{1} << 22;
 
