@@ -134,6 +134,24 @@ void bind_paths(nb::module_& module) {
       "(ranges, bounds, statistics) of a polyline: a range is (from, with it, to, with it), a "
       "bound (scale, blocks, segment, t, place, part, obstacle, where they touch).");
   module.def(
+      "held_scales",
+      [](const Set& part, const Set& obstacles, const std::vector<ExactPoint>& way,
+         const std::string& contact, const OptionalText& from, const OptionalText& to,
+         const std::string& route) {
+        std::vector<Point> points;
+        for (const ExactPoint& p : way) points.push_back(point_of(p));
+        const Computing computing;
+        const HeldScales found =
+            held_scales(part.value, obstacles.value, points, contact_rule(contact),
+                        window_of(from, to), path_route(route));
+        return std::tuple(answer(found.fits), answer(found.way),
+                          held_rows(found.held, [](const PathBound& one) { return row(one); }));
+      },
+      "part"_a, "obstacles"_a, "way"_a, "contact"_a = "allowed", "from_scale"_a = nb::none(),
+      "to_scale"_a = nb::none(), "route"_a = "pieces",
+      "(fits, way, held): the first two as valid_scales, of the way's first vertex and of the way; "
+      "a held range is (range, begin, end, stop), an end (whether at the place, bound) or None.");
+  module.def(
       "path_diagram",
       [](const Set& part, const Set& obstacles, const std::vector<ExactPoint>& path,
          const std::string& contact, const OptionalText& from, const std::string& to,

@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "bindings/core.hpp"
 #include "bindings/core_fields.hpp"
+#include "reference/motion/held_scales.hpp"
 #include "reference/motion/valid_scales.hpp"
 
 namespace minkref::python {
@@ -22,6 +24,30 @@ inline std::vector<RangeRow> range_rows(const std::vector<ScaleRange>& ranges) {
     OptionalText to;
     if (range.to) to = to_string(range.to->scale);
     result.emplace_back(to_string(range.from.scale), range.from_in(), to, range.to_in());
+  }
+  return result;
+}
+
+/// Whether the contact is one at the place, and the contact.
+template <class BoundRow>
+using HeldEndRow = std::optional<std::pair<bool, BoundRow>>;
+/// Range, contacts at its begin and end, stop at its sample.
+template <class BoundRow>
+using HeldRangeRow = std::tuple<RangeRow, HeldEndRow<BoundRow>, HeldEndRow<BoundRow>, BoundRow>;
+
+/// `row`: makes the row of a bound.
+template <class Bound, class MakeRow>
+auto held_rows(const std::vector<HeldRangeOf<Bound>>& held, const MakeRow& row) {
+  using BoundRow = decltype(row(held[0].stop));
+  std::vector<HeldRangeRow<BoundRow>> result;
+  const auto end_row = [&](const std::optional<HeldEndOf<Bound>>& end) {
+    HeldEndRow<BoundRow> made;
+    if (end) made.emplace(end->at_place, row(end->contact));
+    return made;
+  };
+  for (const HeldRangeOf<Bound>& range : held) {
+    result.emplace_back(range_rows({range.scales})[0], end_row(range.begin), end_row(range.end),
+                        row(range.stop));
   }
   return result;
 }

@@ -56,12 +56,18 @@ APART = {
         "reference/disc/", "reference/paper/",
         *(f"reference/space/{room}/" for room in ("convex", "critical", "edges")),
     ),
+    "reference/motion/space/free": (
+        "reference/disc/", "reference/paper/", "reference/space/convex/",
+    ),
     "reference/space/edges": tuple(
         f"reference/space/{room}/" for room in ("convex", "definition")
     ),
 }  # fmt: skip
 # Folder: a subfolder whose own rule replaces the outer folder's.
-ITS_OWN = {"reference/motion": "reference/motion/space"}
+ITS_OWN = {
+    "reference/motion": "reference/motion/space",
+    "reference/motion/space": "reference/motion/space/free",
+}
 # Room: modules that Python files there may not import.
 NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
 # Commands that only run the checker, or unpack its files.

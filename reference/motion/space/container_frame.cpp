@@ -1,25 +1,18 @@
 // The outside of a container as an obstacle, and the scales at which a part fits there.
+#include "reference/motion/space/container_frame.hpp"
+
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "reference/error.hpp"
+#include "reference/motion/space/solid_piece.hpp"
 #include "reference/motion/space/swept_pieces.hpp"
 #include "reference/motion/space/valid_scales.hpp"
 #include "reference/number/float_environment.hpp"
 
 namespace minkref::inline space {
 namespace {
-
-struct ExactSpaceBox {
-  SpacePoint low, high;
-  explicit ExactSpaceBox(const std::vector<SpacePoint>& points) : low(points[0]), high(points[0]) {
-    for (const SpacePoint& p : points) add(p);
-  }
-  void add(const SpacePoint& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-};
 
 Polyhedron box_surface(const SpacePoint& a, const SpacePoint& b) {
   return {{a,
@@ -33,41 +26,19 @@ Polyhedron box_surface(const SpacePoint& a, const SpacePoint& b) {
           {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 }
 
-/// A box less a container, so wide that a part which does not meet it lies inside the container.
-struct SpaceFrame {
-  Polyhedron set;  ///< the container's vertices and faces first, these turned over
-  ScaleWindow window;
-
-  SpaceFrame(const Polyhedron& part, const Polyhedron& container, const SpacePoint& at) {
-    const ExactSpaceBox inner(container.vertices), own(part.vertices);
-    const SpacePoint room = inner.high - inner.low, size = own.high - own.low;
-    std::optional<Rational> most;
-    for (const auto& [in, needed] :
-         {std::pair(room.x, size.x), std::pair(room.y, size.y), std::pair(room.z, size.z)}) {
-      if (needed != 0 && (!most || in / needed < *most)) most = in / needed;
-    }
-    window.to = 2 * *most;
-    const Rational margin = *window.to * (size.x + size.y + size.z) + room.x + room.y + room.z;
-    ExactSpaceBox outer = inner;
-    for (const SpacePoint& p : {own.low, own.high}) outer.add(at + *window.to * p);
-    outer.add(at);
-    set = container;
-    for (Face& face : set.faces) std::reverse(face.begin(), face.end());
-    const auto before = static_cast<std::uint32_t>(set.vertices.size());
-    const SpacePoint wide{margin, margin, margin};
-    const Polyhedron box = box_surface(outer.low - wide, outer.high + wide);
-    set.vertices.insert(set.vertices.end(), box.vertices.begin(), box.vertices.end());
-    for (const Face& face : box.faces) {
-      for (std::uint32_t& v : set.faces.emplace_back(face)) v += before;
-    }
-  }
-};
-
 }  // namespace
 
-SpaceFit scales_that_fit_at(const Polyhedron& part, const Polyhedron& container,
-                            const SpacePoint& at, ContactRule rule) {
-  const FloatEnvironment standard;
+ExactSpaceBox::ExactSpaceBox(const std::vector<SpacePoint>& points)
+    : low(points[0]), high(points[0]) {
+  for (const SpacePoint& p : points) add(p);
+}
+
+void ExactSpaceBox::add(const SpacePoint& p) {
+  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+}
+
+void refuse_bad_fit(const Polyhedron& part, const Polyhedron& container) {
   if (is_thin(container)) {
     throw BadInput("degenerate-operands", "the container is without volume", "name a polyhedron");
   }
@@ -75,7 +46,40 @@ SpaceFit scales_that_fit_at(const Polyhedron& part, const Polyhedron& container,
     throw BadInput("point-part", "the part has no extent, so no scale is the largest",
                    "name a segment, a plane polygon or a polyhedron");
   }
-  const SpaceFrame frame(part, container, at);
+}
+
+SpaceFrame::SpaceFrame(const Polyhedron& part, const Polyhedron& container,
+                       const std::vector<SpacePoint>& about) {
+  refuse_bad_fit(part, container);
+  const ExactSpaceBox inner(container.vertices), own(part.vertices);
+  const SpacePoint room = inner.high - inner.low, size = own.high - own.low;
+  std::optional<Rational> most;
+  for (const auto& [in, needed] :
+       {std::pair(room.x, size.x), std::pair(room.y, size.y), std::pair(room.z, size.z)}) {
+    if (needed != 0 && (!most || in / needed < *most)) most = in / needed;
+  }
+  window.to = 2 * *most;
+  const Rational margin = *window.to * (size.x + size.y + size.z) + room.x + room.y + room.z;
+  ExactSpaceBox outer = inner;
+  for (const SpacePoint& at : about) {
+    for (const SpacePoint& p : {own.low, own.high}) outer.add(at + *window.to * p);
+    outer.add(at);
+  }
+  set = container;
+  for (Face& face : set.faces) std::reverse(face.begin(), face.end());
+  const auto before = static_cast<std::uint32_t>(set.vertices.size());
+  const SpacePoint wide{margin, margin, margin};
+  const Polyhedron box = box_surface(outer.low - wide, outer.high + wide);
+  set.vertices.insert(set.vertices.end(), box.vertices.begin(), box.vertices.end());
+  for (const Face& face : box.faces) {
+    for (std::uint32_t& v : set.faces.emplace_back(face)) v += before;
+  }
+}
+
+SpaceFit scales_that_fit_at(const Polyhedron& part, const Polyhedron& container,
+                            const SpacePoint& at, ContactRule rule) {
+  const FloatEnvironment standard;
+  const SpaceFrame frame(part, container, {at});
   const std::vector<SpacePoint> path{at};
   SpaceFit result{valid_scales(part, frame.set, path, rule, frame.window), {}};
   SweptPieces swept(part, frame.set, path, rule);
