@@ -35,6 +35,11 @@ from minkref.disc.disc_index import DiscIndex as DiscIndex
 from minkref.disc.disc_index import OffsetEvent as OffsetEvent
 from minkref.disc.disc_index import square_of
 from minkref.errors import Refusal as Refusal
+from minkref.motion.held_values import HeldEnd as HeldEnd
+from minkref.motion.held_values import HeldRange as HeldRange
+from minkref.motion.held_values import HeldScales as HeldScales
+from minkref.motion.held_values import SpaceHeldScales as SpaceHeldScales
+from minkref.motion.held_values import held_scales as held_scales
 from minkref.motion.path_values import BadPolygon as BadPolygon
 from minkref.motion.path_values import Feature as Feature
 from minkref.motion.path_values import FreeBound as FreeBound
@@ -46,8 +51,11 @@ from minkref.motion.path_values import bad_polygons as bad_polygons
 from minkref.motion.path_values import largest_fit as largest_fit
 from minkref.motion.path_values import trapped_scales as trapped_scales
 from minkref.motion.path_values import valid_scales as valid_scales
+from minkref.motion.space_values import FitSupport as FitSupport
 from minkref.motion.space_values import SpaceFeature as SpaceFeature
 from minkref.motion.space_values import SpaceFitScales as SpaceFitScales
+from minkref.motion.space_values import SpaceFreeBound as SpaceFreeBound
+from minkref.motion.space_values import SpaceFreeScales as SpaceFreeScales
 from minkref.motion.space_values import SpacePathBound as SpacePathBound
 from minkref.motion.space_values import SpaceValidScales as SpaceValidScales
 from minkref.plane.convolution_values import Convolution as Convolution

@@ -20,6 +20,7 @@ HEADINGS = {
         "path": "The scales at which a part passes along a path.",
         "fit": "The scales at which a part fits into a container.",
         "trap": "The scales at which no translation takes a part out of obstacles.",
+        "hold": "The scales at which a part fits and a given way out is blocked.",
         "convolution": "The edges of P and Q at each other's vertices, with their parents.",
     },
     "Judging": {

@@ -24,9 +24,12 @@ from minkref.motion.scale_ranges import (
 from minkref.motion.scale_ranges import ScaleRange as ScaleRange
 from minkref.motion.space_values import (
     SpaceFitScales,
+    SpaceFreeScales,
     SpaceValidScales,
     Surface,
+    fit_anywhere_in_space,
     fit_at_in_space,
+    trapped_in_space,
     valid_scales_in_space,
 )
 
@@ -163,11 +166,13 @@ def _valid_scales_in_the_plane(
     part.validate("part")
     obstacles.validate("obstacles")
     rows = _core.valid_scales(part, obstacles, places, rule, *window, way)
+    return valid_scales_of(rows, _core.star_shaped(part))
+
+
+def valid_scales_of(rows: Any, is_star: bool) -> ValidScales:
+    ranges, bounds, statistics = rows
     return ValidScales(
-        range_values(rows[0]),
-        tuple(_path_bound(row) for row in rows[1]),
-        _core.star_shaped(part),
-        dict(rows[2]),
+        range_values(ranges), tuple(map(path_bound, bounds)), is_star, dict(statistics)
     )
 
 
@@ -219,32 +224,35 @@ def largest_fit(
 ) -> FreeScales: ...
 @overload
 def largest_fit(
-    part: Surface,
-    container: Surface,
-    at: Sequence[Number] | None = ...,
-    between: Sequence[Sequence[Number]] | None = ...,
-    contact: str = ...,
+    part: Surface, container: Surface, at: Sequence[Number], between: None = ..., contact: str = ...
 ) -> SpaceFitScales: ...
+@overload
+def largest_fit(
+    part: Surface, container: Surface, at: None = ..., between: None = ..., contact: str = ...
+) -> SpaceFreeScales: ...
 def largest_fit(
     part: _core.PolygonSet | Surface,
     container: _core.PolygonSet | Surface,
     at: Sequence[Number] | None = None,
     between: Sequence[Sequence[Number]] | None = None,
     contact: str = "allowed",
-) -> FreeScales | SpaceFitScales:
+) -> FreeScales | SpaceFitScales | SpaceFreeScales:
     """Find the scales at which the container holds the part, scaled about its origin: with the
     origin at a place (`at`), at some place (neither `at` nor `between`), or at two places and all
     along some way between them (`between`), by translations. `largest` is the usual answer. Exact.
-    Both sets are validated first. Polyhedra support only `at`. Cost: docs/paths.md. Raises
-    BadInput, Refusal."""
+    Both sets are validated first. Polyhedra do not support `between`; anywhere, the container has
+    to be convex, or some point strictly inside the part has to see all of it. Cost: docs/paths.md.
+    Raises BadInput, Refusal."""
     rule = word_of("contact", contact, CONTACTS)
     if at is not None and between is not None:
         what = "a place and two places are different questions"
         raise Refusal(what, "largest_fit", "give `at` or `between`, or neither")
     if isinstance(part, Surface):
+        if between is not None:
+            what = "in space a fit is found at one place or anywhere"
+            raise Refusal(what, "largest_fit", "give `at`, or neither")
         if at is None:
-            what = "in space a fit is found at one place"
-            raise Refusal(what, "largest_fit", "give `at`")
+            return fit_anywhere_in_space(part, container, rule)
         return fit_at_in_space(part, container, at, rule)
     return _fit_in_the_plane(part, container, at, between, rule)
 
@@ -265,24 +273,46 @@ def _fit_in_the_plane(
     return _free(_core.fit_between(part, container, start, end, rule))
 
 
+@overload
 def trapped_scales(
     part: _core.PolygonSet,
     obstacles: _core.PolygonSet,
     at: Sequence[Number],
+    contact: str = ...,
+    from_scale: Number | None = ...,
+    to_scale: Number | None = ...,
+) -> FreeScales: ...
+@overload
+def trapped_scales(
+    part: Surface,
+    obstacles: Surface,
+    at: Sequence[Number],
+    contact: str = ...,
+    from_scale: Number | None = ...,
+    to_scale: Number | None = ...,
+) -> SpaceFreeScales: ...
+def trapped_scales(
+    part: _core.PolygonSet | Surface,
+    obstacles: _core.PolygonSet | Surface,
+    at: Sequence[Number],
     contact: str = "allowed",
     from_scale: Number | None = None,
     to_scale: Number | None = None,
-) -> FreeScales:
+) -> FreeScales | SpaceFreeScales:
     """Find the scales at which the part, scaled about its origin and put at a place, does not meet
     the obstacles, and no translation removes the part without a collision. A rotation may still
-    free the part. Exact. Without bounds, all scales above 0. Both sets are validated first. Cost:
-    docs/paths.md. Raises BadInput, Refusal."""
+    free the part. Exact. Without bounds, all scales above 0. Both sets are validated first. A
+    polyhedron has to be star-shaped about its origin, with the origin strictly below the planes of
+    all its faces. Cost: docs/paths.md. Raises BadInput, Refusal."""
+    rule = word_of("contact", contact, CONTACTS)
+    window = window_of(from_scale, to_scale)
+    if isinstance(part, Surface):
+        return trapped_in_space(part, obstacles, at, rule, window)
     expect_sets(part=part, obstacles=obstacles)
+    assert isinstance(obstacles, _core.PolygonSet)
     part.validate("part")
     obstacles.validate("obstacles")
     place = _point("at", at)
-    window = window_of(from_scale, to_scale)
-    rule = word_of("contact", contact, CONTACTS)
     return _free(_core.trapped_scales(part, obstacles, place, rule, *window))
 
 
@@ -295,7 +325,7 @@ def _place(row: tuple[str, str]) -> Place:
     return Fraction(row[0]), Fraction(row[1])
 
 
-def _path_bound(row: Any) -> PathBound:
+def path_bound(row: Any) -> PathBound:
     scale, blocks, segment, t, at, part, obstacle, touching = row
     return PathBound(
         Fraction(scale),
@@ -319,7 +349,7 @@ def _free(rows: Any) -> FreeScales:
                 ends,
                 event,
                 _place(at),
-                None if contact is None else _path_bound(contact),
+                None if contact is None else path_bound(contact),
             )
             for scale, ends, event, at, contact in bounds
         ),

@@ -1,9 +1,9 @@
-"""Scales for which a polyhedron passes along a path in space or fits at a place, as values."""
+"""Scales for which a polyhedron passes along a path, fits or is trapped, as values."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -57,6 +57,42 @@ class SpaceFitScales(ScalesInRanges):
     proofs: tuple[tuple[Fraction, bool], ...]
 
 
+@dataclass(frozen=True)
+class FitSupport:
+    """A contact that keeps the part from growing: a vertex of the part on the plane of a face of
+    the container, and its weight. The weighted normals of the faces, each twice the face's area
+    vector, sum up to zero."""
+
+    vertex: int
+    face: int
+    weight: Fraction
+
+
+@dataclass(frozen=True)
+class SpaceFreeBound:
+    """An end (`ends`) or a beginning of scales for a fit or a trap in space. `event`: "contact" if
+    the part touches and fits no more, "death" if the last free places vanish, "split" if a way
+    closes. `at`: a place of the part's origin; for a contact the point that is touched."""
+
+    scale: Fraction
+    ends: bool
+    event: str
+    at: SpacePlace
+    contact: SpacePathBound | None
+
+
+@dataclass(frozen=True)
+class SpaceFreeScales(ScalesInRanges):
+    """The scales at which a polyhedron fits somewhere or is trapped, by translations alone:
+    `ranges`, ascending; `bounds`, their ends; `place`, where the part fits at the greatest scale
+    (None for a trap); `supports`, the proof for a convex container; `proofs` as SpaceFitScales."""
+
+    bounds: tuple[SpaceFreeBound, ...]
+    place: SpacePlace | None
+    supports: tuple[FitSupport, ...]
+    proofs: tuple[tuple[Fraction, bool], ...]
+
+
 def valid_scales_in_space(
     part: Surface,
     obstacles: Any,
@@ -65,16 +101,26 @@ def valid_scales_in_space(
     window: tuple[str | None, str | None],
     route: str,
 ) -> SpaceValidScales:
-    part, walls = surface_of("part", part), surface_of("obstacles", obstacles)
-    places = [_texts(place) for place in path_of(path, 3)]
-    part.validate_summand("part")
-    walls.validate_summand("obstacles")
+    part, walls, places = space_operands(part, obstacles, path)
     rows = _core.valid_scales_in_space(part, walls, places, contact, *window, route)
+    return space_valid_scales_of(rows, _core.star_shaped_in_space(part))
+
+
+def space_operands(
+    part: Any, obstacles: Any, path: Any
+) -> tuple[_core.Polyhedron, _core.Polyhedron, list[tuple[str, str, str]]]:
+    """Validated operands, and the vertices of a path as texts."""
+    first, second = surface_of("part", part), surface_of("obstacles", obstacles)
+    places = [_texts(place) for place in path_of(path, 3)]
+    first.validate_summand("part")
+    second.validate_summand("obstacles")
+    return first, second, places
+
+
+def space_valid_scales_of(rows: Any, is_star: bool) -> SpaceValidScales:
+    ranges, bounds, statistics = rows
     return SpaceValidScales(
-        range_values(rows[0]),
-        tuple(_bound(row) for row in rows[1]),
-        _core.star_shaped_in_space(part),
-        dict(rows[2]),
+        range_values(ranges), tuple(map(space_bound, bounds)), is_star, dict(statistics)
     )
 
 
@@ -88,9 +134,43 @@ def fit_at_in_space(
     (ranges, bounds, _), proofs = _core.fit_at_in_space(first, second, place, contact)
     return SpaceFitScales(
         range_values(ranges),
-        tuple(_bound(row) for row in bounds),
+        tuple(space_bound(row) for row in bounds),
         tuple((Fraction(scale), holds) for scale, holds in proofs),
     )
+
+
+def fit_anywhere_in_space(part: Surface, container: Any, contact: str) -> SpaceFreeScales:
+    first, second = surface_of("part", part), surface_of("container", container)
+    first.validate_summand("part")
+    second.validate_summand("container")
+    found = _free(_core.fit_anywhere_in_space(first, second, contact))
+    contact_there = found.bounds[0].contact
+    return replace(found, place=None if contact_there is None else contact_there.at)
+
+
+def trapped_in_space(
+    part: Surface, obstacles: Any, at: Any, contact: str, window: tuple[str | None, str | None]
+) -> SpaceFreeScales:
+    first, second, [place] = space_operands(part, obstacles, [coordinates("at", at, 3)])
+    return _free(_core.trapped_scales_in_space(first, second, place, contact, *window))
+
+
+def _free(rows: Any) -> SpaceFreeScales:
+    ranges, bounds, supports, proofs, _ = rows
+    return SpaceFreeScales(
+        range_values(ranges),
+        tuple(map(_free_bound, bounds)),
+        None,
+        tuple(FitSupport(vertex, face, Fraction(weight)) for vertex, face, weight in supports),
+        tuple((Fraction(scale), holds) for scale, holds in proofs),
+    )
+
+
+def _free_bound(row: Any) -> SpaceFreeBound:
+    scale, ends, event, at, contact = row
+    told = None if contact is None else space_bound(contact)
+    where = _place(at) if told is None or event != "contact" else told.touching
+    return SpaceFreeBound(Fraction(scale), ends, event, where, told)
 
 
 def _texts(place: Sequence[str]) -> tuple[str, str, str]:
@@ -103,7 +183,7 @@ def _place(row: tuple[str, str, str]) -> SpacePlace:
     return x, y, z
 
 
-def _bound(row: Any) -> SpacePathBound:
+def space_bound(row: Any) -> SpacePathBound:
     scale, blocks, segment, t, at, part, obstacle, touching = row
     return SpacePathBound(
         Fraction(scale),

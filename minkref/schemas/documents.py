@@ -15,8 +15,9 @@ from minkref.schemas.disc.view import DiscViewDocument
 from minkref.schemas.error import ErrorDocument
 from minkref.schemas.lists import FamiliesDocument, ModelsDocument, TargetsDocument
 from minkref.schemas.motion.fit import FitDocument, SpaceFitDocument
+from minkref.schemas.motion.hold import HoldDocument, SpaceHoldDocument
 from minkref.schemas.motion.path import PathDocument, SpacePathDocument
-from minkref.schemas.motion.trap import TrapDocument
+from minkref.schemas.motion.trap import SpaceTrapDocument, TrapDocument
 from minkref.schemas.motion.view import PathViewDocument
 from minkref.schemas.plane.convolution import ConvolutionDocument
 from minkref.schemas.plane.events import EventsDocument
@@ -53,6 +54,8 @@ DOCUMENTS = {
     "fit": FitDocument,
     "fit_in_space": SpaceFitDocument,
     "generate": GenerateDocument,
+    "hold": HoldDocument,
+    "hold_in_space": SpaceHoldDocument,
     "index": IndexDocument,
     "index_with_disc": DiscIndexDocument,
     "models": ModelsDocument,
@@ -68,6 +71,7 @@ DOCUMENTS = {
     "sweep_with_disc": DiscSweepDocument,
     "targets": TargetsDocument,
     "trap": TrapDocument,
+    "trap_in_space": SpaceTrapDocument,
     "verify": VerifyDocument,
     "view": ViewDocument,
     "view_in_space": SpaceViewDocument,

@@ -22,12 +22,14 @@ minkref fit bolt.wkt slot.wkt --at 3,1/2
 
 minkref fit cutter.wkt pocket.wkt --between 2,2 7,2 --contact forbidden --json
 
-minkref fit part.off housing.off --at 3,1/2,0"""
+minkref fit part.off housing.off --at 3,1/2,0
+
+minkref fit part.off housing.off --anywhere"""
 
 TOLD = """\
 Find all scales at which a part lies in a container: at a place, somewhere, or all along a
-way between two places, by translations only; in space at a place. Exact, and found again at,
-just below and just above each bound by static sums, in space by what the part's pieces
+way between two places, by translations only; in space at a place, or somewhere. Exact, and found
+again at, just below and just above each bound by static sums, in space by what the part's pieces
 cover."""
 
 Point = tuple[str, str]
@@ -63,12 +65,13 @@ class FitInSpace:
     part: Part
     container: Container
     at: AtInSpace = None
+    anywhere: Anywhere = False
     contact: Contact = "allowed"
     memory: Memory = None
     json: Json = False
 
 
-PLACE = "give --at X,Y,Z"
+PLACE = "give --at X,Y,Z or --anywhere"
 command = command_of(
     "fit",
     TOLD,
@@ -76,8 +79,8 @@ command = command_of(
         PLANE: Verb(FitInPlane, "minkref.motion.commands.fit:run"),
         SPACE: Verb(
             FitInSpace,
-            "minkref.motion.commands.path_in_space:run_fit",
-            instead={"--anywhere": PLACE, "--between": PLACE},
+            "minkref.motion.commands.free_in_space:run_fit",
+            instead={"--between": PLACE},
             code="not-in-space",
         ),
     },

@@ -1,4 +1,4 @@
-"""`minkref trap PART OBSTACLES --at X,Y`: its options. In the plane only."""
+"""`minkref trap PART OBSTACLES --at X,Y`: its options, in the plane and in space."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import typer
 from minkref.cli.memory import Memory
 from minkref.cli.options import GreatestScale, Json, LeastScale
 from minkref.cli.request import Read
-from minkref.cli.verb import Absent, Verb, command_of
-from minkref.exact import read_point
+from minkref.cli.verb import Verb, command_of
+from minkref.exact import read_point, read_space_point
 from minkref.settings import PLANE, SPACE
 from minkref.verbs.fit import Part
 from minkref.verbs.path import Certify, Contact
@@ -21,19 +21,20 @@ minkref trap ball.wkt cage.wkt --at 2,2
 
 minkref trap ball.wkt cage.wkt --at 2,2 --contact forbidden --from 1/2 --to 4 --json
 
-minkref trap ball.wkt cage.wkt --at 2,2 --certify trap.cert.json"""
+minkref trap ball.wkt cage.wkt --at 2,2 --certify trap.cert.json
+
+minkref trap ball.off cage.off --at 2,2,0"""
 
 TOLD = """\
 Find all scales at which a part is free at a place, and no translation takes it away from the
 obstacles. A rotation may free it all the same: "trapped" is by translations only. Exact, and
-found again at, just below and just above each bound by static sums."""
+found again at, just below and just above each bound by static sums. In space the part has to be
+star-shaped about its origin."""
 
 Obstacles = Annotated[str, typer.Argument(help="What may hold the part: a file or a model.")]
-At = Annotated[
-    tuple[str, str],
-    typer.Option("--at", help="Where the part's origin is.", metavar="X,Y"),
-    Read(read_point),
-]
+AT = typer.Option("--at", help="Where the part's origin is; X,Y,Z in space.", metavar="X,Y[,Z]")
+At = Annotated[tuple[str, str], AT, Read(read_point)]
+AtInSpace = Annotated[tuple[str, str, str], AT, Read(read_space_point)]
 
 
 @dataclass(frozen=True)
@@ -49,11 +50,27 @@ class Trap:
     json: Json = False
 
 
+@dataclass(frozen=True)
+class TrapInSpace:
+    part: Part
+    obstacles: Obstacles
+    at: AtInSpace
+    contact: Contact = "allowed"
+    from_scale: LeastScale = None
+    to_scale: GreatestScale = None
+    memory: Memory = None
+    json: Json = False
+
+
 command = command_of(
     "trap",
     TOLD,
     {
         PLANE: Verb(Trap, "minkref.motion.commands.trap:run"),
-        SPACE: Absent("traps are found in the plane", "give two polygon sets"),
+        SPACE: Verb(
+            TrapInSpace,
+            "minkref.motion.commands.free_in_space:run_trap",
+            why={"--certify": "there is no certificate in space"},
+        ),
     },
 )

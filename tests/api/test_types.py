@@ -178,13 +178,32 @@ CALLS |= {
     "largest_fit contact": (lambda x: minkref.largest_fit(SQUARE, SQUARE, contact=x), (str,)),
     "trapped_scales part": (
         lambda x: minkref.trapped_scales(x, SQUARE, (0, 0)),
-        (minkref.PolygonSet,),
+        (minkref.PolygonSet, *SURFACES),
     ),
     "trapped_scales obstacles": (
         lambda x: minkref.trapped_scales(SQUARE, x, (0, 0)),
         (minkref.PolygonSet,),
     ),
     "trapped_scales at": (lambda x: minkref.trapped_scales(SQUARE, SQUARE, x), (tuple,)),
+    "trapped_scales in space": (lambda x: minkref.trapped_scales(SIMPLEX, x, (0, 0, 0)), SURFACES),
+    "held_scales part": (
+        lambda x: minkref.held_scales(x, SQUARE, ORIGIN),
+        (minkref.PolygonSet, *SURFACES),
+    ),
+    "held_scales obstacles": (
+        lambda x: minkref.held_scales(SQUARE, x, ORIGIN),
+        (minkref.PolygonSet,),
+    ),
+    "held_scales obstacles in space": (
+        lambda x: minkref.held_scales(SIMPLEX, x, [(0, 0, 0)]),
+        SURFACES,
+    ),
+    "held_scales way": (lambda x: minkref.held_scales(SQUARE, SQUARE, x), (list,)),
+    "held_scales contact": (lambda x: minkref.held_scales(SQUARE, SQUARE, ORIGIN, x), (str,)),
+    "held_scales to_scale": (
+        lambda x: minkref.held_scales(SQUARE, SQUARE, ORIGIN, to_scale=x),
+        (*NUMBERS, type(None)),
+    ),
     "trapped_scales from_scale": (
         lambda x: minkref.trapped_scales(SQUARE, SQUARE, (0, 0), "allowed", x),
         (*NUMBERS, type(None)),

@@ -26,6 +26,7 @@ COMMANDS = (
     "path",
     "fit",
     "trap",
+    "hold",
     "view",
     "verify",
     "certify",

@@ -61,7 +61,8 @@ TAKEN: dict[str, dict[str, Words]] = {
     },
     "path": {"plane": [SQUARE, NOTCH, WAY], "space": [*CUBES, "0,0,9\n9,0,9"]},
     "fit": {"plane": [SQUARE, ROOM, "--at", "6,6"], "space": [*CUBES, "--at", "0,0,0"]},
-    "trap": {"plane": [SQUARE, ROOM, "--at", "0,0"]},
+    "trap": {"plane": [SQUARE, ROOM, "--at", "0,0"], "space": [*CUBES, "--at", "0,0,0"]},
+    "hold": {"plane": [SQUARE, NOTCH, WAY], "space": [*CUBES, "0,0,9\n9,0,9"]},
     "view": {
         "plane": [SQUARE, NOTCH, "-o", "v.html"], "disc": [NOTCH, "disc", "-o", "v.html"],
         "path": [SQUARE, NOTCH, "--path", WAY, "-o", "v.html"],

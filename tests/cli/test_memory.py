@@ -28,6 +28,7 @@ COMMANDS = {
     "path by its index": ("path", *LARGE, "POINT (0 0)", "--route", "index", "-o", "out.json"),
     "fit": ("fit", *LARGE, "--anywhere"),
     "trap": ("trap", *LARGE, "--at", "0,0"),
+    "hold by its index": ("hold", *LARGE, "POINT (0 0)", "--route", "index", "-o", "out.json"),
 }
 
 

@@ -110,11 +110,12 @@ def test_a_path_is_read_in_each_form(minkref: Minkref, name: str, scene: Path) -
         (("path", "part.off", "walls.off", ORIGIN, "--from", "3", "--to", "2"), "3"),
         (("path", "part.off", "none.off", ORIGIN), "no such file"),
         (("path", "part.off", "walls.off", ORIGIN, "-o", "part.off"), "part.off"),
-        (("fit", "part.off", "room.off", "--anywhere"), "--at X,Y,Z"),
+        (("fit", "part.off", "room.off"), "--at X,Y,Z"),
+        (("fit", "part.off", "walls.off", "--anywhere", "--at", "0,0,0"), "one question"),
         (("fit", "part.off", "room.off", "--between", "0,0", "1,1"), "--at X,Y,Z"),
         (("fit", "part.off", "room.off", "--at", "0,0"), "three numbers"),
         (("fit", "part.off", "g1", "--at", "0,0,0"), "part.off lies in space"),
-        (("trap", "part.off", "room.off", "--at", "0,0,0"), "found in the plane"),
+        (("trap", "part.off", "room.off", "--at", "0,0,0"), "strictly below the planes"),
     ],
 )
 def test_wrong_use_is_refused(minkref: Minkref, words: tuple[str, ...], said: str) -> None:

@@ -74,6 +74,7 @@ STEPS = (
     step("sum g1 disc:1/2 --index disc.json"),
     step("fit g2 g1 --at 0,0", "93/1360"),
     step("trap g2 g1 --at 0,0 --from 1 --to 2", "by translation"),
+    step(f"hold disc1 g2 {WAY}", "way valid"),
     step(f"view disc1 g2 --path {WAY} -o way.html", "valid scales", files=("way.html",)),
     step(f"path disc1 g2 {WAY} -o way.svg", "valid scales", files=("way.svg",)),
     step("certify g1 g2 -o sum.cert.json", files=("sum.cert.json",)),

@@ -101,6 +101,7 @@ def print_fit(value: dict[str, Any]) -> None:
     rows = [
         ("part", f"{value['part']} in {value['container']}, contact {value['contact']}"),
         ("fits", f"{where} {places}".rstrip() + f": {ranges_text(value['scales'])}"),
+        *([("place", point_text(value["place"]))] if value.get("place") else []),
         ("motion", value["motion"]),
         *bound_rows(value),
         ("seconds", f"{value['seconds']:.3f}"),

@@ -75,7 +75,7 @@ def run(request: PathInPlane) -> None:
     )
     asked = (first.set, second.set, way.points, contact)
     drawn = partial(_drawn, where, asked, ranges, bounds, window)
-    finish(value, target, request.json, drawn, None if proven is None else proven[0])
+    finish(value, target, request.json, drawn, [] if proven is None else [proven[0]])
 
 
 def _drawn(

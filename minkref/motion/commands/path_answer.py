@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,10 +25,14 @@ def finish(
     target: Target | None,
     json: bool,
     drawn: Callable[[], str] | None = None,
-    proof: Checked | None = None,
+    proofs: Sequence[Checked] = (),
+    printed: Callable[[dict[str, Any]], None] | None = None,
 ) -> None:
-    """Writes the proof and the file of -o, or none of them. `drawn`: what makes a picture."""
-    files: dict[Path, str | bytes] = {} if proof is None else {**proof.contents()}
+    """Writes the proofs and the file of -o, or none of them. `drawn`: what makes a picture;
+    `printed`: what prints the answer, where it is not that of `path`."""
+    files: dict[Path, str | bytes] = {
+        path: content for proof in proofs for path, content in proof.contents().items()
+    }
     text = ""
     if target is not None:
         picture = drawn if target.form == "svg" else None
@@ -39,7 +43,7 @@ def finish(
     if target is not None and target.is_standard_output:
         target.write(text)
         return
-    give(value, json, _print)
+    give(value, json, printed or _print)
 
 
 def _print(value: dict[str, Any]) -> None:

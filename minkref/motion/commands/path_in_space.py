@@ -1,29 +1,24 @@
-"""`minkref path` and `minkref fit` of polyhedra."""
+"""`minkref path` of polyhedra."""
 
 from __future__ import annotations
 
-from typing import Any
+from pathlib import Path
 
 from minkref import _core
 from minkref.cli.memory import SMALLER, memory_wall
-from minkref.cli.output import give
 from minkref.errors import Refusal, refusing
 from minkref.exact import text_of_bounds
-from minkref.motion.commands.fit import print_fit
 from minkref.motion.commands.path_answer import finish
 from minkref.motion.commands.path_rows import (
-    BY_TRANSLATION,
     extreme_scales,
-    proof_documents,
     range_documents,
     space_contact_document,
 )
 from minkref.motion.path_text import read_space_path
 from minkref.motion.scale_ranges import CONTACTS, PATH_ROUTES
 from minkref.output.documents import Stopwatch, document, refuse_overwriting
-from minkref.output.output_target import target_of
+from minkref.output.output_target import Target, target_of
 from minkref.space.operand import read_summand
-from minkref.verbs.fit import PLACE, FitInSpace
 from minkref.verbs.path import PathInSpace, check_words
 
 
@@ -32,13 +27,8 @@ def run(request: PathInSpace) -> None:
     part, obstacles, output = request.part, request.obstacles, request.output
     path, contact, route = request.path, request.contact, request.route
     window = text_of_bounds(request.from_scale, request.to_scale)
-    if route == PATH_ROUTES[2]:
-        what = "this route is of paths in the plane"
-        raise Refusal(what, "--route index", "choose pieces or contacts", "no-route")
-    check_words(contact=(contact, CONTACTS), route=(route, PATH_ROUTES[:2]))
-    if output is not None and output.suffix.lower() == ".svg":
-        raise Refusal("no picture is drawn in space", str(output), "name a .json file")
-    target = target_of(output, None, ("json",), "json", request.json)
+    refuse_other_words(contact, route)
+    target = json_target(output, request.json)
     first, second, way = read_summand(part), read_summand(obstacles), read_space_path(path)
     if output is not None:
         files = [first.file, second.file, *([way.file] if way.file else [])]
@@ -74,46 +64,16 @@ def run(request: PathInSpace) -> None:
     finish(value, target, request.json)
 
 
-def run_fit(request: FitInSpace) -> None:
-    """The fit at a place."""
-    watch = Stopwatch()
-    part, container, contact, place = (
-        request.part, request.container, request.contact, request.at,
-    )  # fmt: skip
-    check_words(contact=(contact, CONTACTS))
-    if place is None:
-        raise Refusal("in space a fit is found at one place", "minkref fit", PLACE)
-    first, second = read_summand(part), read_summand(container)
-    with memory_wall(request.memory, "the fit", f"{part} and {container}", SMALLER):
-        (ranges, bounds, _), proofs = refusing(
-            f"{part}, {container}",
-            lambda: _core.fit_at_in_space(first.surface, second.surface, place, contact),
-        )
-    value = document(
-        "fit",
-        watch,
-        dimension=3,
-        part=first.name,
-        container=second.name,
-        question="at",
-        places=[list(place)],
-        contact=contact,
-        warnings=first.warnings + second.warnings,
-        motion=BY_TRANSLATION,
-        scales=range_documents(ranges),
-        **extreme_scales(ranges),
-        bounds=[_fit_bound(row) for row in bounds],
-        proofs=proof_documents(proofs),
-    )
-    give(value, request.json, print_fit)
+def refuse_other_words(contact: str, route: str) -> None:
+    """Refuses words that `path` and `hold` do not know in space."""
+    if route == PATH_ROUTES[2]:
+        what = "this route is of paths in the plane"
+        raise Refusal(what, "--route index", "choose pieces or contacts", "no-route")
+    check_words(contact=(contact, CONTACTS), route=(route, PATH_ROUTES[:2]))
 
 
-def _fit_bound(row: Any) -> dict[str, Any]:
-    told = space_contact_document(row)
-    return {
-        "scale": told["scale"],
-        "ends": told["event"] == "blocks",
-        "event": "contact",
-        "at": told["touching"],
-        "contact": {key: told[key] for key in ("part", "obstacle")},
-    }
+def json_target(output: Path | None, json: bool) -> Target | None:
+    """The file of -o. Refuses a picture."""
+    if output is not None and output.suffix.lower() == ".svg":
+        raise Refusal("no picture is drawn in space", str(output), "name a .json file")
+    return target_of(output, None, ("json",), "json", json)

@@ -1,4 +1,4 @@
-"""The option --certify of `path` and `trap`: a proof of the whole answer."""
+"""The option --certify of `path`, `hold` and `trap`: a proof of the whole answer."""
 
 from __future__ import annotations
 
@@ -65,7 +65,9 @@ def proof_document(proof: tuple[Checked, PathCertificate] | None) -> dict[str, A
 def proof_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
     """The rows about the certificate for the terminal."""
     told = value.get("certificate")  # none in space
-    if told is None:
-        return []
+    return [] if told is None else [("certificate", certificate_text(told))]
+
+
+def certificate_text(told: dict[str, Any]) -> str:
     text = f"{told['output']}, {counted(told['claims'], 'claim')}, {told['bytes']:,} bytes"
-    return [("certificate", f"{text}; {CHECKED[told['verified']]}")]
+    return f"{text}; {CHECKED[told['verified']]}"

@@ -56,10 +56,10 @@ def run(request: Trap) -> None:
     )
     if proven is not None:
         write_together({**proven[0].contents()})
-    give(value, request.json, _print)
+    give(value, request.json, print_trap)
 
 
-def _print(value: dict[str, Any]) -> None:
+def print_trap(value: dict[str, Any]) -> None:
     rows = [
         ("part", f"{value['part']} in {value['obstacles']}, contact {value['contact']}"),
         (

@@ -15,12 +15,14 @@ STYLE = (
     ".bad{fill:#e7b3ab;stroke:#a8433a;stroke-width:.4}.frame{fill:none;stroke:#8d99a8}"
     ".corner{stroke:#d6dce3;stroke-dasharray:2 3}.band{fill:#2c8a3d;fill-opacity:.1}"
     ".range{fill:#2c8a3d}.alone{stroke:#2c8a3d;stroke-width:1.6}"
+    ".held.band{fill:#c98a1b;fill-opacity:.16}.held.range{fill:#c98a1b}"
+    ".held.alone{stroke:#c98a1b}"
     ".bound{fill:#fff;stroke:#c9362b;stroke-width:1.8}"
 )
 
 
 def diagram_svg(data: dict[str, Any]) -> str:
-    """`data` is what `picture` gives. Coordinates are rounded."""
+    """`data` is what `picture` or `held_picture` gives. Coordinates are rounded."""
     return _Diagram(data).svg()
 
 
@@ -83,8 +85,13 @@ class _Diagram:
         return drawn
 
     def _ranges(self, left: float, right: float) -> list[str]:
+        drawn = self._bars(self._data["valid"], "", left, right)
+        return [*self._bars(self._data.get("held", ()), "held ", left, right), *drawn]
+
+    def _bars(self, ranges: Any, kind: str, left: float, right: float) -> list[str]:
+        """A bar beside the axis and a band across for each range, a line for a single scale."""
         drawn = []
-        for one in self._data["valid"]:
+        for one in ranges:
             low, high = one["about"]
             high = self._last if high is None else min(high, self._last)
             if low > self._last or high < self._first:
@@ -92,12 +99,13 @@ class _Diagram:
             y, end = self._y(high), self._y(max(low, self._first))
             if one["from"] == one["to"]:
                 drawn.append(
-                    f'<line class="alone" x1="{left - 8}" x2="{right}" y1="{y:.2f}" y2="{y:.2f}"/>'
+                    f'<line class="{kind}alone" x1="{left - 8}" x2="{right}" y1="{y:.2f}" '
+                    f'y2="{y:.2f}"/>'
                 )
                 continue
             for name, x, width in (("band", left, right - left), ("range", left - 6, 4)):
                 drawn.append(
-                    f'<rect class="{name}" x="{x}" y="{y:.2f}" width="{width}" '
+                    f'<rect class="{kind}{name}" x="{x}" y="{y:.2f}" width="{width}" '
                     f'height="{end - y:.2f}"/>'
                 )
         return drawn

@@ -94,6 +94,13 @@ def picture(
     }
 
 
+def held_picture(question: PathQuestion, way: Any, held: Any, window: Window) -> dict[str, Any]:
+    """The picture of a way, with the held scales. `way`, `held`: rows of `_core.held_scales`."""
+    ranges, bounds, _ = way
+    data = picture(question, ranges, bounds, window)
+    return {**data, "held": [_range(one) for one in range_documents([row[0] for row in held])]}
+
+
 def _double(number: str) -> float:
     return double(Fraction(number), "a coordinate")
 

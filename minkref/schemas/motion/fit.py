@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
-from minkref.schemas.motion.values import AnyFit, PlaneFit, Proof, ScaleRange, SpaceFeature
-from minkref.schemas.values import InSpace, Number, Point, SpacePoint
+from minkref.schemas.motion.values import PlaneFit, ScaleRange, SpaceFree
+from minkref.schemas.values import Count, InSpace, Number, Point, SpacePoint
 from msgspec import Meta
 
 
@@ -21,39 +21,37 @@ class FitDocument(PlaneFit):
     ]
 
 
-class SpaceContact(TypedDict):
-    part: SpaceFeature
-    obstacle: SpaceFeature
+class FitSupport(TypedDict):
+    """A contact that keeps the part from growing, with its weight."""
 
-
-class SpaceFitBound(TypedDict):
-    scale: Number
-    ends: Annotated[
-        bool, Meta(description="Whether the range ends there; otherwise it begins there.")
+    vertex: Annotated[Count, Meta(description="Of the part.")]
+    face: Annotated[Count, Meta(description="Of the container, whose plane the vertex touches.")]
+    weight: Annotated[
+        Number,
+        Meta(
+            description="Above 0. The weighted normals of the faces, each twice the face's area "
+            "vector, sum up to zero: no greater scale is possible."
+        ),
     ]
-    event: Annotated[Literal["contact"], Meta(description="The part touches the container.")]
-    at: Annotated[SpacePoint, Meta(description="The point that is touched.")]
-    contact: SpaceContact
 
 
-class SpaceFitDocument(AnyFit, InSpace):
+class SpaceFitDocument(SpaceFree, InSpace):
     """The document of `minkref fit --json` in space."""
 
     command: Literal["fit"]
     container: str
-    question: Literal["at"]
+    question: Literal["at", "anywhere"]
     places: Annotated[
-        list[SpacePoint],
-        Meta(description="The place that was asked for.", min_length=1, max_length=1),
+        list[SpacePoint], Meta(description="The place that was asked for, if any.", max_length=1)
     ]
     scales: Annotated[
         list[ScaleRange], Meta(description="The scales at which the part fits, ascending.")
     ]
-    bounds: Annotated[list[SpaceFitBound], Meta(description="The ends of ranges.")]
-    proofs: Annotated[
-        list[Proof],
-        Meta(
-            description="Scales at, just below and just above each bound, and whether the part "
-            "fits there, decided anew from what its pieces cover."
-        ),
+    place: Annotated[
+        SpacePoint | None,
+        Meta(description="With --anywhere: a place of the part at the greatest scale."),
+    ]
+    supports: Annotated[
+        list[FitSupport],
+        Meta(description="With --anywhere, in a convex container: the proof of the scale."),
     ]

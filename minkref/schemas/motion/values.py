@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, TypedDict
 
 from minkref.schemas.grammar import EXACTLY_ONE, ruled
-from minkref.schemas.values import Count, Head, Number, Pair, Point, PositiveCount, Rule
+from minkref.schemas.values import Count, Head, Number, Pair, Point, PositiveCount, Rule, SpacePoint
 from msgspec import Meta
 
 ContactRule = Annotated[Rule, Meta(description="Whether the part may touch what it must not meet.")]
@@ -117,6 +117,52 @@ class SpaceFeature(TypedDict, total=False):
         Meta(
             description="The number of a face, inside of which it is.", min_length=1, max_length=1
         ),
+    ]
+
+
+class SpaceContact(TypedDict):
+    part: SpaceFeature
+    obstacle: SpaceFeature
+
+
+SpaceFitEvent = Literal["contact", "death", "split"]
+
+
+class SpaceFreeBound(TypedDict):
+    scale: Number
+    ends: Annotated[
+        bool, Meta(description="Whether the range ends there; otherwise it begins there.")
+    ]
+    event: Annotated[
+        SpaceFitEvent,
+        Meta(
+            description="contact: the part touches, and fits no more; death: the last free places "
+            "vanish; split: a way closes."
+        ),
+    ]
+    at: Annotated[
+        SpacePoint,
+        Meta(
+            description="Where: of a contact the point that is touched, otherwise a place of the "
+            "part."
+        ),
+    ]
+    contact: SpaceContact | None
+
+
+class SpaceFree(AnyFit):
+    """The fields of `fit` and `trap` in space."""
+
+    bounds: Annotated[list[SpaceFreeBound], Meta(description="The ends of ranges.")]
+    proofs: Annotated[
+        list[Proof],
+        Meta(
+            description="Scales at, just below and just above each bound, and whether the answer "
+            "holds there, found again by other means."
+        ),
+    ]
+    critical_scales: Annotated[
+        Count, Meta(description="Scales of events among which a bound was found; 0: none needed.")
     ]
 
 
