@@ -21,7 +21,7 @@ struct FitSupport {
 
 /// The cause that ends a range of scales. "contact": the part touches at a place, as `contact`
 /// says; "death": the last free places vanish; "split": a way closes, and `at` is a place of the
-/// part's origin where features meet as it does.
+/// part's origin on it, in contact on both sides.
 struct SpaceFreeBound {
   Rational scale;
   bool ends = true;  ///< answers lie just below; otherwise just above

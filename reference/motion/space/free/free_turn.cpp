@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "reference/error.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/space/definition/tight_passages.hpp"
 
@@ -27,8 +28,12 @@ std::pair<Rational, Rational> FreeTurn::bracket(Rational high) const {
 }
 
 std::vector<SpacePoint> FreeTurn::passages_at(const Rational& scale) const {
-  const TightPassagesInSpace found =
-      tight_passages_in_space(turned_, obstacles_, {scale, scale, scale});
+  TightPassagesInSpace found;
+  try {
+    found = tight_passages_in_space(turned_, obstacles_, {scale, scale, scale});
+  } catch (const LimitExceeded&) {
+    return {};  // too many pieces: the places of events are left
+  }
   std::vector<SpacePoint> places = found.points;
   for (const auto& line : found.lines) places.push_back(line.first);
   for (const PlaneRegion& sheet : found.sheets) {
@@ -65,9 +70,10 @@ std::optional<FoundTurn> FreeTurn::find(const FreeEvents& events, const Rational
     }
     found.proofs.emplace_back(scale, small);
   }
-  // Facets that come to lie in one plane are one event with one place: passages have the others.
-  for (const bool of_events : {true, false}) {
-    const auto places = of_events ? events.places_at(found.scale) : passages_at(found.scale);
+  // Where free places split or vanish, sums close on both sides of a passage. Others may only touch
+  // in a point, which is an event's.
+  for (const bool of_passages : {true, false}) {
+    const auto places = of_passages ? passages_at(found.scale) : events.places_at(found.scale);
     for (const SpacePoint& place : places) {
       look_for_interrupt();
       if (!is_free(found.scale, place)) continue;

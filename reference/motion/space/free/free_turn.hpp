@@ -16,7 +16,7 @@ using IsFree = std::function<bool(const Rational&, const SpacePoint&)>;
 
 struct FoundTurn {
   Rational scale;
-  SpacePoint at;                                  ///< a place of the event, free with contact
+  SpacePoint at;                                  ///< a place that is free with contact alone
   std::vector<std::pair<Rational, bool>> proofs;  ///< scale, whether it is small
 };
 
@@ -40,7 +40,7 @@ class FreeTurn {
                                 bool is_high_large, const IsFree& is_free) const;
 
  private:
-  /// A point of each tight passage. Exact.
+  /// A point of each tight passage; none if they are too many to be found. Exact.
   std::vector<SpacePoint> passages_at(const Rational& scale) const;
 
   const Polyhedron &turned_, &obstacles_;
