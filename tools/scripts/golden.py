@@ -45,7 +45,7 @@ CHECKERS = {  # programs that need nothing of the package
 }
 VARIES = re.compile(  # signs that doubles settle are counted by threads that share work
     "second|peak|memory|version|commit|date$|machine|^ms$|_ms$|milli|micro"
-    "|^by_float$|^total$|^shares$"
+    "|^by_float$|^total$|^shares$|^spent$|^chain$"
 )
 IN_TEXT = re.compile(r"\d[\d.,]* ?(?:s|ms|µs|ns|[KMG]i?B)\b|0\.\d+\.\d+\S*")
 
