@@ -242,7 +242,7 @@ class PairSearch {
 }  // namespace
 
 PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
-                       EventKind kind, Form form, bool keep_meeting) {
+                       EventKind kind, Form form, bool keep_meeting, ConvolutionType of) {
   const FloatEnvironment standard;
   refuse_bad_operands(P, Q, 1);
   refuse_bad_window(window);
@@ -250,7 +250,7 @@ PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   if (P.empty() || Q.empty()) return result;
   on_exact_frame(P, Q, [&](const auto& frame) {
     using K = typename std::decay_t<decltype(frame)>::K;
-    result.edges = convolution_edges(frame.kernel, frame.P, frame.Q, false);
+    result.edges = convolution_edges(frame.kernel, frame.P, frame.Q, of == ConvolutionType::full);
     PairSearch<K>(frame.kernel, moving_edges(result.edges, frame.P, frame.Q), window, kind, form,
                   keep_meeting, result)
         .run();

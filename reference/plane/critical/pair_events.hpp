@@ -1,5 +1,5 @@
-// All scales at which two edges of the reduced convolution start or stop meeting (Behar & Lien
-// 2012, Sec. 4.2.3), exact and sorted.
+// All scales at which two edges of a convolution start or stop meeting (Behar & Lien 2012, Sec.
+// 4.2.3), exact and sorted.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/form.hpp"
+#include "reference/plane/convolution/convolution_type.hpp"
 #include "reference/plane/critical/pair_conditions.hpp"
 #include "reference/plane/critical/scale_window.hpp"
 #include "reference/plane/sum.hpp"
@@ -64,10 +65,10 @@ struct PairEvents {
 /// All events of a kind within the window; the pair counts cover both kinds. `form`: applies the
 /// printed rule of Sec. 4.2.3 to pairs that are not parallel; its answers are wrong
 /// (docs/definitions.md, "Printed and corrected"). Exact. O(N^2 + k log k) for N edges and k
-/// events; memory O(N + k). Operands must have passed `validate`.
+/// events; memory O(N + k). Operands must have passed `validate`, or be cut (simply_connected.hpp).
 PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window = {},
                        EventKind kind = EventKind::both, Form form = Form::corrected,
-                       bool keep_meeting = false);
+                       bool keep_meeting = false, ConvolutionType of = ConvolutionType::reduced);
 
 /// The printed interval against the corrected interval, on exact roots, over all pairs that are not
 /// parallel.

@@ -25,6 +25,18 @@ const TripleEvent* ArrangementEvents::triple_event_at(std::uint32_t group) const
   return source.kind == Source::Kind::triple ? &triples_[source.index] : nullptr;
 }
 
+std::span<const PairEvent> ArrangementEvents::pair_events_of(std::uint32_t group) const {
+  const auto& all = pairs_.events;
+  const auto group_of = [&](const PairEvent& event) { return group_of_rank_[event.rank]; };
+  // Events outside the window are those of the first rank, and of the last.
+  const auto first = std::partition_point(all.begin(), all.end(), [&](const PairEvent& event) {
+    return group_of(event) == EdgeNode::always ? event.rank == 0 : group_of(event) < group;
+  });
+  auto last = first;
+  while (last != all.end() && group_of(*last) == group) ++last;
+  return {first, last};
+}
+
 ArrangementEvents::Location ArrangementEvents::locate(const Rational& scale) const {
   const double value = to_double(scale);
   const double reach = 4 * std::abs(value) * filter_bound + 1e-300;

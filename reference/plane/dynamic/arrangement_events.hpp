@@ -1,7 +1,8 @@
-// All scales at which the arrangement of the reduced convolution changes, and the changes.
+// All scales at which the arrangement of a convolution changes, and the changes.
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "reference/plane/dynamic/triple_events.hpp"
@@ -13,8 +14,9 @@ namespace minkref::inline plane {
 class ArrangementEvents {
  public:
   /// Pair, parallel and triple events within the *open* window. Exact. Operands must have passed
-  /// `validate` and be neither empty nor both degenerate.
-  ArrangementEvents(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window);
+  /// `validate`, or be cut (simply_connected.hpp), and be neither empty nor both degenerate.
+  ArrangementEvents(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
+                    ConvolutionType of = ConvolutionType::reduced);
 
   const ScaleWindow& window() const { return window_; }
   const std::vector<ConvolutionEdge>& edges() const { return pairs_.edges; }
@@ -34,6 +36,8 @@ class ArrangementEvents {
   std::uint32_t group_of_pair_event(std::size_t event) const {
     return group_of_rank_[pairs_.events[event].rank];
   }
+  /// The pair and parallel events of a group. O(log events).
+  std::span<const PairEvent> pair_events_of(std::uint32_t group) const;
   /// The count of groups before a scale; `at` tells whether the next group lies at the scale.
   struct Location {
     std::uint32_t before = 0;

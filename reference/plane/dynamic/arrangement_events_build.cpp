@@ -68,9 +68,9 @@ std::vector<Lifetime> lifetimes_of(const PairEvents& pairs, const std::vector<Ra
 }  // namespace
 
 ArrangementEvents::ArrangementEvents(const PolygonSet& P, const PolygonSet& Q,
-                                     const ScaleWindow& window)
+                                     const ScaleWindow& window, ConvolutionType of)
     : window_(window),
-      pairs_(pair_events(P, Q, window, EventKind::both, Form::corrected, true)),
+      pairs_(pair_events(P, Q, window, EventKind::both, Form::corrected, true, of)),
       moving_(moving_edges<Vector2<Rational>>(pairs_.edges, scalar_operand<Rational>(P, {}),
                                               scalar_operand<Rational>(Q, {}))),
       moments_(std::make_unique<Moments>(pairs_, moving_)) {

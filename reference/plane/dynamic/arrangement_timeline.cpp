@@ -40,11 +40,12 @@ void pack_changes(std::vector<NodeChange>& changes, std::size_t steps,
 
 std::shared_ptr<const ArrangementTimeline> arrangement_timeline(const PolygonSet& P,
                                                                 const PolygonSet& Q,
-                                                                const ScaleWindow& window) {
+                                                                const ScaleWindow& window,
+                                                                ConvolutionType of) {
   const FloatEnvironment standard;
-  auto events = std::make_shared<ArrangementEvents>(P, Q, window);
+  auto events = std::make_shared<ArrangementEvents>(P, Q, window, of);
   EdgeHistory history;
-  EdgeSweep sweep(P, Q, *events);
+  EdgeSweep sweep(P, Q, *events, of);
   for (std::uint32_t e = 0; e < events->edges().size(); ++e) sweep.sweep(e, history);
   const std::size_t groups = events->groups();
   sort_by(history.at_groups, groups, [](const SubEdgeAtGroup& c) { return c.group; });
@@ -58,6 +59,7 @@ std::shared_ptr<const ArrangementTimeline> arrangement_timeline(const PolygonSet
   timeline->at_groups = std::move(history.at_groups);
   timeline->interrupted = std::move(history.interrupted);
   timeline->coincident = std::move(history.coincident);
+  timeline->winding = std::move(history.winding);
   timeline->decided_by_doubles = history.decided_by_doubles;
   timeline->decided_exactly = history.decided_exactly;
   const NodeTable& table = events->table();

@@ -1,4 +1,4 @@
-// The reduced convolution's arrangement: its whole history over a window of scales.
+// A convolution's arrangement: its whole history over a window of scales.
 #pragma once
 
 #include <array>
@@ -23,6 +23,7 @@ struct ArrangementTimeline {
   std::vector<SubEdgeAtGroup> at_groups;                             ///< sorted by group
   std::vector<std::pair<std::uint32_t, std::uint32_t>> interrupted;  ///< sorted by group
   std::vector<CoincidentNodes> coincident;                           ///< sorted by group
+  WindingHistory winding;  ///< of the full convolution only
   std::uint64_t decided_by_doubles = 0, decided_exactly = 0;
 
   Track track(std::uint32_t edge, std::uint32_t node) const {
@@ -31,9 +32,11 @@ struct ArrangementTimeline {
 };
 
 /// Over an open window. Exact. O(N^2 + sum of k^2) for N edges with k nodes each; memory O(N +
-/// events). Operands must have passed `validate` and be neither empty nor both degenerate.
-std::shared_ptr<const ArrangementTimeline> arrangement_timeline(const PolygonSet& P,
-                                                                const PolygonSet& Q,
-                                                                const ScaleWindow& window);
+/// events). Operands must have passed `validate` and be neither empty nor both degenerate; for the
+/// full convolution, whose winding numbers tell the sum of simply connected operands only, they
+/// must be cut (simply_connected.hpp).
+std::shared_ptr<const ArrangementTimeline> arrangement_timeline(
+    const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
+    ConvolutionType of = ConvolutionType::reduced);
 
 }  // namespace minkref::inline plane

@@ -5,10 +5,9 @@
 #include "reference/error.hpp"
 #include "reference/no_entry.hpp"
 #include "reference/number/float_environment.hpp"
+#include "reference/plane/dynamic/passing_edges.hpp"
 
 namespace minkref::inline plane {
-namespace {}
-
 DynamicArrangement::DynamicArrangement(std::shared_ptr<const BoundaryStates> states)
     : states_(std::move(states)),
       timeline_(states_->timeline()),
@@ -90,6 +89,39 @@ void DynamicArrangement::move_boundary(std::uint32_t interval) {
 
 Point DynamicArrangement::position(std::uint32_t edge, std::uint32_t node) const {
   return timeline_.track(edge, node).at(scale_);
+}
+
+std::vector<SideNumbers> DynamicArrangement::winding_numbers(std::uint32_t edge) const {
+  const WindingHistory& winding = timeline_.winding;
+  std::vector<SideNumbers> numbers{winding.base(edge, group())};
+  for (const std::uint32_t n : nodes(edge)) {
+    // At a group's scale the faces are those below, but where parallel edges overlap.
+    const bool arrives = at_event() && timeline_.events->table().nodes[n].from == group();
+    numbers.push_back(arrives ? numbers.back() : numbers.back() + winding.steps[n]);
+  }
+  if (at_event()) pass_parallel_edges(edge, numbers);
+  return numbers;
+}
+
+/// Adds what parallel edges change that lie on an edge at the scale of the group.
+void DynamicArrangement::pass_parallel_edges(std::uint32_t edge,
+                                             std::vector<SideNumbers>& numbers) const {
+  const ArrangementEvents& events = *timeline_.events;
+  const auto along = nodes(edge);
+  for (const PairEvent& event : events.pair_events_of(group())) {
+    if (!event.parallel || event.change != Change::overlap) continue;
+    if (event.a != edge && event.b != edge) continue;
+    const std::uint32_t other = event.a == edge ? event.b : event.a;
+    const RationalEdge &e = events.moving()[edge], &f = events.moving()[other];
+    const SideNumbers change = change_by_passing(e, f, events.edges()[other].sign).first;
+    Point from = position(edge, start_of_edge);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const Point to = position(edge, i < along.size() ? along[i] : end_of_edge);
+      const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
+      if (runs_along(e, f, middle, scale_)) numbers[i] = numbers[i] + change;
+      from = to;
+    }
+  }
 }
 
 void DynamicArrangement::place_nodes_in_doubles() {

@@ -1,4 +1,4 @@
-// The arrangement of the reduced convolution and the sum, kept while the scale changes.
+// The arrangement of a convolution and the sum, kept while the scale changes.
 #pragma once
 
 #include "reference/plane/dynamic/boundary_states.hpp"
@@ -39,6 +39,10 @@ class DynamicArrangement {
   std::size_t node_count() const { return lists_.size(); }
   /// Exact.
   Point position(std::uint32_t edge, std::uint32_t node) const;
+  /// The winding numbers beside the gaps of an edge: from its start to its first node, and after
+  /// each node. A gap of no length has none; its entry means nothing. Only for the full
+  /// convolution. Exact. O(nodes of the edge).
+  std::vector<SideNumbers> winding_numbers(std::uint32_t edge) const;
   /// The positions of all nodes as doubles, edge by edge: x, y, x, y, ... O(nodes).
   void positions(std::vector<double>& xy) const;
 
@@ -56,6 +60,7 @@ class DynamicArrangement {
   };
   void place_nodes_in_doubles();
   void move_boundary(std::uint32_t interval);
+  void pass_parallel_edges(std::uint32_t edge, std::vector<SideNumbers>& numbers) const;
 
   std::shared_ptr<const BoundaryStates> states_;
   const ArrangementTimeline& timeline_;

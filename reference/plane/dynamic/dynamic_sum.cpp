@@ -2,16 +2,19 @@
 
 #include "reference/error.hpp"
 #include "reference/number/float_environment.hpp"
+#include "reference/plane/routes/simply_connected.hpp"
 
 namespace minkref::inline plane {
 
-DynamicSum::DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window)
-    : window_(window) {
+DynamicSum::DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
+                       ConvolutionType of)
+    : window_(window), of_(of) {
   const FloatEnvironment standard;
   refuse_bad_operands(P, Q, 1);
   refuse_bad_window(window);
   if (P.empty() || Q.empty()) return;
-  states_ = std::make_shared<const BoundaryStates>(arrangement_timeline(P, Q, opened(window)));
+  states_ = std::make_shared<const BoundaryStates>(
+      arrangement_timeline(followed_operand(P, of), followed_operand(Q, of), opened(window), of));
   arrangement_.emplace(states_);
 }
 

@@ -13,11 +13,16 @@ namespace minkref::inline plane {
 class DynamicSum {
  public:
   /// Finds all events of a closed window of scales (open towards 0 or infinity without a bound).
-  /// Throws BadInput for a bad window or operands. Cost: arrangement_timeline.
-  DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window);
+  /// `of`: the convolution to follow. Collision detection finds the sum in the arrangement of the
+  /// reduced convolution, winding numbers in that of the full convolution, for which operands with
+  /// holes are cut (simply_connected.hpp). Throws BadInput for a bad window or operands. Cost:
+  /// arrangement_timeline.
+  DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
+             ConvolutionType of = ConvolutionType::reduced);
 
   /// Whether an operand, and thus every sum, is empty.
   bool empty() const { return states_ == nullptr; }
+  ConvolutionType followed() const { return of_; }
   const ScaleWindow& window() const { return window_; }
   const BoundaryStates& states() const { return *states_; }
   DynamicArrangement& arrangement() { return *arrangement_; }
@@ -30,6 +35,7 @@ class DynamicSum {
 
  private:
   ScaleWindow window_;
+  ConvolutionType of_;
   std::shared_ptr<const BoundaryStates> states_;
   std::optional<DynamicArrangement> arrangement_;
 };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/plane/dynamic/winding_history.hpp"
 #include "reference/plane/history/boundary_cycles.hpp"
 
 namespace minkref::inline plane {
@@ -69,6 +70,7 @@ struct EdgeHistory {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> interrupted;  ///< group, sub-edge that goes
                                                                      ///< on, in pieces at the group
   std::vector<CoincidentNodes> coincident;
+  WindingHistory winding;                                     ///< of the full convolution only
   std::uint64_t decided_by_doubles = 0, decided_exactly = 0;  ///< collision detection
 };
 

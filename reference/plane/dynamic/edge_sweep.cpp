@@ -4,9 +4,11 @@
 #include <span>
 
 #include "reference/interrupt.hpp"
+#include "reference/plane/dynamic/collision_status.hpp"
 #include "reference/plane/dynamic/edge_happenings.hpp"
-#include "reference/plane/dynamic/sub_edge_status.hpp"
+#include "reference/plane/dynamic/passing_edges.hpp"
 #include "reference/plane/dynamic/swept_edge.hpp"
+#include "reference/plane/dynamic/winding_status.hpp"
 
 namespace minkref::inline plane {
 namespace {
@@ -20,7 +22,7 @@ bool in(const std::vector<std::uint32_t>& set, std::uint32_t x) {
 struct EdgeSweep::Impl {
   const ArrangementEvents& events;
   SweptEdge edge;
-  SubEdgeStatus decide;
+  std::unique_ptr<GapStatus> decide;
   EdgeHappenings all_happenings;
 
   // The edge being swept; nodes by their local numbers.
@@ -30,10 +32,12 @@ struct EdgeSweep::Impl {
   std::vector<std::uint32_t> sub_edge;  ///< likewise
   EdgeHistory* out = nullptr;
 
-  Impl(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events_)
+  Impl(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events_,
+       ConvolutionType of)
       : events(events_),
         edge(P, Q, events_),
-        decide(P, Q, events_, edge),
+        decide(of == ConvolutionType::full ? winding_status(P, Q, events_, edge)
+                                           : collision_status(P, Q, events_, edge)),
         all_happenings(events_) {}
 
   void change(std::uint32_t step, NodeChange::Kind kind, std::size_t index) {
@@ -58,9 +62,8 @@ struct EdgeSweep::Impl {
         happenings.empty() ? EdgeNode::always : happenings.front().group;
     status.assign(list.size() - 1, Status::interior);
     sub_edge.assign(list.size() - 1, no_sub_edge);
+    decide->begin(list, first_group, status);
     for (std::size_t i = 0; i + 1 < list.size(); ++i) {
-      if (edge.same_track(list[i], list[i + 1])) continue;
-      status[i] = decide.between(list[i], list[i + 1], EdgeNode::always, first_group);
       if (status[i] == Status::boundary) sub_edge[i] = open(list[i], list[i + 1], 0);
     }
     for (std::size_t i = 0; i < happenings.size();) {
@@ -75,8 +78,7 @@ struct EdgeSweep::Impl {
     for (const std::uint32_t s : sub_edge) {
       if (s != no_sub_edge) history.sub_edges[s].last = intervals;
     }
-    history.decided_by_doubles = decide.decided_by_doubles;
-    history.decided_exactly = decide.decided_exactly;
+    decide->finish(history);
   }
 
   /// The order during interval 0: just above the window's beginning.
@@ -191,15 +193,6 @@ struct EdgeSweep::Impl {
     }
   }
 
-  /// A piece of positive length at a group's scale, within one gap before and one after.
-  struct Stretch {
-    std::uint32_t from, to;
-    std::size_t before, after;
-    bool overlapped;
-    std::size_t from_index;
-    bool goes_on = false;  ///< as all of a sub-edge
-  };
-
   std::vector<Stretch> stretches_of(const Group& g) const {
     std::vector<Stretch> stretches;
     std::size_t before = 0, after = 0;
@@ -216,28 +209,25 @@ struct EdgeSweep::Impl {
     for (Stretch& stretch : stretches) {
       const Point point = edge.middle(stretch.from, stretch.to, scale);
       stretch.overlapped = std::any_of(g.overlaps.begin(), g.overlaps.end(), [&](std::uint32_t f) {
-        return decide.covered(point, scale, f);
+        return runs_along(edge.moving(), events.moving()[f], point, scale);
       });
     }
     return stretches;
   }
 
-  /// Sets each gap's status above the group: the gaps below that form it at the group's scale give
-  /// the status, if they agree; otherwise it is decided anew.
+  /// Sets each gap's status above the group, and continues sub-edges or opens new ones.
   void carry_status(const Group& g) {
     std::vector<Stretch> stretches = stretches_of(g);
     status.assign(list.size() - 1, Status::interior);
     sub_edge.assign(list.size() - 1, no_sub_edge);
+    const EdgePassage passage{g.group, g.next, list, stretches, g.old_status, g.overlaps};
+    decide->pass(passage, status);
     for (std::size_t j = 0, k = 0; j + 1 < list.size(); ++j) {
       const std::size_t first = k;
-      bool same = true, overlapped = false;
+      bool overlapped = false;
       for (; k < stretches.size() && stretches[k].after == j; ++k) {
         overlapped = overlapped || stretches[k].overlapped;
-        same = same && g.old_status[stretches[k].before] == g.old_status[stretches[first].before];
       }
-      if (first == k && edge.same_track(list[j], list[j + 1])) continue;
-      status[j] =
-          first == k || !same || overlapped ? decided(j, g) : g.old_status[stretches[first].before];
       if (status[j] != Status::boundary) continue;
       sub_edge[j] = continued(g, stretches, first, k, j);
       if (sub_edge[j] == no_sub_edge) {
@@ -251,12 +241,8 @@ struct EdgeSweep::Impl {
     for (const std::uint32_t s : g.old_sub_edge) {
       if (s != no_sub_edge && !in(sub_edge, s)) out->sub_edges[s].last = g.group;
     }
-    pieces_at_the_scale(g, stretches);
+    pieces_at_the_scale(g, stretches, passage);
     coincident(g, stretches);
-  }
-
-  Status decided(std::size_t j, const Group& g) {
-    return decide.between(list[j], list[j + 1], g.group, g.next);
   }
 
   /// The sub-edge that continues as gap j, formed by stretches `first` to `end`, if its ends and
@@ -272,16 +258,13 @@ struct EdgeSweep::Impl {
     return whole && same_ends ? g.old_sub_edge[gap] : no_sub_edge;
   }
 
-  void pieces_at_the_scale(const Group& g, const std::vector<Stretch>& stretches) {
+  void pieces_at_the_scale(const Group& g, const std::vector<Stretch>& stretches,
+                           const EdgePassage& passage) {
     for (const Stretch& stretch : stretches) {
       const bool was = g.old_status[stretch.before] == Status::boundary;
       const bool is = status[stretch.after] == Status::boundary;
       if (stretch.goes_on || !(was || is)) continue;
-      const bool now = stretch.overlapped
-                           ? decide.at(stretch.from, stretch.to,
-                                       {events.exact(g.group), events.approximate(g.group)},
-                                       g.overlaps) == Status::boundary
-                           : was && is;
+      const bool now = stretch.overlapped ? decide->on_boundary_at(stretch, passage) : was && is;
       if (!now) continue;
       out->at_groups.push_back({g.group, edge.edge(), edge.name(stretch.from),
                                 edge.name(stretch.to), g.old_sub_edge[stretch.before],
@@ -312,8 +295,9 @@ struct EdgeSweep::Impl {
   }
 };
 
-EdgeSweep::EdgeSweep(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events)
-    : impl_(std::make_unique<Impl>(P, Q, events)) {}
+EdgeSweep::EdgeSweep(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events,
+                     ConvolutionType of)
+    : impl_(std::make_unique<Impl>(P, Q, events, of)) {}
 EdgeSweep::~EdgeSweep() = default;
 
 void EdgeSweep::sweep(std::uint32_t edge, EdgeHistory& history) { impl_->run(edge, history); }

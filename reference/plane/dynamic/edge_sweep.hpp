@@ -6,18 +6,19 @@
 #include "reference/plane/dynamic/arrangement_events.hpp"
 #include "reference/plane/dynamic/edge_history.hpp"
 #include "reference/plane/dynamic/node_arithmetic.hpp"
-#include "reference/plane/moving/interior_test.hpp"
 
 namespace minkref::inline plane {
 
 /// Positions order the nodes along an edge; they are linear functions of the scale, so the order
 /// changes at events only. A sub-edge between two events belongs to the boundary at all scales
-/// between them or at none, since the arrangement of the reduced convolution contains the boundary;
-/// a sub-edge that goes on across an event (with positive length at the event's scale) keeps its
-/// status. So collision detection runs once for each sub-edge born with length zero.
+/// between them or at none, since the arrangement of the convolution contains the boundary.
+/// Collision detection tells which for the reduced convolution (collision_status.hpp), winding
+/// numbers for the full convolution (winding_status.hpp).
 class EdgeSweep {
  public:
-  EdgeSweep(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events);
+  /// `of`: the convolution of the events.
+  EdgeSweep(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events,
+            ConvolutionType of);
   ~EdgeSweep();
 
   /// Appends to `history`; edges in ascending order. Exact. O(k + e l) for k nodes, e events and

@@ -56,7 +56,20 @@ class FrameArithmetic : public NodeArithmetic {
     return wide_sign(difference.slope) == 0 && wide_sign(difference.value) == 0;
   }
 
+  EdgeCrossing crossing(std::uint32_t edge, std::uint32_t node) const override {
+    const auto &a = edges_[edge], &b = edges_[events_.table().nodes[node].other];
+    return {kernel_.turn(a.d, b.d), on_line(a, start_of(b)), on_line(a, end_of(b))};
+  }
+
  private:
+  using V = typename K::Vector;
+
+  /// Whether a vertex lies on the line of an edge at every scale.
+  static bool on_line(const MovingEdge<V>& edge, const MovingVertex<V>& vertex) {
+    return wide_sign(K::cross(V(vertex.p - edge.p), edge.d)) == 0 &&
+           wide_sign(K::cross(V(vertex.q - edge.q), edge.d)) == 0;
+  }
+
   PositionAlong<W> position(std::uint32_t edge, std::uint32_t node) const {
     if (node == start_of_edge) return {};
     if (node == end_of_edge) {

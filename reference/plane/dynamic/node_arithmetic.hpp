@@ -9,6 +9,13 @@
 
 namespace minkref::inline plane {
 
+/// How another edge crosses an edge: `turn` is 1 from right to left, -1 from left to right. An edge
+/// that starts or ends on the line of the first at every scale has no part on one side.
+struct EdgeCrossing {
+  int turn = 0;
+  bool starts_here = false, ends_here = false;
+};
+
 /// Nodes have their names from the table; start_of_edge and end_of_edge (edge_history.hpp) name the
 /// edge's own ends. All answers are exact.
 class NodeArithmetic {
@@ -27,6 +34,8 @@ class NodeArithmetic {
   virtual int compare_slopes(std::uint32_t edge, std::uint32_t x, std::uint32_t y) const = 0;
   /// Whether two nodes coincide at every scale.
   virtual bool same_track(std::uint32_t edge, std::uint32_t x, std::uint32_t y) const = 0;
+  /// At a node where another edge crosses.
+  virtual EdgeCrossing crossing(std::uint32_t edge, std::uint32_t node) const = 0;
 };
 
 std::unique_ptr<NodeArithmetic> node_arithmetic(const PolygonSet& P, const PolygonSet& Q,

@@ -2,16 +2,13 @@
 
 #include <cmath>
 
+#include "reference/plane/dynamic/passing_edges.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 #include "reference/plane/moving/double_range.hpp"
 #include "reference/plane/moving/right_of_edge.hpp"
 
 namespace minkref::inline plane {
-namespace {
-using V = Vector2<Rational>;
-
-}  // namespace
 
 SubEdgeStatus::SubEdgeStatus(const PolygonSet& P, const PolygonSet& Q,
                              const ArrangementEvents& events, const SweptEdge& swept)
@@ -31,32 +28,6 @@ SubEdgeStatus::SubEdgeStatus(const PolygonSet& P, const PolygonSet& Q,
     doubles_.push_back({filter_double(e.p.x()), filter_double(e.p.y()), filter_double(e.q.x()),
                         filter_double(e.q.y()), filter_double(e.d.x()), filter_double(e.d.y())});
   }
-}
-
-SampleScale SubEdgeStatus::scale_between(std::uint32_t low, std::uint32_t high) const {
-  const ScaleWindow& window = events_.window();
-  const double from = low != EdgeNode::always ? events_.approximate(low)
-                      : window.from           ? to_double(*window.from)
-                                              : 0.0;
-  const double to = high != EdgeNode::always ? events_.approximate(high)
-                    : window.to              ? to_double(*window.to)
-                                             : 2 * from + 1;
-  const double room = to - from, error = (from + to) * 4 * filter_bound;
-  if (room > 64 * error && std::isfinite(to) && room > 1e-290) {
-    // As few bits as the room allows.
-    const int exponent = std::ilogb(room) - 2;
-    const double unit = std::ldexp(1.0, exponent);
-    const double middle = std::round((from + room / 2) / unit) * unit;
-    if (middle > from + error && middle < to - error) return {from_double(middle), middle};
-  }
-  const auto exact_end = [&](std::uint32_t group, const std::optional<Rational>& bound,
-                             const Rational& otherwise) {
-    return group != EdgeNode::always ? events_.exact(group) : bound ? *bound : otherwise;
-  };
-  const Rational lower = exact_end(low, window.from, 0);
-  const Rational upper = exact_end(high, window.to, 2 * lower + 1);
-  const Rational middle = (lower + upper) / 2;
-  return {middle, to_double(middle)};
 }
 
 SubEdgeStatus::Place SubEdgeStatus::place(double along, double along_terms, double s) const {
@@ -98,14 +69,7 @@ bool SubEdgeStatus::covered_against(const Point& x, const Rational& scale,
                                     std::uint32_t other) const {
   const RationalEdge& f = events_.moving()[other];
   return minkref::sign(PlainKernel<Rational>::dot(swept_.moving().d, f.d)) < 0 &&
-         covered(x, scale, other);
-}
-
-bool SubEdgeStatus::covered(const Point& x, const Rational& scale, std::uint32_t other) const {
-  const RationalEdge &e = swept_.moving(), &f = events_.moving()[other];
-  const V a = minkref::at(start_of(f), scale), b = minkref::at(end_of(f), scale);
-  const Rational along = e.d.x() * x.x + e.d.y() * x.y, from = e.d.dot(a), to = e.d.dot(b);
-  return along > std::min(from, to) && along < std::max(from, to);
+         runs_along(swept_.moving(), f, x, scale);
 }
 
 Status SubEdgeStatus::at(std::uint32_t x, std::uint32_t y, const SampleScale& sample,
@@ -134,7 +98,7 @@ Status SubEdgeStatus::at(std::uint32_t x, std::uint32_t y, const SampleScale& sa
 
 Status SubEdgeStatus::between(std::uint32_t x, std::uint32_t y, std::uint32_t low,
                               std::uint32_t high) {
-  const SampleScale sample = scale_between(low, high);
+  const SampleScale sample = scale_between(events_, low, high);
   if (certainly_left(x, true, sample.approximate) || certainly_left(y, false, sample.approximate)) {
     return Status::interior;
   }

@@ -2,19 +2,12 @@
 #pragma once
 
 #include "reference/plane/dynamic/edge_happenings.hpp"
+#include "reference/plane/dynamic/gap_status.hpp"
+#include "reference/plane/dynamic/scale_between.hpp"
 #include "reference/plane/dynamic/swept_edge.hpp"
 #include "reference/plane/moving/interior_test.hpp"
 
 namespace minkref::inline plane {
-
-/// A sub-edge's place relative to the sum: `tight` if only the interiors' sum misses the sub-edge.
-enum class Status : std::uint8_t { interior, boundary, tight };
-
-/// A scale with its nearest double.
-struct SampleScale {
-  Rational scale;
-  double approximate = 0;
-};
 
 /// Collision detection (Behar & Lien 2012, Sec. 3) for the middle of a sub-edge of the swept edge.
 /// Exact: doubles decide only what they can prove.
@@ -31,9 +24,6 @@ class SubEdgeStatus {
   /// (`always`: the end of the window).
   Status between(std::uint32_t x, std::uint32_t y, std::uint32_t low, std::uint32_t high);
 
-  /// Whether a parallel edge runs along a point of this edge.
-  bool covered(const Point& x, const Rational& scale, std::uint32_t other) const;
-
   /// How often collision detection was asked and answered by doubles, and by exact numbers.
   std::uint64_t decided_by_doubles = 0, decided_exactly = 0;
 
@@ -44,7 +34,6 @@ class SubEdgeStatus {
   struct Place {
     double x, y, error;
   };
-  SampleScale scale_between(std::uint32_t low, std::uint32_t high) const;
   Place place(double along, double along_terms, double s) const;
   bool certainly_left(std::uint32_t local, bool after, double s) const;
   bool covered_against(const Point& x, const Rational& scale, std::uint32_t other) const;

@@ -40,6 +40,11 @@ class SweptEdge {
   /// The point half-way between two nodes.
   Point middle(std::uint32_t x, std::uint32_t y, const Rational& scale) const;
 
+  /// How the other edge of a crossing node runs.
+  EdgeCrossing crossing(std::uint32_t local) const {
+    return arithmetic_->crossing(edge_, name(local));
+  }
+
   /// The sign of x's position less y's, at a group's scale.
   int compare_at_group(std::uint32_t x, std::uint32_t y, std::uint32_t group);
   int compare_at(std::uint32_t x, std::uint32_t y, const Rational& scale, double near_scale) const;

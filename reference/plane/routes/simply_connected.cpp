@@ -194,7 +194,8 @@ std::vector<Indices> cut_rings(const BoundaryGraph& graph,
 }  // namespace
 
 PolygonSet cut_to_simply_connected(const PolygonSet& set) {
-  if (!set.is_region()) return set;
+  const auto has_hole = [](const Polygon& polygon) { return !polygon.holes.empty(); };
+  if (std::none_of(set.polygons.begin(), set.polygons.end(), has_hole)) return set;
   const BoundaryGraph graph = set_boundary(set).graph;
   PolygonSet result;
   for (const Indices& indices : cut_rings(graph, filtered(graph))) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/plane/convolution/convolution_type.hpp"
 #include "reference/plane/point_predicates.hpp"
 #include "reference/plane/polygon_set.hpp"
 
@@ -12,9 +13,14 @@ namespace minkref::inline plane {
 
 /// The set with its holes joined to their outer rings by slits between vertices: one weakly simple
 /// ring for each connected component of the interior, as `outer`, and no holes. Every vertex of the
-/// result belongs to the set. The interior less the slits is simply connected. Returns points and
-/// segments unchanged. Exact. O(h n + n log n).
+/// result belongs to the set. The interior less the slits is simply connected. Returns sets without
+/// holes, points and segments unchanged. Exact. O(h n + n log n).
 PolygonSet cut_to_simply_connected(const PolygonSet& set);
+
+/// The operand whose convolution is followed to find a sum: cut for the full convolution.
+inline PolygonSet followed_operand(const PolygonSet& set, ConvolutionType of) {
+  return of == ConvolutionType::full ? cut_to_simply_connected(set) : set;
+}
 
 using Triangle = std::array<Point, 3>;
 
