@@ -20,6 +20,7 @@
 #include "reference/plane/critical/event_search.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "reference/plane/dynamic/event_list.hpp"
+#include "reference/plane/routes/simply_connected.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -31,15 +32,17 @@ namespace {
 class Arrangement {
  public:
   Arrangement(const Set& P, const Set& Q, const std::optional<std::string>& from,
-              const std::optional<std::string>& to)
-      : P_(P.value), Q_(Q.value) {
+              const std::optional<std::string>& to, const std::string& route)
+      : P_(followed_operand(P.value, convolution_followed(route))),
+        Q_(followed_operand(Q.value, convolution_followed(route))) {
     const Stopwatch watch;
+    const ConvolutionType of = convolution_followed(route);
     const ScaleWindow window = window_of(from, to);
     refuse_bad_operands(P_, Q_, 1);
-    refuse_large_convolution(P_, Q_);
+    refuse_large_convolution(P_, Q_, of == ConvolutionType::full);
     refuse_bad_window(window);
     if (!P_.empty() && !Q_.empty()) {
-      events_ = std::make_unique<ArrangementEvents>(P_, Q_, opened(window));
+      events_ = std::make_unique<ArrangementEvents>(P_, Q_, opened(window), of);
       list_ = listed_events(*events_, window);
     }
     seconds = watch.seconds();

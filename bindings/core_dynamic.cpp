@@ -32,11 +32,12 @@ namespace {
 class Dynamic {
  public:
   Dynamic(const Set& P, const Set& Q, const std::optional<std::string>& from,
-          const std::optional<std::string>& to)
+          const std::optional<std::string>& to, const std::string& route)
       : P_(P.value), Q_(Q.value) {
-    refuse_large_convolution(P_, Q_);
+    const ConvolutionType of = convolution_followed(route);
+    refuse_large_convolution(P_, Q_, of == ConvolutionType::full);
     const Stopwatch watch;
-    sum_ = std::make_unique<DynamicSum>(P.value, Q.value, window_of(from, to));
+    sum_ = std::make_unique<DynamicSum>(P.value, Q.value, window_of(from, to), of);
     seconds = watch.seconds();
   }
 
@@ -119,6 +120,21 @@ class Dynamic {
     return convolution_rows(sum_->states().timeline().events->edges());
   }
 
+  /// left and right.
+  using NumberRow = std::pair<int, int>;
+  std::vector<NumberRow> winding_numbers(std::uint32_t edge) {
+    std::vector<NumberRow> rows;
+    if (sum_->empty() || sum_->followed() != ConvolutionType::full) return rows;
+    if (edge >= events().edges().size()) {
+      throw BadInput("unknown-edge", "there is no edge " + std::to_string(edge),
+                     "give the place of one of edges()");
+    }
+    for (const SideNumbers& n : sum_->arrangement().winding_numbers(edge)) {
+      rows.emplace_back(n.left, n.right);
+    }
+    return rows;
+  }
+
   std::vector<TimelineRows::BoundaryRow> boundary_events() { return rows().boundary_events(); }
   std::vector<TimelineRows::TopologyRow> topology_events() { return rows().topology_events(); }
   std::vector<TimelineRows::FeatureRow> features(const std::string& kind) {
@@ -187,6 +203,9 @@ void bind_dynamic(nb::module_& module) {
            "All scales of arrangement events: (scale, kinds), ascending.")
       .def("difference_from_scratch", &Dynamic::difference_from_scratch, Released(),
            "What differs from the static arrangement and sum at the same scale; empty: nothing.")
+      .def("winding_numbers", &Dynamic::winding_numbers, "edge"_a, Released(),
+           "Winding numbers (left, right) beside an edge where it stands, from its start to its "
+           "first node and after each node; none on the route dynamic.")
       .def("state_counts", &Dynamic::state_counts, Released(),
            "States of the boundary: where each begins, (holes, components, vertices, holes and "
            "components at the scale itself).");

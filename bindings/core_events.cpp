@@ -13,6 +13,7 @@
 
 #include "bindings/core.hpp"
 #include "bindings/core_fields.hpp"
+#include "bindings/core_timeline.hpp"
 #include "bindings/stopwatch.hpp"
 #include "bindings/vector_caster.hpp"
 #include "formats/write_events.hpp"
@@ -25,6 +26,7 @@
 #include "reference/plane/critical/pair_interval.hpp"
 #include "reference/plane/critical/parallel_pair.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
+#include "reference/plane/routes/simply_connected.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -40,7 +42,7 @@ Form form_named(const std::string& name) {
 
 namespace {
 
-/// Pair events with their operands.
+/// Pair events with their operands, as followed.
 struct Events {
   PairEvents value;
   PolygonSet P, Q;
@@ -56,16 +58,30 @@ EventKind kind_named(const std::string& name) {
 }
 
 Events find(const Set& P, const Set& Q, const std::optional<std::string>& from,
-            const std::optional<std::string>& to, const std::string& kind,
-            const std::string& form) {
+            const std::optional<std::string>& to, const std::string& kind, const std::string& form,
+            const std::string& route) {
   ScaleWindow window;
   if (from) window.from = parse_rational(*from);
   if (to) window.to = parse_rational(*to);
   const Stopwatch watch;
-  refuse_large_convolution(P.value, Q.value);
-  PairEvents events = pair_events(P.value, Q.value, window, kind_named(kind), form_named(form));
+  const ConvolutionType of = convolution_followed(route);
+  refuse_large_convolution(P.value, Q.value, of == ConvolutionType::full);
+  PolygonSet first = followed_operand(P.value, of), second = followed_operand(Q.value, of);
+  PairEvents events =
+      pair_events(first, second, window, kind_named(kind), form_named(form), false, of);
   const double taken = watch.seconds();
-  return {std::move(events), P.value, Q.value, taken};
+  return {std::move(events), std::move(first), std::move(second), taken};
+}
+
+std::vector<std::vector<ExactPoint>> cut_rings(const Set& set) {
+  std::vector<std::vector<ExactPoint>> rings;
+  const PolygonSet cut = cut_to_simply_connected(set.value);
+  if (cut == set.value) return rings;
+  for (const Polygon& polygon : cut.polygons) {
+    auto& ring = rings.emplace_back();
+    for (const Point& point : polygon.outer) ring.push_back(to_strings(point));
+  }
+  return rings;
 }
 
 /// scale, rank, change, parallel, a, b, at, to.
@@ -315,8 +331,13 @@ void bind_events(nb::module_& module) {
           "distinct", [](const Events& events) { return distinct_scales(events.value.events); },
           Released(), "How many different scales the events have that are there.");
   module.def("pair_events", find, "P"_a, "Q"_a, "from_scale"_a = nb::none(),
-             "to_scale"_a = nb::none(), "kind"_a = "both", "form"_a = "corrected", Released(),
-             "All scales at which two edges of the reduced convolution start or stop meeting.");
+             "to_scale"_a = nb::none(), "kind"_a = "both", "form"_a = "corrected",
+             "route"_a = "dynamic", Released(),
+             "All scales at which two edges of the reduced convolution, or on the route winding of "
+             "the full one, start or stop meeting.");
+  module.def("cut_rings", cut_rings, "P"_a, Released(),
+             "The rings of a set with holes, cut along slits; none for a set without holes. Edges "
+             "on the route winding are numbered along them.");
   module.def("pair_intervals", pair_intervals, "pairs"_a, Released(),
              "When two edges meet: for pairs of (kind, (px, py, qx, qy, dx, dy)), an edge from "
              "s p + q along d, rows (case, empty, lower, upper).");

@@ -4,6 +4,13 @@
 
 namespace minkref::python {
 
+ConvolutionType convolution_followed(const std::string& route) {
+  if (route == "dynamic") return ConvolutionType::reduced;
+  if (route == "winding") return ConvolutionType::full;
+  throw BadInput("unknown-route", "no way through the scales is called \"" + route + "\"",
+                 "choose dynamic or winding");
+}
+
 ScaleWindow window_of(const std::optional<std::string>& from,
                       const std::optional<std::string>& to) {
   ScaleWindow window;

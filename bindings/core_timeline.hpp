@@ -15,6 +15,10 @@
 
 namespace minkref::python {
 
+/// The convolution that a way through the scales follows: "dynamic" the reduced one, "winding" the
+/// full one. Throws BadInput ("unknown-route") for another word.
+ConvolutionType convolution_followed(const std::string& route);
+
 ScaleWindow window_of(const std::optional<std::string>& from, const std::optional<std::string>& to);
 
 /// Rows for the events within a closed window; `scale` gives the scale of a group.
@@ -66,14 +70,16 @@ class TimelineRows {
   std::function<Rational(std::uint32_t)> scale_;
 };
 
-/// Binds the constructor of a class for sP + Q over a window.
+/// Binds the constructor of a class for sP + Q over a window, and the convolution it follows.
 template <typename Class>
 nanobind::class_<Class>& bind_of_window(nanobind::class_<Class>& bound) {
   using Bound = std::optional<std::string>;
   using nanobind::arg;
-  return bound.def(nanobind::init<const Set&, const Set&, const Bound&, const Bound&>(), arg("P"),
-                   arg("Q"), arg("from_scale") = nanobind::none(),
-                   arg("to_scale") = nanobind::none(), Released());
+  return bound.def(
+      nanobind::init<const Set&, const Set&, const Bound&, const Bound&, const std::string&>(),
+      arg("P"), arg("Q"), arg("from_scale") = nanobind::none(), arg("to_scale") = nanobind::none(),
+      arg("route") = "dynamic", Released(),
+      "`route`: dynamic follows the reduced convolution, winding the full one.");
 }
 
 /// Binds the answers of a class that has followed the boundary through a window.

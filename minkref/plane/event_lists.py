@@ -212,14 +212,21 @@ class BoundaryEventList:
 
 
 def find_events(
-    P: _core.PolygonSet, Q: _core.PolygonSet, window: list[str | None], kind: str, form: str
+    P: _core.PolygonSet,
+    Q: _core.PolygonSet,
+    window: list[str | None],
+    kind: str,
+    form: str,
+    route: str,
 ) -> EventList:
-    """Find events of one kind within the closed window. Exact."""
+    """Find events of one kind within the closed window. `route`: dynamic follows the reduced
+    convolution, winding the full one. Exact."""
+    low, high = window
     if kind in ("pair", "parallel"):
-        return PairEventList(_core.pair_events(P, Q, window[0], window[1], kind, form))
+        return PairEventList(_core.pair_events(P, Q, low, high, kind, form, route))
     if kind in ("triple", "arrangement"):
-        return ArrangementEventList(_core.ArrangementEvents(P, Q, window[0], window[1]), kind)
-    return BoundaryEventList(_core.DynamicSum(P, Q, window[0], window[1]), kind)
+        return ArrangementEventList(_core.ArrangementEvents(P, Q, low, high, route), kind)
+    return BoundaryEventList(_core.DynamicSum(P, Q, low, high, route), kind)
 
 
 def _row(event: dict[str, Any]) -> Any:

@@ -15,7 +15,8 @@ from minkref.plane.event_lists import BoundaryEventList, EventList, find_events
 KINDS = ("pair", "parallel", "triple", "arrangement", "boundary", "topology")
 PAIR_KINDS = ("pair", "parallel")
 ROUTED_KINDS = ("boundary", "topology")  # found by each of ROUTES
-ROUTES = ("dynamic", "index")
+ROUTES = ("dynamic", "index", "winding")
+CONVOLUTIONS = ("dynamic", "winding")  # routes that follow the reduced and the full convolution
 FORMS = ("corrected", "printed")
 Number = str | int | Fraction
 Place = tuple[Fraction, Fraction]
@@ -126,12 +127,14 @@ def events(
     where: str | None = None,
 ) -> Events:
     """Find all events of one kind in the closed window of scales, exact, ascending: `pair`,
-    `parallel`, `triple` and `arrangement` for the reduced convolution, `boundary` and `topology`
-    for the sum.
+    `parallel`, `triple` and `arrangement` for a convolution, `boundary` and `topology` for the sum.
 
-    Without bounds, all scales above 0. `route`: `dynamic` or `index`, which give the same boundary
-    and topology events; the index is faster for large operands. `form`: `printed` for the paper's
-    own rule for pair and parallel events. `where`: keeps only events that meet a condition, as in
+    Without bounds, all scales above 0. `route`: `dynamic` follows the reduced convolution,
+    `winding` the full one with winding numbers, which has more pair, parallel and triple events,
+    and `index` the swept sum. They give the same boundary and topology events; the index is faster
+    for large operands. On the route `winding` parents are numbered along the rings of operands cut
+    by slits, if they have holes. `form`: `printed` for the paper's own rule for pair and parallel
+    events. `where`: keeps only events that meet a condition, as in
     `minkref events --where`. Pair events take O(n^2 log n) for n edges of the convolution;
     docs/scale-index.md has the cost of the index and of other events. Raises BadInput, Refusal.
     Behar & Lien 2012, Sec. 4."""
@@ -141,9 +144,9 @@ def events(
         if text_of(name, word) not in known:
             what = f"there is no {name} {word!r}"
             raise Refusal(what, "events", choice(word, known), f"unknown-{name}")
-    if route != ROUTES[0] and kind not in ROUTED_KINDS:
-        what = f"{kind} events come from the arrangement: there is only one route to them"
-        raise Refusal(what, f"route={route!r}", "leave it out")
+    if route not in CONVOLUTIONS and kind not in ROUTED_KINDS:
+        what = f"{kind} events come from the arrangement of a convolution: no index has them"
+        raise Refusal(what, f"route={route!r}", f"use {' or '.join(CONVOLUTIONS)}")
     if form != FORMS[0] and kind not in PAIR_KINDS:
         what = "the printed form has pair and parallel events only"
         raise Refusal(what, f"kind={kind!r}", "leave out one of the two")
@@ -155,7 +158,7 @@ def events(
     if route == "index":
         found = BoundaryEventList(_core.ScaleIndex(P, Q, window[0], window[1]), kind, window)
     else:
-        found = find_events(P, Q, window, kind, form)
+        found = find_events(P, Q, window, kind, form, route)
     if where is not None:
         from minkref.plane.event_filter import read_filter  # the parser takes longest to import
 

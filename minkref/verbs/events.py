@@ -36,6 +36,8 @@ minkref events g1 g2 --where 'x in [0, 5] and y > 1/3 and parents has S 0.4' -o 
 
 minkref events g1 g2 --kind topology --where 'feature = hole and not change in (birth, death)'
 
+minkref events g1 g2 --kind arrangement --route winding --to 3
+
 minkref events g1 g2 --form printed --arithmetic mpfr:53
 
 minkref events P.off Q.off --from 1/5 --to 2 -o events.jsonl
@@ -47,10 +49,11 @@ minkref events g1 disc --kind topology
 minkref events g1 disc --kind pair --to 5"""
 
 TOLD = """\
-All scales at which edges of the reduced convolution start or stop meeting: exact, sorted. In
-space, where P and Q are polyhedra, those at which two of its facets start, change or stop to
-meet in a window. With `disc` for Q, the radii at which the sum with a disc changes, or, of the
-kind pair, at which two offset edges or arcs start or stop to meet."""
+All scales at which edges of the reduced convolution, or of the full one (--route winding),
+start or stop meeting: exact, sorted. In space, where P and Q are polyhedra, those at which two
+of its facets start, change or stop to meet in a window. With `disc` for Q, the radii at which
+the sum with a disc changes, or, of the kind pair, at which two offset edges or arcs start or
+stop to meet."""
 
 Kind = Annotated[
     str | None,
@@ -100,9 +103,10 @@ Route = Annotated[
     str | None,
     typer.Option(
         "--route",
-        help="How boundary and topology events are found: dynamic (the default), from all "
-        "events of the arrangement, or index, from the boundary of the swept sum, which is "
-        "faster for large operands.",
+        help="How events are found: dynamic (the default), from the arrangement of the reduced "
+        "convolution, or winding, from that of the full convolution, whose winding numbers tell "
+        "the sum; boundary and topology events also by index, from the boundary of the swept "
+        "sum, which is faster for large operands.",
     ),
 ]
 Where = Annotated[

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 from minkref import _core
 from minkref.cli.memory import Memory
-from minkref.cli.options import ONE, Json, Scale, ScaleInSpace, Triangles
+from minkref.cli.options import ONE, READ_SCALE, Json, Scale, ScaleInSpace, Triangles
 from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.cli.readings import Form, Reading
 from minkref.cli.request import Read
@@ -35,6 +35,8 @@ minkref sum g1 o1 --plot
 minkref sum "POLYGON ((0 0, 2 0, 0 2, 0 0))" g1 -o -
 
 cat P.wkt | minkref sum - Q.wkt --scale 7/5 -o - --format geojson
+
+minkref sum g1 g2 --scale 7/5 --route winding --from 1
 
 minkref sum g1 g2 --arithmetic mpfr:53
 
@@ -65,6 +67,7 @@ The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical
 
 ROUTES = (*_core.ROUTES, "dynamic", "index", PAPER_UPDATE)
 DEFAULT = "paper"
+UPDATING = ("dynamic", "winding")  # follow a convolution from --from to --scale
 
 First = Annotated[
     str,
@@ -83,6 +86,16 @@ Route = Annotated[
         f"{', '.join(SPACE_ROUTES)}. Default: {SPACE_ROUTES[0]} for these, else "
         f"{GENERAL_ROUTES[0]}. With a disc: definition (the default), paper or index.",
     ),
+]
+Start = Annotated[
+    Fraction | None,
+    typer.Option(
+        "--from",
+        help="Begin with the sum at this scale, and follow all events up or down to --scale "
+        f"(--route {' or '.join(UPDATING)}).",
+        metavar="A",
+    ),
+    READ_SCALE,
 ]
 Arithmetic = Annotated[
     str,
@@ -151,6 +164,7 @@ class SumInPlane:
     Q: Second
     scale: Scale = ONE
     route: Route = None
+    start: Start = None
     index: IndexFile = None
     arithmetic: Arithmetic = "rational"
     as_read: Form = None

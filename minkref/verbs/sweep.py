@@ -27,6 +27,8 @@ minkref sweep P.wkt Q.wkt --scales scales.txt --json
 
 minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route dynamic
 
+minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route winding
+
 minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route paper-update --arithmetic mpfr:200
 
 minkref sweep glyph1204 disc --from 1/10 --to 2 --steps 20
@@ -71,7 +73,8 @@ Route = Annotated[
     typer.Option(
         "--route",
         help="How the sums are computed: read off an index of all scales (index, the "
-        "default), each from the one before by dynamic update (dynamic), or by the paper's own "
+        "default), each from the one before by dynamic update of the reduced convolution "
+        "(dynamic) or of the full one with its winding numbers (winding), or by the paper's own "
         "program, formula by formula, with the exact sums beside it (paper-update).",
     ),
 ]

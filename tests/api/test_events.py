@@ -55,8 +55,16 @@ def test_events_are_those_of_the_command(kind: str, capsys: pytest.CaptureFixtur
 
 
 @pytest.mark.parametrize("kind", ROUTED_KINDS)
-def test_both_routes_give_the_same_values(kind: str) -> None:
-    assert list(events(G1, G2, kind, route="index")) == list(events(G1, G2, kind))
+def test_all_routes_give_the_same_values(kind: str) -> None:
+    for route in ("index", "winding"):
+        assert list(events(G1, G2, kind, route=route)) == list(events(G1, G2, kind)), route
+
+
+@pytest.mark.parametrize("kind", ["pair", "parallel", "triple"])
+def test_the_full_convolution_has_all_events_of_the_reduced_one(kind: str) -> None:
+    few, many = (events(G1, G2, kind, 1, 2, route=route) for route in ("dynamic", "winding"))
+    found = {(event.scale, event.change, event.parents) for event in many}
+    assert {(event.scale, event.change, event.parents) for event in few} <= found
 
 
 def test_a_list_of_events_is_a_sequence() -> None:

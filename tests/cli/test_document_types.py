@@ -37,7 +37,7 @@ from minkref.schemas.plane.convolution import Compatible
 from minkref.schemas.plane.events import EventsKind, EventsRoute
 from minkref.schemas.plane.sum import SumRoute
 from minkref.schemas.plane.sweep import SweepFormat
-from minkref.schemas.plane.values import SweepRoute
+from minkref.schemas.plane.values import SweepRoute, ViewRoute
 from minkref.schemas.report import Subject
 from minkref.schemas.space.convolution import ConvolutionFacetKind
 from minkref.schemas.space.events import SpaceEventKind, SpaceEventsKind
@@ -73,7 +73,7 @@ WORDS: dict[str, tuple[Any, Collection[Any]]] = {
     "routes of sum in space": (SpaceSumRoute, (*sums.ROUTES, *general_sum.GENERAL_ROUTES)),
     "routes of sum with a disc": (DiscSumRoute, disc_sum.DISC_ROUTES),
     "routes of sweep": (SweepRoute, plane_sweep.ROUTES),
-    "routes of view": (SweepRoute, plane_view.ROUTES),
+    "routes of view": (ViewRoute, plane_view.ROUTES),
     "routes of events": (EventsRoute, event_values.ROUTES),
     "formats of sweep": (SweepFormat, sweep_folder.FORMATS),
     "formats of sweep in space": (SpaceSweepFormat, sweep_folder.SPACE_FORMATS),

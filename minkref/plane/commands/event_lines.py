@@ -36,6 +36,11 @@ def print_events(value: dict[str, Any], found: EventList, count: int) -> None:
     ]
     if value["route"] is not None:
         rows += [("route", value["route"])]
+    cut = [value[name] for name, rings in (value["cut"] or {}).items() if rings]
+    if cut:
+        rows += [
+            ("cut along slits", f"{' and '.join(cut)}: parents are numbered along the cut rings")
+        ]
     if value["pairs"] is not None:
         rows += [("pairs", f"{value['pairs']:,}; {value['filtered_pairs']:,} filtered by floats")]
     if value["kind"] == "pair":

@@ -18,7 +18,7 @@ from minkref.plane.commands.event_lines import SHOWN, print_events
 from minkref.plane.commands.event_output import FORMATS, document_pieces, print_pieces, write_events
 from minkref.plane.commands.scale_index import chosen_route, index_of, refuse_overwriting_index
 from minkref.plane.event_lists import BoundaryEventList, EventList, PairEventList, find_events
-from minkref.plane.event_values import KINDS, PAIR_KINDS, ROUTED_KINDS, ROUTES
+from minkref.plane.event_values import CONVOLUTIONS, KINDS, PAIR_KINDS, ROUTED_KINDS, ROUTES
 from minkref.plane.operand import Operand, read_operand
 from minkref.verbs.events import EventsInPlane, check_limit, check_paper
 
@@ -38,13 +38,14 @@ def run(request: EventsInPlane) -> None:
     target = target_of(output, request.file_format, FORMATS, "json", json)
     _check_parquet(target, kind)
     route = _route(kind, request.route, request.index)
+    _check_reduced(request, route, readings)
     first, second = read_operand(request.P), read_operand(request.Q)
     if output is not None:
         refuse_overwriting(output, [first.file, second.file])
         refuse_overwriting_index(output, request.index)
     with memory_wall(request.memory, f"{kind} events", f"{first.name} and {second.name}", SMALLER):
         found, window = _found(request, kind, route, first, second)
-        counts = _counts(found, first, second, window)
+        counts = _counts(found, first, second, window, route)
         trial, literal = _trials(request, first, second, readings)
         counts.update(count=len(found), distinct=found.distinct)
         if condition is not None:
@@ -59,6 +60,7 @@ def run(request: EventsInPlane) -> None:
             "form": request.form,
             "arithmetic": request.arithmetic,
             "route": route,
+            "cut": _cut(first, second, route),
             "where": request.where,
             "warnings": first.warnings + second.warnings,
             "output": str(output) if output else None,
@@ -124,7 +126,8 @@ def _found(
     with progress(1) as line:
         line.now(f"finding all {kind} events")
         found = refusing(
-            f"{P.name} and {Q.name}", lambda: find_events(P.set, Q.set, window, kind, request.form)
+            f"{P.name} and {Q.name}",
+            lambda: find_events(P.set, Q.set, window, kind, request.form, route or ROUTES[0]),
         )
     return found, window
 
@@ -158,19 +161,41 @@ def _condition(where: str | None, kind: str) -> _core.EventCondition | None:
 
 
 def _route(kind: str, route: str | None, index: Path | None) -> str | None:
-    """The route of boundary and topology events; other kinds have none."""
+    """The route. Events of an arrangement are in no index; null stands for their default."""
     if kind in ROUTED_KINDS:
         return chosen_route(index, route, ROUTES)
-    if route is not None or index is not None:
+    if index is not None or route == "index":
         raise Refusal(
-            f"{kind} events come from the arrangement: there is only one route to them",
-            "--route" if index is None else f"--index {index}",
+            f"{kind} events come from the arrangement of a convolution: no index has them",
+            "--route index" if index is None else f"--index {index}",
             "leave it out, or choose --kind boundary or --kind topology",
         )
-    return None
+    return None if route is None else chosen_route(None, route, CONVOLUTIONS)
 
 
-def _counts(found: EventList, P: Operand, Q: Operand, window: list[str | None]) -> dict[str, Any]:
+def _check_reduced(
+    request: EventsInPlane, route: str | None, readings: dict[str, str] | None
+) -> None:
+    """Refuses the paper's program for the full convolution: the paper follows the reduced one."""
+    if route != "winding" or (readings is None and not request.least):
+        return
+    given = "--least-precision"
+    if readings is not None:
+        given = "--reading" if request.arithmetic == "rational" else "--arithmetic"
+    what = "the paper's program follows the reduced convolution"
+    raise Refusal(what, f"--route winding {given}", "leave out one of the two options")
+
+
+def _cut(P: Operand, Q: Operand, route: str | None) -> dict[str, Any] | None:
+    """The rings that parents are numbered along, of operands that the route cuts; else null."""
+    if route != "winding":
+        return None
+    return {name: _core.cut_rings(each.set) or None for name, each in (("P", P), ("Q", Q))}
+
+
+def _counts(
+    found: EventList, P: Operand, Q: Operand, window: list[str | None], route: str | None
+) -> dict[str, Any]:
     """Counts of pairs of edges; of an index it has no need of them: null."""
     if isinstance(found, PairEventList):
         return dict(found.found.counts())
@@ -179,7 +204,8 @@ def _counts(found: EventList, P: Operand, Q: Operand, window: list[str | None]) 
         edges = {name: counted_edges[name] for name in ("s_edges", "t_edges")}
         return {**dict.fromkeys(PAIR_COUNTS), **edges}
     pairs = refusing(
-        f"{P.name} and {Q.name}", lambda: _core.pair_events(P.set, Q.set, window[0], window[1])
+        f"{P.name} and {Q.name}",
+        lambda: _core.pair_events(P.set, Q.set, *window, route=route or ROUTES[0]),
     )
     return dict(pairs.counts())
 

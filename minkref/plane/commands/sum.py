@@ -23,7 +23,7 @@ from minkref.plane.commands.sum_table import print_table
 from minkref.plane.operand import Operand, read_operand
 from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.plane.parents import PassageRows, passages_of
-from minkref.verbs.sum import DEFAULT, ROUTES, SumInPlane
+from minkref.verbs.sum import DEFAULT, ROUTES, UPDATING, SumInPlane
 
 if TYPE_CHECKING:
     from minkref.verbs.paper_update import PaperWalk
@@ -39,6 +39,9 @@ def run(request: SumInPlane) -> None:
     watch = Stopwatch()
     route = chosen_route(request.index, request.route, ROUTES, DEFAULT)
     readings = _readings(request, route)
+    if request.start is not None and route not in UPDATING:
+        what = f"the route {route} does not go from scale to scale"
+        raise Refusal(what, f"--from {request.start}", f"add --route {' or '.join(UPDATING)}")
     target = target_of(output, request.form, OUTPUTS, "wkt", json)
     _check_pictures(request.plot, request.only_sum, target, json)
     instead = f"{SIMPLER}, or the route paper" if route in OR_PAPER else SIMPLER
@@ -48,7 +51,14 @@ def run(request: SumInPlane) -> None:
             refuse_overwriting(output, [first.file, second.file])
             refuse_overwriting_index(output, request.index)
         result = compute(
-            first, second, request.scale, route, request.arithmetic, request.index, readings
+            first,
+            second,
+            request.scale,
+            route,
+            request.arithmetic,
+            request.index,
+            readings,
+            request.start,
         )
         region, truth = result.pop("region"), result.pop("truth")
     drawn = (first, second, str(request.scale), result, truth) if not request.only_sum else None
@@ -143,6 +153,7 @@ def compute(
     arithmetic: str,
     index: Path | None = None,
     readings: dict[str, str] | None = None,
+    start: Fraction | None = None,
 ) -> dict[str, Any]:
     """The fields of the document that describe the sum, and `region` (None where the arithmetic
     could not decide a sign), and `truth`, the exact sum where the paper's program has answered. For
@@ -157,9 +168,13 @@ def compute(
     seconds: float | None = None
     passages: PassageRows | None = None
     walk: PaperWalk | None = None
+    step: dict[str, Any] | None = None
     try:
-        if route == "dynamic":
-            answer, passages, seconds = refusing(where, lambda: _dynamic(P, Q, scale))
+        if route == "dynamic" or start is not None:
+            begin = scale if start is None else str(start)
+            answer, passages, seconds, step = refusing(
+                where, lambda: _updated(P, Q, begin, scale, route)
+            )
         elif readings is not None:
             from minkref.verbs.paper_update import PaperWalk
 
@@ -180,12 +195,16 @@ def compute(
         undecided = True
     fields: dict[str, Any] = {
         "route": route,
+        "from": None if start is None else str(start),
+        "step": None if start is None else step,
         "arithmetic": arithmetic,
         "undecided": undecided,
         "compute_seconds": seconds,
         **_description(answer),
         "tight_passages": None if passages is None else passages_of(passages),
-        "signs": _signs(answer.statistics) if answer and route in _core.ROUTES else None,
+        "signs": _signs(answer.statistics)
+        if answer and route in _core.ROUTES and start is None
+        else None,
         "statistics": dict(answer.statistics) if answer else None,
         "exact": None,
         "readings": readings,
@@ -208,15 +227,19 @@ def compute(
     return fields
 
 
-def _dynamic(P: Operand, Q: Operand, scale: str) -> tuple[_core.Sum, PassageRows, float]:
-    """By dynamic update, over a window that is this scale only. The passages are not kept while the
-    scale changes: they are those of the static arrangement."""
-    start = time.perf_counter()
-    moving = _core.DynamicSum(P.set, Q.set, scale, scale)
-    moving.move_to(scale)
+def _updated(
+    P: Operand, Q: Operand, start: str, scale: str, route: str
+) -> tuple[_core.Sum, PassageRows, float, dict[str, Any]]:
+    """By dynamic update from one scale to another, and what the step did. The passages are not kept
+    while the scale changes: they are those of the static arrangement."""
+    began = time.perf_counter()
+    window = sorted((start, scale), key=Fraction)
+    moving = _core.DynamicSum(P.set, Q.set, *window, route)
+    moving.move_to(start)
+    did = dict(moving.move_to(scale))
     answer = moving.sum()
     passages = _core.tight_passages(P.set, Q.set, scale)
-    return answer, passages, time.perf_counter() - start
+    return answer, passages, time.perf_counter() - began, did
 
 
 def _description(answer: _core.Sum | None) -> dict[str, Any]:

@@ -15,6 +15,12 @@ def print_table(value: dict[str, Any]) -> None:
         ("sum", f"{value['scale']} {value['P']} + {value['Q']}"),
         ("route, arithmetic", f"{value['route']}, {value['arithmetic']}"),
     ]
+    if value["step"] is not None:
+        step = value["step"]
+        changes = ", ".join(
+            f"{step[name]:,} {name}" for name in ("insertions", "deletions", "swaps")
+        )
+        rows.append((f"from {value['from']}", f"{step['groups']:,} scales of events: {changes}"))
     if value["undecided"]:
         rows.append(("result", f"undecided: {_why_undecided(value['arithmetic'])}"))
     else:

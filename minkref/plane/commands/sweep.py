@@ -33,7 +33,8 @@ from minkref.verbs.sweep import SweepInPlane
 if TYPE_CHECKING:
     from minkref.verbs.paper_update import PaperWalk
 
-ROUTES = ("index", "dynamic", ROUTE)
+UPDATING = ("dynamic", "winding")  # follow the reduced and the full convolution
+ROUTES = ("index", *UPDATING, ROUTE)
 
 Sums = _core.ScaleIndex | _core.DynamicSum
 Step = Callable[[Fraction], tuple[Row, _core.PolygonSet]]
@@ -115,7 +116,8 @@ def _sums(P: Operand, Q: Operand, scales: list[Fraction], route: str, index: Pat
     if route == "index":
         return index_of(index, P, Q, least, greatest)
     return refusing(
-        f"{P.name} and {Q.name}", lambda: _core.DynamicSum(P.set, Q.set, str(least), str(greatest))
+        f"{P.name} and {Q.name}",
+        lambda: _core.DynamicSum(P.set, Q.set, str(least), str(greatest), route),
     )
 
 
@@ -144,7 +146,7 @@ def step(sums: Sums, factor: Fraction) -> tuple[Row, _core.PolygonSet]:
 
 
 def _print(value: dict[str, Any], rows: RowSpool) -> None:
-    steps = ("insertions", "deletions", "swaps", "updated") if value["route"] == "dynamic" else ()
+    steps = ("insertions", "deletions", "swaps", "updated") if value["route"] in UPDATING else ()
     headings = ("scale", "area", "components", "holes", "vertices", *steps, "ms")
     beside = ("exact",) if value["route"] == ROUTE else ()
     table = plain_table(*headings, *beside, right=headings, whole=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
-from minkref.schemas.plane.values import Misplaced, PairEvent, Parent, Segments
+from minkref.schemas.plane.values import Misplaced, PairEvent, Parent, Ring, Segments
 from minkref.schemas.values import (
     Amount,
     Count,
@@ -17,7 +17,7 @@ from minkref.schemas.values import (
 )
 from msgspec import Meta
 
-EventsRoute = Literal["dynamic", "index"]
+EventsRoute = Literal["dynamic", "index", "winding"]
 EventsKind = Literal["pair", "parallel", "triple", "arrangement", "boundary", "topology"]
 EventKind = Literal["pair", "parallel", "triple", "boundary", "topology"]
 
@@ -34,6 +34,13 @@ EventsWindow = TypedDict(
         ],
     },
 )
+
+
+class CutOperands(TypedDict):
+    """The rings of operands with holes, cut along slits; null for an operand without holes."""
+
+    P: list[Ring] | None
+    Q: list[Ring] | None
 
 
 class EventSigns(TypedDict):
@@ -138,6 +145,13 @@ class EventsDocument(LastingHead, Operands, Written, EventsWindow):
     kind: EventsKind
     form: Form
     arithmetic: str
+    cut: Annotated[
+        CutOperands | None,
+        Meta(
+            description="For the route `winding`: edges and vertices are numbered along "
+            "these rings; null on other routes."
+        ),
+    ]
     where: Annotated[str | None, Meta(description="The condition that --where gives.")]
     compute_seconds: Amount | None
     segments: Segments

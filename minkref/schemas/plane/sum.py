@@ -53,13 +53,36 @@ class ExactSum(TypedDict):
     ]
 
 
-class SumDocument(Head, Operands, Written):
+class SumStep(TypedDict):
+    """The work of the step from scale to scale, as in the rows of `minkref sweep`."""
+
+    insertions: Count
+    deletions: Count
+    swaps: Count
+    updated: Count
+    groups: Annotated[Count, Meta(description="Scales of events that were crossed.")]
+    seconds: Amount
+
+
+SumStart = TypedDict(
+    "SumStart",
+    {
+        "from": Annotated[
+            Number | None,
+            Meta(description="The scale at which the update began; null: there was none."),
+        ]
+    },
+)
+
+
+class SumDocument(Head, Operands, Written, SumStart):
     """The document of `minkref sum --json`."""
 
     command: Literal["sum"]
     scale: Number
     output_exact: FileIsExact
     route: SumRoute
+    step: SumStep | None
     arithmetic: Annotated[str, Meta(pattern="^(rational|interval|double|mpfr:[0-9]+)$")]
     undecided: Annotated[
         bool,

@@ -72,7 +72,8 @@ class SweepDocument(AnySweep, Operands, PaperRun):
         SweepRoute,
         Meta(
             description="How the sums were got: `index`, read off the boundary of the swept sum; "
-            "`dynamic`, by dynamic update; `paper-update`, by the paper's own program, formula by "
+            "`dynamic`, by dynamic update; `winding`, by dynamic update of the full convolution "
+            "and its winding numbers; `paper-update`, by the paper's own program, formula by "
             "formula."
         ),
     ]

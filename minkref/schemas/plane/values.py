@@ -32,11 +32,12 @@ Readings = Annotated[
     Meta(description="Of the route `paper-update`: how each formula was read (docs/paper.md)."),
 ]
 
-SweepRoute = Literal["index", "dynamic", "paper-update"]
+SweepRoute = Literal["index", "dynamic", "winding", "paper-update"]
+ViewRoute = Literal["index", "dynamic", "paper-update"]
 
 
 class Segments(TypedDict):
-    """Edges of the reduced convolution."""
+    """Edges of the convolution: the full one on the route `winding`, else the reduced one."""
 
     S: Count
     T: Count

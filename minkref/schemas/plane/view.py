@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
-from minkref.schemas.plane.values import PaperRun, Segments, SweepRoute
+from minkref.schemas.plane.values import PaperRun, Segments, ViewRoute
 from minkref.schemas.values import Count, Number, Operands, Page
 from msgspec import Meta
 
@@ -45,7 +45,7 @@ class ViewDocument(Page, Operands, PaperRun, ViewWindow):
     ]
     splices: Annotated[Count, Meta(description="Changes of rings that the page stores.")]
     route: Annotated[
-        SweepRoute,
+        ViewRoute,
         Meta(
             description="How the sums were got: `index`, read off the boundary of the swept sum; "
             "`dynamic`, the paper's dynamic update; `paper-update`, read off, with the answers of "
