@@ -3,7 +3,7 @@ at, below and above every scale that might be one."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
@@ -86,7 +86,7 @@ def _event(row: dict[str, Any]) -> Event:
 
 
 def judge(case: Case, sampled: SampledEvents) -> Ruling:
-    """By both routes, at all scales and in a window that ends at events: the scales and changes of
+    """By all routes, at all scales and in a window that ends at events: the scales and changes of
     boundary events, each once; components and holes at and between them, and as the topology
     events tell them."""
     truth = sampled.events(case)
@@ -95,7 +95,12 @@ def judge(case: Case, sampled: SampledEvents) -> Ruling:
     ruling = Ruling()
     low, high = window(case, truth.events)
     within = [event for event in truth.events if low <= event.s <= high]
-    for route, sums in (("dynamic", _core.DynamicSum), ("index", _core.ScaleIndex)):
+    ways: dict[str, Callable[..., _core.DynamicSum | _core.ScaleIndex]] = {
+        "dynamic": _core.DynamicSum,
+        "winding": _by_winding,
+        "index": _core.ScaleIndex,
+    }
+    for route, sums in ways.items():
         found = sums(case.P, case.Q)
         compare_events(ruling, f"boundary events by the route {route}", found, truth.events)
         compare_topology(ruling, route, found, truth.events)
@@ -108,6 +113,12 @@ def judge(case: Case, sampled: SampledEvents) -> Ruling:
             ruling, f"boundary events in [{low}, {high}] by the route {route}", found, within
         )
     return ruling
+
+
+def _by_winding(
+    P: _core.PolygonSet, Q: _core.PolygonSet, low: str | None = None, high: str | None = None
+) -> _core.DynamicSum:
+    return _core.DynamicSum(P, Q, low, high, "winding")
 
 
 def window(case: Case, events: Sequence[Event]) -> tuple[Fraction, Fraction]:

@@ -14,17 +14,21 @@ from minkref.oracle import slow
 
 
 def judge(case: Case) -> Ruling:
-    """Digest, components, holes, by the routes paper, winding, definition, dynamic and index."""
+    """Digest, components, holes, by the routes paper, winding, definition, dynamic and index, and
+    by updates of the full convolution with its winding numbers."""
     ruling = Ruling()
     P, Q = slow_operands(case)
     dynamic = _core.DynamicSum(case.P, case.Q)
+    full = _core.DynamicSum(case.P, case.Q, None, None, "winding")
     index = _core.ScaleIndex(case.P, case.Q)
     for scale in scales_of(case, dynamic):
         truth = slow.minkowski_sum(P, Q, Fraction(scale))
         expected = (truth.digest, truth.components, truth.holes)
         dynamic.move_to(scale)
+        full.move_to(scale)
         sums = {route: _core.minkowski_sum(case.P, case.Q, scale, route) for route in _core.ROUTES}
         sums["dynamic"] = dynamic.sum()
+        sums["dynamic, by winding numbers"] = full.sum()
         sums["index"] = index.sum(scale)
         for route, ours in sums.items():
             text = ours.region.canonical_json()
