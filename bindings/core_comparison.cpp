@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "bindings/core.hpp"
+#include "bindings/plane_scale.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/witness.hpp"
 
@@ -40,8 +41,10 @@ Fields decision(const Set& P, const Set& Q, const std::string& scale, const std:
   Witness witness;
   {
     const Computing released;
+    const ScaledOperand operand(P.value, scale);
     witness =
-        decide(P.value, Q.value, parse_rational(scale), {parse_rational(x), parse_rational(y)});
+        decide(operand.set(), Q.value, operand.scale(), {parse_rational(x), parse_rational(y)});
+    if (witness.p) witness.p = operand.of_P(*witness.p);
   }
   Fields fields;
   fields["contact"] = word(witness.contact);

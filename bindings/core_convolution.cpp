@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "bindings/core.hpp"
+#include "bindings/plane_scale.hpp"
 #include "bindings/vector_caster.hpp"
 #include "formats/decimal.hpp"
 #include "reference/error.hpp"
@@ -37,14 +38,14 @@ using SegmentTuple = std::tuple<double, double, double, double>;
 
 std::vector<SegmentTuple> segments(const Set& P, const Set& Q, const std::string& scale,
                                    bool reduced) {
-  const Rational s = parse_rational(scale);
-  const auto edges =
-      reduced ? reduced_convolution(P.value, Q.value) : full_convolution(P.value, Q.value);
+  const ScaledOperand operand(P.value, scale);
+  const PolygonSet& p = operand.set();
+  const auto edges = reduced ? reduced_convolution(p, Q.value) : full_convolution(p, Q.value);
   std::vector<SegmentTuple> rows;
   rows.reserve(edges.size());
   for (const auto& edge : edges) {
     look_for_interrupt();
-    const Segment segment = at_scale(edge, P.value, Q.value, s);
+    const Segment segment = at_scale(edge, p, Q.value, operand.scale());
     rows.emplace_back(to_double(segment.start.x), to_double(segment.start.y),
                       to_double(segment.end.x), to_double(segment.end.y));
   }
@@ -58,7 +59,9 @@ struct Convolution {
   std::vector<ConvolutionEdge> edges;
 
   Convolution(const Set& p, const Set& q, const std::string& s, bool full, Between between)
-      : P(p.value), Q(q.value), scale(parse_rational(s)) {
+      : Convolution(ScaledOperand(p.value, s), q, full, between) {}
+  Convolution(const ScaledOperand& p, const Set& q, bool full, Between between)
+      : P(p.set()), Q(q.value), scale(p.scale()) {
     refuse_bad_operands(P, Q, scale);
     refuse_large_convolution(P, Q, full, between);
     edges = convolution(P, Q, full, between);

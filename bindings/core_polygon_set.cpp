@@ -9,12 +9,14 @@
 
 #include "bindings/core.hpp"
 #include "bindings/core_shapes.hpp"
+#include "bindings/plane_scale.hpp"
 #include "bindings/vector_caster.hpp"
 #include "formats/json_text.hpp"
 #include "formats/read_json.hpp"
 #include "formats/refusal_place.hpp"
 #include "formats/write.hpp"
 #include "reference/plane/boundary/canonical.hpp"
+#include "reference/plane/convex/convex_ring.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -159,9 +161,11 @@ void bind_polygon_set(nb::module_& module) {
       .def(
           "scaled",
           [](const Set& set, const std::string& factor) {
-            return Set{scaled(set.value, parse_rational(factor))};
+            const auto axes = axes_of(factor);
+            return Set{axes ? scaled(set.value, *axes) : scaled(set.value, parse_rational(factor))};
           },
-          "factor"_a, Released())
+          "factor"_a, Released(),
+          "About the origin; by \"SX,SY\" with a factor above 0 for each axis.")
       .def(
           "translated",
           [](const Set& set, const std::string& x, const std::string& y) {
@@ -173,6 +177,9 @@ void bind_polygon_set(nb::module_& module) {
       .def_prop_ro(
           "is_region", [](const Set& set) { return set.value.is_region(); },
           "Neither empty nor a point nor a segment.")
+      .def_prop_ro(
+          "is_convex", [](const Set& set) { return is_convex(set.value); },
+          "One convex polygon without holes; straight vertices may be there.")
       .def_prop_ro("is_empty", [](const Set& set) { return set.value.empty(); })
       .def_prop_ro("is_point", [](const Set& set) { return set.value.is_point(); })
       .def_prop_ro("is_segment", [](const Set& set) { return set.value.is_segment(); });

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "bindings/core.hpp"
+#include "bindings/core_convex_polygons.hpp"
 #include "bindings/core_fields.hpp"
 #include "bindings/core_timed_sum.hpp"
+#include "bindings/plane_scale.hpp"
 #include "bindings/stopwatch.hpp"
 #include "bindings/vector_caster.hpp"
 #include "reference/error.hpp"
@@ -39,21 +41,23 @@ std::vector<PassageRow> passage_rows(const std::vector<TightPassage>& passages) 
 
 TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const std::string& route,
                    const std::string& arithmetic, bool with_passages) {
-  const Rational s = parse_rational(scale);
+  const ScaledOperand operand(P.value, scale);
   const Route way = route_named(route);
   if (way == Route::definition) {
-    refuse_large_definition(P.value, Q.value);
+    refuse_large_definition(operand.set(), Q.value);
   } else {
     refuse_large_convolution(P.value, Q.value, way == Route::winding);
   }
   const Stopwatch watch;
-  Sum sum = minkowski_sum(P.value, Q.value, s, way, arithmetic,
+  Sum sum = minkowski_sum(operand.set(), Q.value, operand.scale(), way, arithmetic,
                           with_passages ? Passages::find : Passages::leave);
   const double seconds = watch.seconds();
   // Only exact arithmetic is known to give a canonical form.
   const bool canonical = arithmetic == "rational" || arithmetic == "interval";
   // The operands outlive the sum, which keeps them alive.
-  const auto find = [&P, &Q, s] { return tight_passages(P.value, Q.value, s); };
+  const auto find = [operand, &Q] {
+    return tight_passages(operand.set(), Q.value, operand.scale());
+  };
   return {{std::move(sum.region), canonical},
           sum.components,
           sum.holes,
@@ -116,17 +120,20 @@ void bind_sum(nb::module_& module) {
   module.def("minkowski_sum", timed_sum, "P"_a, "Q"_a, "scale"_a, "route"_a = "paper",
              "arithmetic"_a = "rational", "tight_passages"_a = false, nb::keep_alive<0, 1>(),
              nb::keep_alive<0, 2>(), Released(),
-             "sP + Q. Routes: paper, winding, definition. Arithmetics: rational, interval, double, "
+             "sP + Q; by \"SX,SY\" S P + Q. Routes: paper, winding, definition. Arithmetics: "
+             "rational, interval, double, "
              "mpfr:BITS. `tight_passages`: they are found at once, in rational arithmetic from the "
              "same arrangement. Raises BadInput, UndecidedSign.");
   module.def(
       "tight_passages",
       [](const Set& P, const Set& Q, const std::string& scale) {
-        return passage_rows(tight_passages(P.value, Q.value, parse_rational(scale)));
+        const ScaledOperand operand(P.value, scale);
+        return passage_rows(tight_passages(operand.set(), Q.value, operand.scale()));
       },
       "P"_a, "Q"_a, "scale"_a, Released(),
       "What the sum of the interiors misses inside of sP + Q: (points, contacts), contacts being "
       "rows as reduced_convolution's for each segment.");
+  bind_convex_polygons(module);
 }
 
 }  // namespace minkref::python
