@@ -22,6 +22,7 @@ from minkref.argument_types import (
     expect_surfaces,
     factors,
     number,
+    scale_text,
     surface_of,
     text_of,
     whole,
@@ -81,16 +82,18 @@ UndecidedSign = _core.UndecidedSign
 check_methods()
 
 Number = str | int | Fraction
+PlaneScale = Number | Sequence[Number]
 
 
 def minkowski_sum(
     P: PolygonSet,
     Q: PolygonSet,
-    scale: Number = 1,
+    scale: PlaneScale = 1,
     route: str = "paper",
     arithmetic: str = "rational",
 ) -> Sum:
-    """Compute the Minkowski sum of P, scaled by `scale` > 0 about the origin, and Q.
+    """Compute the Minkowski sum of P, scaled by `scale` > 0 about the origin, and Q. `scale`: one
+    factor, or two, one for each axis.
 
     With the arithmetic `rational` the sum is exact and in canonical form; `interval` is exact or
     raises UndecidedSign; `double` and `mpfr:BITS` may be wrong, and raise UndecidedSign if a value
@@ -100,7 +103,7 @@ def minkowski_sum(
     reduced convolution, k its crossings. Raises BadInput for an invalid operand, scale, route or
     arithmetic. Behar & Lien, "Dynamic Minkowski Sums Under Scaling", 2012, Sec. 3."""
     _validate(P=P, Q=Q)
-    s = number("scale", scale)
+    s = scale_text("scale", scale)
     return _core.minkowski_sum(P, Q, s, text_of("route", route), text_of("arithmetic", arithmetic))
 
 
@@ -222,7 +225,7 @@ def set_memory_limit(bytes: int | None) -> None:
     _core.set_memory_limit(bytes or 0)
 
 
-def tight_passages(P: PolygonSet, Q: PolygonSet, scale: Number = 1) -> list[dict[str, Any]]:
+def tight_passages(P: PolygonSet, Q: PolygonSet, scale: PlaneScale = 1) -> list[dict[str, Any]]:
     """Find the points and polylines inside the sum of P, scaled by `scale` > 0 about the origin,
     and Q that the sum of their interiors misses: `points`, and for each segment the features in
     `contacts`, as in `minkref sum --json`. Exact, in canonical order. Both operands are validated
@@ -230,7 +233,7 @@ def tight_passages(P: PolygonSet, Q: PolygonSet, scale: Number = 1) -> list[dict
     part where shapes may touch from all sides. Raises BadInput. docs/definitions.md, "Tight
     passages"."""
     _validate(P=P, Q=Q)
-    return passages_of(_core.tight_passages(P, Q, number("scale", scale)))
+    return passages_of(_core.tight_passages(P, Q, scale_text("scale", scale)))
 
 
 def read_file(path: str | os.PathLike[str]) -> PolygonSet:
@@ -257,13 +260,13 @@ def write(set: PolygonSet, format: str) -> str:
     return _core.write(set, text_of("format", format))
 
 
-def decide(P: PolygonSet, Q: PolygonSet, scale: Number, x: Number, y: Number) -> dict[str, Any]:
+def decide(P: PolygonSet, Q: PolygonSet, scale: PlaneScale, x: Number, y: Number) -> dict[str, Any]:
     """Decide whether scale P + Q contains the point (x, y), exactly and from the definition:
     `contact` says how scale P and the point less Q meet (`empty`, `touching`, `overlapping`), and
     `p`, `q` give scale p + q = (x, y) if they do. O(mn) pairs of triangles, after both operands'
     validation. Raises BadInput. docs/definitions.md."""
     _validate(P=P, Q=Q)
-    return _core.decide(P, Q, number("scale", scale), number("x", x), number("y", y))
+    return _core.decide(P, Q, scale_text("scale", scale), number("x", x), number("y", y))
 
 
 def difference(first: PolygonSet, second: PolygonSet) -> dict[str, Any] | None:

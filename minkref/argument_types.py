@@ -12,6 +12,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.errors import Refusal
+from minkref.scaling import joined
 
 SET = "a PolygonSet; minkref.PolygonSet(...) makes one"
 TEXT = "a str"
@@ -62,6 +63,13 @@ def number(name: str, value: Any) -> str:
     return f"{int(value.numerator)}/{int(value.denominator)}"
 
 
+def scale_text(name: str, value: Any) -> str:
+    """Write a scale in the plane as text: one number, or a list of two, a factor for each axis."""
+    if isinstance(value, tuple | list) and len(value) == 2:
+        return joined([number(name, factor) for factor in value])
+    return number(name, value)
+
+
 def factors(name: str, value: Any) -> tuple[str, str, str]:
     """Read the three axes' factors, from one number for all axes or from three."""
     axes = value if isinstance(value, tuple | list) and len(value) == 3 else [value] * 3
@@ -101,7 +109,7 @@ _METHODS: dict[type, dict[str, dict[str, Reader]]] = {
     _core.PolygonSet: {
         "from_json": {"text": text_of},
         "validate": {"source": text_of},
-        "scaled": {"factor": number},
+        "scaled": {"factor": scale_text},
         "translated": {"x": number, "y": number},
     },
     _core.ScaleIndex: {

@@ -39,9 +39,10 @@ def exact_scale(text: str, option: str) -> Fraction:
         raise Refusal("the scale is not a finite number", where, mend, "scale-not-finite")
     if "," in text:
         raise Refusal(
-            "the plane takes one scale, the same in x and y",
+            "this takes one scale, the same for all axes",
             where,
-            "give one positive number",
+            "give one positive number; `minkref sum`, `convolution`, `certify` and `sweep` take a "
+            "factor for each axis",
             "scale-not-uniform",
         )
     value = read_number(text, "scale", where, mend)

@@ -9,8 +9,8 @@ from typing import Annotated
 import typer
 from minkref.cli.request import Read
 from minkref.exact import exact_scale
+from minkref.scaling import PlaneScale, Scaling, read_plane_scale, read_scaling
 from minkref.schemas import schema_text
-from minkref.space.scaling import Scaling, read_scaling
 
 
 def _print_schema(context: typer.Context, wanted: bool) -> None:
@@ -30,12 +30,16 @@ FROM = typer.Option(
 )
 TO = typer.Option("--to", help="Largest scale, included. Default: no end.", metavar="B")
 SCALE = typer.Option(
-    "--scale", help="Scale of P, exact: 3, 7/5, 0.25; in space also SX,SY,SZ.", metavar="S"
+    "--scale",
+    help="Scale of P, exact: 3, 7/5, 0.25. Or a factor for each axis: SX,SY in the plane, SX,SY,SZ "
+    "in space.",
+    metavar="S",
 )
 READ_SCALE = Read(exact_scale)
 LeastScale = Annotated[Fraction | None, FROM, READ_SCALE]
 GreatestScale = Annotated[Fraction | None, TO, READ_SCALE]
 Scale = Annotated[Fraction, SCALE, READ_SCALE]
+ScaleInPlane = Annotated[PlaneScale, SCALE, Read(read_plane_scale)]
 ScaleInSpace = Annotated[Scaling, SCALE, Read(read_scaling)]
 ONE = Fraction(1)
 Triangles = Annotated[

@@ -8,12 +8,13 @@ from fractions import Fraction
 from typing import overload
 
 from minkref import _core
-from minkref.argument_types import expect_sets, number, text_of, truth
+from minkref.argument_types import expect_sets, scale_text, text_of, truth
 from minkref.errors import Refusal, choice
 
 COMPATIBLE = ("half-open", "open", "closed")
 CHUNK = 1024  # edges made at a time
 Number = str | int | Fraction
+PlaneScale = Number | Sequence[Number]
 Place = tuple[Fraction, Fraction]
 PlacedRow = tuple[
     tuple[str, int, int, int, int, int], tuple[str, str], tuple[str, str], tuple[str, str]
@@ -69,12 +70,13 @@ class Convolution(Sequence[ConvolutionEdge]):
 def convolution(
     P: _core.PolygonSet,
     Q: _core.PolygonSet,
-    scale: Number = 1,
+    scale: PlaneScale = 1,
     full: bool = False,
     compatible: str = "half-open",
 ) -> Convolution:
     """Compute the convolution of P, scaled by `scale` > 0 about the origin, and Q: every edge of
-    each operand at each compatible vertex of the other, with the parents. Exact.
+    each operand at each compatible vertex of the other, with the parents. `scale`: one factor, or
+    two, one for each axis. Exact.
 
     Returns the reduced convolution, or with `full` also edges at reflex vertices, with the sign -1.
     `compatible`: the ends that belong to the turn at a vertex. `half-open` is right, and covers the
@@ -88,7 +90,7 @@ def convolution(
         mend = choice(compatible, COMPATIBLE)
         what = f"there is no reading {compatible!r} of `between`"
         raise Refusal(what, "convolution", mend, "unknown-reading")
-    s, with_reflex = number("scale", scale), truth("full", full)
+    s, with_reflex = scale_text("scale", scale), truth("full", full)
     for name, operand in (("P", P), ("Q", Q)):
         operand.validate(name)
     return Convolution(_core.Convolution(P, Q, s, with_reflex, compatible), full, compatible)

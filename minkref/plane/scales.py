@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TypeVar
 
 from minkref.errors import Refusal
-from minkref.exact import exact_scale
 from minkref.file_text import text_of_file
 from minkref.output.terminal import escaped
 
@@ -18,9 +17,14 @@ MOST_SCALES = 1_000_000
 
 
 def asked_scales(
-    first: Fraction | None, last: Fraction | None, steps: int | None, file: Path | None
-) -> list[Fraction]:
-    """The scales that --from, --to and --steps give together, or --scales."""
+    first: Fraction | None,
+    last: Fraction | None,
+    steps: int | None,
+    file: Path | None,
+    read: Callable[[str, str], S],
+) -> list[Fraction] | list[S]:
+    """The scales that --from, --to and --steps give together, or --scales, whose lines `read`
+    reads."""
     options = (("--from", first), ("--to", last), ("--steps", steps))
     given = [option for option, value in options if value is not None]
     if file is not None:
@@ -30,7 +34,7 @@ def asked_scales(
                 f"--scales and {', '.join(given)}",
                 "leave out --scales, or --from, --to and --steps",
             )
-        return read_scales(file)
+        return lines_of_scales(file, read)
     if first is None or steps is None or (last is None and steps != 1):
         missing = ", ".join(option for option, value in options if value is None)
         raise Refusal(
@@ -53,14 +57,9 @@ def evenly_spaced(first: Fraction, last: Fraction, count: int) -> list[Fraction]
     return [first + (last - first) * i / (count - 1) for i in range(count)]
 
 
-def read_scales(path: Path) -> list[Fraction]:
-    """Read the scales in a file, one per line, in file order. A # begins a comment; lines may be
-    blank. Refusals name file and line."""
-    return lines_of_scales(path, exact_scale)
-
-
 def lines_of_scales(path: Path, read: Callable[[str, str], S]) -> list[S]:
-    """Apply `read` to each line in a file of scales."""
+    """Read the scales in a file, one per line, in file order, each by `read`. A # begins a comment;
+    lines may be blank. Refusals name file and line."""
     name = escaped(str(path))
     scales: list[S] = []
     for number, line in enumerate(_text(path, name).splitlines(), start=1):

@@ -12,7 +12,7 @@ from minkref.cli.options import (
     ONE,
     FirstOperand,
     Json,
-    Scale,
+    ScaleInPlane,
     ScaleInSpace,
     SecondOperand,
     Triangles,
@@ -27,6 +27,8 @@ EXAMPLES = """Examples:
 minkref convolution disc1 cells1815
 
 minkref convolution g1 g2 --scale 7/5 -o convolution.svg
+
+minkref convolution g1 g2 --scale 2,1/3
 
 minkref convolution g1 g2 --full -o convolution.geojson
 
@@ -86,7 +88,7 @@ Format = Annotated[
 class ConvolutionInPlane:
     P: FirstOperand
     Q: SecondOperand
-    scale: Scale = ONE
+    scale: ScaleInPlane = ONE
     full: Full = False
     compatible: Compatible = COMPATIBLE[0]
     limit: Limit = None

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 from minkref import _core
 from minkref.cli.memory import Memory
-from minkref.cli.options import ONE, READ_SCALE, Json, Scale, ScaleInSpace, Triangles
+from minkref.cli.options import ONE, READ_SCALE, Json, Scale, ScaleInPlane, ScaleInSpace, Triangles
 from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.cli.readings import Form, Reading
 from minkref.cli.request import Read
@@ -29,6 +29,8 @@ minkref sum glyph1204 glyph275
 minkref sum disc1 cells1815 --scale 541/186 --json
 
 minkref sum P.wkt Q.geojson --scale 7/5 -o sum.svg
+
+minkref sum g1 g2 --scale 2,1/3
 
 minkref sum g1 o1 --plot
 
@@ -162,7 +164,7 @@ Measures = Annotated[
 class SumInPlane:
     P: First
     Q: Second
-    scale: Scale = ONE
+    scale: ScaleInPlane = ONE
     route: Route = None
     start: Start = None
     index: IndexFile = None

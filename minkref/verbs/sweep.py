@@ -29,6 +29,8 @@ minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route dynamic
 
 minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route winding
 
+minkref sweep P.wkt Q.wkt --scales scalings.txt --route dynamic
+
 minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route paper-update --arithmetic mpfr:200
 
 minkref sweep glyph1204 disc --from 1/10 --to 2 --steps 20
@@ -64,7 +66,8 @@ ScalesFile = Annotated[
     Path | None,
     typer.Option(
         "--scales",
-        help="Read the scales from a file instead: one per line, in any order; in space SX,SY,SZ.",
+        help="Read the scales from a file instead: one per line, in any order; in space SX,SY,SZ, "
+        "in the plane of convex operands also SX,SY.",
         metavar="FILE",
     ),
 ]

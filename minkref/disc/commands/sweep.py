@@ -16,7 +16,7 @@ from minkref.disc.commands.index_file import disc_index_of
 from minkref.disc.commands.sum import enclosed
 from minkref.disc.disc import ANY
 from minkref.errors import Refusal
-from minkref.exact import digest
+from minkref.exact import digest, exact_scale
 from minkref.output.documents import Stopwatch, document, listing
 from minkref.output.signals import ending_in_order
 from minkref.plane.commands.sweep_folder import sweep_folder
@@ -37,7 +37,9 @@ def run(request: SweepWithDisc) -> None:
     if request.route not in (None, "index"):
         what = "sums with a disc are read off an index alone"
         raise Refusal(what, "--route", "leave it out")
-    radii = asked_scales(request.from_scale, request.to_scale, request.steps, request.scales_file)
+    radii = asked_scales(
+        request.from_scale, request.to_scale, request.steps, request.scales_file, exact_scale
+    )
     folder = sweep_folder(output, request.form, FORMATS)
     operand = read_operand(P)
     if folder is not None:

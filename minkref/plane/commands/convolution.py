@@ -28,6 +28,7 @@ from minkref.plane.commands.convolution_output import (
 )
 from minkref.plane.convolution_values import COMPATIBLE
 from minkref.plane.operand import Operand, read_operand
+from minkref.plane.scaling import document_of, shown_scale, text_of
 from minkref.verbs.convolution import ConvolutionInPlane
 
 OUTPUTS = ("json", "geojson", "svg")
@@ -38,7 +39,7 @@ MOST_DRAWN = 100_000  # edges in one picture
 def run(request: ConvolutionInPlane) -> None:
     watch = Stopwatch()
     scale, compatible, limit, json = (
-        str(request.scale), request.compatible, request.limit, request.json,
+        text_of(request.scale), request.compatible, request.limit, request.json,
     )  # fmt: skip
     output, full = request.output, request.full
     if compatible not in COMPATIBLE:
@@ -63,7 +64,7 @@ def run(request: ConvolutionInPlane) -> None:
         fields: dict[str, Any] = {
             "P": first.name,
             "Q": second.name,
-            "scale": scale,
+            "scale": document_of(request.scale),
             "full": full,
             "compatible": compatible,
             "warnings": first.warnings + second.warnings,
@@ -127,14 +128,16 @@ def _picture(
 ) -> Iterator[str]:
     from minkref.reports.convolution_picture import convolution_picture
 
-    yield convolution_picture(P, Q, head["scale"], edge_documents(found, count), head["full"])
+    yield convolution_picture(
+        P, Q, shown_scale(head["scale"]), edge_documents(found, count), head["full"]
+    )
 
 
 def _print(value: dict[str, Any], found: _core.Convolution, count: int) -> None:
     which = "full" if value["full"] else "reduced"
     segments = value["segments"]
     rows = [
-        ("convolution", f"{value['scale']} {value['P']} and {value['Q']}"),
+        ("convolution", f"{shown_scale(value['scale'])} {value['P']} and {value['Q']}"),
         ("kind", f"{which}, {value['compatible']}"),
         ("edges", f"{segments['S']:,} S-edges, {segments['T']:,} T-edges"),
     ]

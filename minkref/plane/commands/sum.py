@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 import time
-from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,6 +22,7 @@ from minkref.plane.commands.sum_table import print_table
 from minkref.plane.operand import Operand, read_operand
 from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.plane.parents import PassageRows, passages_of
+from minkref.plane.scaling import PlaneScale, document_of, refuse_axes, static_pair, text_of
 from minkref.verbs.sum import DEFAULT, ROUTES, UPDATING, SumInPlane
 
 if TYPE_CHECKING:
@@ -38,6 +38,7 @@ def run(request: SumInPlane) -> None:
         raise Refusal("standard input is one operand", "P and Q", "name a file for the other")
     watch = Stopwatch()
     route = chosen_route(request.index, request.route, ROUTES, DEFAULT)
+    _refuse_axes(request, route)
     readings = _readings(request, route)
     if request.start is not None and route not in UPDATING:
         what = f"the route {route} does not go from scale to scale"
@@ -61,7 +62,7 @@ def run(request: SumInPlane) -> None:
             request.start,
         )
         region, truth = result.pop("region"), result.pop("truth")
-    drawn = (first, second, str(request.scale), result, truth) if not request.only_sum else None
+    drawn = (first, second, text_of(request.scale), result, truth) if not request.only_sum else None
     written = _written(region, target, drawn) if target is not None else None
     if target is not None and written is not None:
         if target.write(*written):
@@ -71,7 +72,7 @@ def run(request: SumInPlane) -> None:
         watch,
         P=first.name,
         Q=second.name,
-        scale=str(request.scale),
+        scale=document_of(request.scale),
         warnings=first.warnings + second.warnings,
         output=str(output) if output else None,
         output_exact=written[1] if written else None,
@@ -83,6 +84,20 @@ def run(request: SumInPlane) -> None:
     print_table(value)
     if request.plot:
         _plot(region)
+
+
+def _refuse_axes(request: SumInPlane, route: str) -> None:
+    """Refuses a factor for each axis where the way through the scales knows uniform ones only."""
+    if request.index is not None:
+        mend = "leave it out; the route index without a file takes a factor for each axis"
+        refuse_axes(request.scale, "an index has uniform scales", f"--index {request.index}", mend)
+    if request.start is not None:
+        what, mend = "a sum goes from scale to scale by uniform ones only", "leave out --from"
+        refuse_axes(request.scale, what, f"--from {request.start}", mend)
+    if route == PAPER_UPDATE:
+        what = "the update of Sec. 4 of the paper is of uniform scales only"
+        mend = "give one scale, or take --route dynamic"
+        refuse_axes(request.scale, what, f"--route {route}", mend)
 
 
 def _readings(request: SumInPlane, route: str) -> dict[str, str] | None:
@@ -148,7 +163,7 @@ def _written(
 def compute(
     P: Operand,
     Q: Operand,
-    factor: Fraction,
+    factor: PlaneScale,
     route: str,
     arithmetic: str,
     index: Path | None = None,
@@ -161,7 +176,7 @@ def compute(
     import json
 
     where = f"{P.name} and {Q.name}"
-    scale = str(factor)
+    scale = text_of(factor)
     exact = arithmetic == "rational" and readings is None
     undecided = False
     answer: _core.Sum | None = None
@@ -171,9 +186,8 @@ def compute(
     step: dict[str, Any] | None = None
     try:
         if route == "dynamic" or start is not None:
-            begin = scale if start is None else str(start)
             answer, passages, seconds, step = refusing(
-                where, lambda: _updated(P, Q, begin, scale, route)
+                where, lambda: _updated(P, Q, start, factor, route)
             )
         elif readings is not None:
             from minkref.verbs.paper_update import PaperWalk
@@ -182,8 +196,9 @@ def compute(
             answer = refusing(where, walk.sum)
             seconds = walk.seconds + answer.seconds
         elif route == "index":
-            built = index_of(index, P, Q, factor, factor)
-            answer = refusing(where, lambda: built.sum(scale, True))
+            made, at = static_pair(P, factor)
+            built = index_of(index, made, Q, at, at)
+            answer = refusing(where, lambda: built.sum(str(at), True))
             passages = answer.passage_rows()
             seconds = answer.seconds if index else built.seconds + answer.seconds
         else:
@@ -228,14 +243,22 @@ def compute(
 
 
 def _updated(
-    P: Operand, Q: Operand, start: str, scale: str, route: str
+    P: Operand, Q: Operand, start: Fraction | None, factor: PlaneScale, route: str
 ) -> tuple[_core.Sum, PassageRows, float, dict[str, Any]]:
-    """By dynamic update from one scale to another, and what the step did. The passages are not kept
-    while the scale changes: they are those of the static arrangement."""
+    """By dynamic update from one scale to another, and what the step did; without a start over a
+    window that is this scale only, or, of convex operands with a factor for each axis, from P
+    unscaled (Behar & Lien 2012, Sec. 6). The passages are not kept while the scale changes: they
+    are those of the static arrangement."""
     began = time.perf_counter()
-    window = sorted((start, scale), key=Fraction)
-    moving = _core.DynamicSum(P.set, Q.set, *window, route)
-    moving.move_to(start)
+    if isinstance(factor, tuple) and P.set.is_convex and Q.set.is_convex:
+        convex = _core.DynamicPolygonSum(P.set, Q.set, "1")
+        convex.update(text_of(factor))
+        answer = convex.sum()
+        return answer, answer.passage_rows(), time.perf_counter() - began, {}
+    P, at = static_pair(P, factor)
+    begin, scale = str(at if start is None else start), str(at)
+    moving = _core.DynamicSum(P.set, Q.set, *sorted((begin, scale), key=Fraction), route)
+    moving.move_to(begin)
     did = dict(moving.move_to(scale))
     answer = moving.sum()
     passages = _core.tight_passages(P.set, Q.set, scale)

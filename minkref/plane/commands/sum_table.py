@@ -6,13 +6,14 @@ from typing import Any
 
 from minkref.cli.output import measure, print_lines, written_row
 from minkref.cli.paper_words import in_words
+from minkref.plane.scaling import shown_scale
 
 SHOWN = 5  # tight passages that people see
 
 
 def print_table(value: dict[str, Any]) -> None:
     rows = [
-        ("sum", f"{value['scale']} {value['P']} + {value['Q']}"),
+        ("sum", f"{shown_scale(value['scale'])} {value['P']} + {value['Q']}"),
         ("route, arithmetic", f"{value['route']}, {value['arithmetic']}"),
     ]
     if value["step"] is not None:

@@ -22,33 +22,40 @@ from minkref.exact import rounded
 from minkref.output.documents import Stopwatch, document, listing
 from minkref.output.signals import ending_in_order
 from minkref.output.terminal import counted
+from minkref.plane.commands.convex_walk import COUNTS, ConvexWalk
 from minkref.plane.commands.scale_index import chosen_route, index_of
 from minkref.plane.commands.sum_fields import sum_fields
 from minkref.plane.commands.sweep_folder import FORMATS, sweep_folder
 from minkref.plane.commands.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
 from minkref.plane.operand import Operand, read_operand
 from minkref.plane.scales import asked_scales
+from minkref.plane.scaling import PlaneScale, read_plane_scale, shown_scale, text_of
 from minkref.verbs.sweep import SweepInPlane
 
 if TYPE_CHECKING:
     from minkref.verbs.paper_update import PaperWalk
 
-UPDATING = ("dynamic", "winding")  # follow the reduced and the full convolution
+BY_AXES = "dynamic"  # the route that takes a factor for each axis
+UPDATING = (BY_AXES, "winding")  # follow the reduced and the full convolution
 ROUTES = ("index", *UPDATING, ROUTE)
 
 Sums = _core.ScaleIndex | _core.DynamicSum
-Step = Callable[[Fraction], tuple[Row, _core.PolygonSet]]
-PLANE = Setting[Fraction, _core.PolygonSet](
-    lambda scale: str(scale)[:20], _core.write, _core.writes_exactly
+Step = Callable[[PlaneScale], tuple[Row, _core.PolygonSet]]
+PLANE = Setting[PlaneScale, _core.PolygonSet](
+    lambda scale: text_of(scale)[:30], _core.write, _core.writes_exactly
 )
+STEPS = (("insertions", "deletions", "swaps", "updated"), COUNTS)  # what an update tells of itself
 
 
 def run(request: SweepInPlane) -> None:
     watch = Stopwatch()
     output, index = request.output, request.index
-    route = chosen_route(index, request.route, ROUTES)
+    scales = _scales(request)
+    by_axes = any(isinstance(scale, tuple) for scale in scales)
+    route = chosen_route(index, request.route, ROUTES, BY_AXES if by_axes else None)
+    if by_axes and route != BY_AXES:
+        raise _refused_route(route, request)
     readings = _readings(request, route)
-    scales = asked_scales(request.from_scale, request.to_scale, request.steps, request.scales_file)
     folder = sweep_folder(output, request.form, FORMATS)
     first, second = read_operand(request.P), read_operand(request.Q)
     if folder is not None:
@@ -56,17 +63,21 @@ def run(request: SweepInPlane) -> None:
     wall = memory_wall(request.memory, f"route {route}", f"{request.P} and {request.Q}", SMALLER)
     with wall, ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
-        sums: Sums | PaperWalk
+        sums: Sums | PaperWalk | ConvexWalk
         walk: PaperWalk | None = None
         one: Step
         if readings is not None:
             from minkref.verbs.paper_update import paper_walk
 
-            start = str(scales[0])
+            start = text_of(scales[0])
             sums = walk = paper_walk(first, second, start, request.arithmetic, readings)
             one = _walked(walk)
+        elif by_axes:
+            sums = convex = ConvexWalk(first, second, scales[0])
+            one = convex.row
         else:
-            sums = exact = _sums(first, second, scales, route, index)
+            uniform = [scale for scale in scales if isinstance(scale, Fraction)]
+            sums = exact = _sums(first, second, uniform, route, index)
             one = partial(step, exact)
         rows = sweep_rows(scales, one, PLANE, folder, line)
         value = document(
@@ -92,6 +103,21 @@ def run(request: SweepInPlane) -> None:
         _print(value, rows)
 
 
+def _scales(request: SweepInPlane) -> list[PlaneScale]:
+    given = (request.from_scale, request.to_scale, request.steps, request.scales_file)
+    return [*asked_scales(*given, read_plane_scale)]
+
+
+def _refused_route(route: str, request: SweepInPlane) -> Refusal:
+    where = f"--index {request.index}" if request.index is not None else f"--route {route}"
+    return Refusal(
+        f"the route {route} has uniform scales only",
+        f"{where} --scales {request.scales_file}",
+        f"take --route {BY_AXES}, or write one factor in each line",
+        "scale-not-uniform",
+    )
+
+
 def _readings(request: SweepInPlane, route: str) -> dict[str, str] | None:
     """How the paper's own program reads the paper; None for the other routes. Refuses options that
     the route does not have."""
@@ -107,7 +133,7 @@ def _readings(request: SweepInPlane, route: str) -> dict[str, str] | None:
 
 
 def _walked(walk: PaperWalk) -> Step:
-    return lambda scale: walk.row(str(scale))
+    return lambda scale: walk.row(text_of(scale))
 
 
 def _sums(P: Operand, Q: Operand, scales: list[Fraction], route: str, index: Path | None) -> Sums:
@@ -121,9 +147,9 @@ def _sums(P: Operand, Q: Operand, scales: list[Fraction], route: str, index: Pat
     )
 
 
-def step(sums: Sums, factor: Fraction) -> tuple[Row, _core.PolygonSet]:
+def step(sums: Sums, factor: PlaneScale) -> tuple[Row, _core.PolygonSet]:
     """Goes to a scale: what the step did where there is one, and the sum there."""
-    scale = str(factor)
+    scale = text_of(factor)
     if isinstance(sums, _core.DynamicSum):
         did = dict(sums.move_to(scale))
         answer = sums.sum()
@@ -146,7 +172,9 @@ def step(sums: Sums, factor: Fraction) -> tuple[Row, _core.PolygonSet]:
 
 
 def _print(value: dict[str, Any], rows: RowSpool) -> None:
-    steps = ("insertions", "deletions", "swaps", "updated") if value["route"] in UPDATING else ()
+    steps = next((names for names in STEPS if names[0] in next(iter(rows.first(1)))), ())
+    steps = steps if value["route"] in UPDATING else ()
+    by_axes = steps == COUNTS
     headings = ("scale", "area", "components", "holes", "vertices", *steps, "ms")
     beside = ("exact",) if value["route"] == ROUTE else ()
     table = plain_table(*headings, *beside, right=headings, whole=True)
@@ -155,7 +183,7 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
         did = (row[name] for name in steps)
         seconds = (row["update_seconds"] or 0) + row["sum_seconds"]
         table.add_row(
-            _short(row["scale"]),
+            shown_scale(row["scale"])[:25] if by_axes else _short(row["scale"]),
             _short(row["area"]),
             *(f"{count:,}" for count in (*counts, *did)),
             f"{seconds * 1000:.3f}",
@@ -174,7 +202,9 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
 
 def _first_wrong(rows: RowSpool) -> str | None:
     """The first scale of the sweep at which the paper's program has another structure."""
-    wrong = (row["scale"] for row in rows if row["exact"] and not row["exact"]["same_structure"])
+    wrong = (
+        row["scale"] for row in rows if row.get("exact") and not row["exact"]["same_structure"]
+    )
     return next(wrong, None)
 
 

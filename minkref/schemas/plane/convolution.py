@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from minkref.schemas.plane.values import Parent, Segments
-from minkref.schemas.values import Amount, Count, LastingHead, Number, Operands, Point, Written
+from minkref.schemas.plane.values import Parent, PlaneScale, Segments
+from minkref.schemas.values import Amount, Count, LastingHead, Operands, Point, Written
 from msgspec import Meta
 
 Compatible = Literal["half-open", "open", "closed"]
@@ -22,7 +22,7 @@ class ConvolutionDocument(LastingHead, Operands, Written):
     """The document of `minkref convolution --json`."""
 
     command: Literal["convolution"]
-    scale: Number
+    scale: PlaneScale
     full: Annotated[bool, Meta(description="Whether edges at reflex vertices belong to it.")]
     compatible: Annotated[
         Compatible, Meta(description="Which ends of the turn at a vertex belong to it.")

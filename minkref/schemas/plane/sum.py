@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal, TypedDict
 from minkref.schemas.plane.values import (
     AreaApproximate,
     BesideExact,
+    PlaneScale,
     PolygonSet,
     Readings,
     TightPassage,
@@ -79,7 +80,7 @@ class SumDocument(Head, Operands, Written, SumStart):
     """The document of `minkref sum --json`."""
 
     command: Literal["sum"]
-    scale: Number
+    scale: PlaneScale
     output_exact: FileIsExact
     route: SumRoute
     step: SumStep | None

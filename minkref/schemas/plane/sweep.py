@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, TypedDict
 
-from minkref.schemas.plane.values import AreaApproximate, BesideExact, PaperRun, SweepRoute
+from minkref.schemas.grammar import Either
+from minkref.schemas.plane.values import (
+    AreaApproximate,
+    BesideExact,
+    PaperRun,
+    PlaneScale,
+    SweepRoute,
+)
 from minkref.schemas.values import Amount, AnySweep, Count, Digest, FileIsExact, Number, Operands
 from msgspec import Meta
 
@@ -46,6 +53,29 @@ class SweepRow(TypedDict):
     exact: BesideExact
 
 
+class AxesSweepRow(TypedDict):
+    """The sum of convex operands at a scale with a factor for each axis, after an update."""
+
+    scale: PlaneScale
+    digest: Digest
+    area: Annotated[Number, Meta(description="Exact.")]
+    area_approximate: AreaApproximate
+    components: Count
+    holes: Count
+    vertices: Count
+    ev_errors: Annotated[Count, Meta(description="Edges of P whose vertex of Q changed.")]
+    ve_errors: Annotated[Count, Meta(description="Edges of Q whose vertex of P changed.")]
+    descent_steps: Annotated[
+        Count, Meta(description="Edges walked from the old vertices to the new ones.")
+    ]
+    update_seconds: Annotated[Amount | None, Meta(description="Of the step.")]
+    sum_seconds: Annotated[
+        Amount | None, Meta(description="Of the sum in canonical form, after the step.")
+    ]
+    file: str | None
+    file_exact: bool | None
+
+
 class SweepDocument(AnySweep, Operands, PaperRun):
     """The document of `minkref sweep --json`, and index.json of its folder."""
 
@@ -63,7 +93,7 @@ class SweepDocument(AnySweep, Operands, PaperRun):
         ),
     ]
     rows: Annotated[
-        list[SweepRow],
+        list[Either[SweepRow, AxesSweepRow]],
         Meta(
             description="One for each scale, in the order in which they were visited.", min_length=1
         ),

@@ -18,6 +18,10 @@ Misplaced = Annotated[
     ),
 ]
 
+PlaneScale = Annotated[
+    Number | Point, Meta(description="The scale of P; a list has the factors of the two axes.")
+]
+
 AreaApproximate = Annotated[
     float | None,
     Meta(
