@@ -4,6 +4,7 @@ is."""
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -37,11 +38,18 @@ class Certificate:
     adds a claim with its proof, and returns the claim's number. Exact. Raises NoProof if a claim
     does not hold, and RuntimeError if the reference is wrong: then no proof exists."""
 
-    def __init__(self, P: _core.PolygonSet, Q: _core.PolygonSet) -> None:
-        """Validates both operands; raises BadInput for an invalid operand."""
+    def __init__(
+        self, P: _core.PolygonSet, Q: _core.PolygonSet, axes: Sequence[Number] | None = None
+    ) -> None:
+        """Validates both operands; raises BadInput for an invalid operand. With `axes`, a factor
+        above 0 for each axis, P is scaled by these first: all claims are about S P and Q."""
         expect_sets(P=P, Q=Q)
         for name, operand in (("P", P), ("Q", Q)):
             operand.validate(name)
+        self._case = P
+        self._axes = None if axes is None else [str(_exact("axes", factor)) for factor in axes]
+        if self._axes is not None:
+            P = P.scaled(",".join(self._axes))
         self.P, self.Q = P, Q
         self._prover = _core.Prover(P, Q)
         self._steps: list[str] = []
@@ -159,10 +167,11 @@ class Certificate:
     def text(self, case: Path | str, title: str = "", producer: str = "") -> str:
         """The certificate; `case`: the path to the case, relative to the certificate."""
         head = {
-            "certificate": "certificate-v1",
+            "certificate": "certificate-v1" if self._axes is None else "axes-certificate-v1",
             "title": title,
             "producer": producer or f"minkref {version()}",
-            "case": {"path": str(case), "sha256": case_digest(self.P, self.Q)},
+            "case": {"path": str(case), "sha256": case_digest(self._case, self.Q)},
+            "axes": self._axes,
         }
         told = {name: value for name, value in head.items() if value}
         parts = [f'"{name}":{json.dumps(told[name], ensure_ascii=False)}' for name in told]
@@ -172,7 +181,7 @@ class Certificate:
 
     def case(self) -> str:
         """The text of the certified case."""
-        return case_text(self.P, self.Q)
+        return case_text(self._case, self.Q)
 
     def _prove(self, scale: str, passages: bool) -> tuple[str, Figure, list[Any]]:
         """Returns the step at a scale, the sum's figure, and its tight passages."""

@@ -13,8 +13,8 @@ from minkref.cli.options import READ_SCALE, FirstOperand, Json, SecondOperand
 from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
 from minkref.exact import read_point
+from minkref.scaling import PlaneScale, Scaling, read_plane_scale, read_scaling
 from minkref.settings import PLANE, SPACE
-from minkref.space.scaling import Scaling, read_scaling
 
 EXAMPLES = """Examples:
 
@@ -29,6 +29,8 @@ minkref certify P.wkt Q.wkt --scale 2 --point 1/3,5 -o point.cert.json
 minkref certify g1 g2 --from 1 --to 11/10 -o interval.cert.json.gz
 
 minkref certify g1 g2 --scale 7/5 -o sum.cert.json --theorem sum.v
+
+minkref certify g1 g2 --scale 2,1/3 -o sum.cert.json
 
 minkref certify gs3 rod --scale 2,1/3,5 -o convex.cert.json
 
@@ -47,9 +49,10 @@ Output = Annotated[
 SCALE = typer.Option(
     "--scale",
     metavar="S",
-    help="Prove the sum and its tight passages at S. Default: 1. In space also SX,SY,SZ.",
+    help="Prove the sum and its tight passages at S. Default: 1. Or a factor for each axis: SX,SY "
+    "in the plane, SX,SY,SZ in space.",
 )
-Scale = Annotated[Fraction | None, SCALE, READ_SCALE]
+ScaleInPlane = Annotated[PlaneScale | None, SCALE, Read(read_plane_scale)]
 ScaleInSpace = Annotated[Scaling | None, SCALE, Read(read_scaling)]
 Event = Annotated[
     Fraction | None,
@@ -109,7 +112,7 @@ class CertifyInPlane:
     P: FirstOperand
     Q: SecondOperand
     output: Output
-    scale: Scale = None
+    scale: ScaleInPlane = None
     event: Event = None
     from_scale: Begin = None
     to_scale: End = None

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks certificates of Minkowski sums: `python3 check.py FILE...`. The forms: sums sP + Q in the
-plane (certificate-v1), sums of convex polyhedra (convex-certificate-v1), sums of any polyhedra
-(solid-certificate-v1), and parts that move along paths in the plane (path-certificate-v1).
+plane (certificate-v1; by a factor for each axis, axes-certificate-v1), of convex polyhedra
+(convex-certificate-v1) and of any (solid-certificate-v1), and parts on paths (path-certificate-v1).
 
 The checker stands alone: this file and the standard library. Each part of it needs this one, the
 last one, and those that it names. The members, the demands of each rule and why they are enough:
@@ -768,6 +768,18 @@ def moved(proof: Proof, value: Json, s: Fraction) -> Triple:
     return x, y, Fraction(1)
 
 
+def of_scaled_axes(
+    case: Json, digest: Json, axes: Json, steps: Json, claims: Json, budget: Budget
+) -> list[str]:
+    """All that part 2 says, with P scaled by a factor for each axis first."""
+    P, Q = (Operand(case.get(operand), operand) for operand in "PQ")
+    demand(digest_of({"P": P.plain, "Q": Q.plain}) == digest, "not the case that is certified")
+    x, y = map(scale_of, items(axes, 2))
+    P.exact = [(x * a, y * b) for a, b in P.exact]
+    return [f"P by {x},{y}: {line}" for line in Proof(P, Q, budget).follow(steps, claims)]
+
+
+FORMS["axes-certificate-v1"] = "axes steps", of_scaled_axes
 Proof.claims.update(interval=add_interval, event=add_event, point=add_point)
 Proof.claims.update(passage=add_passage, sign=add_sign)
 
@@ -1862,14 +1874,14 @@ def check(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader])
     require(form in tuple(FORMS), f"this is no {' or '.join(FORMS)}, but {form!r}")
     argument, follow = FORMS[form]
     names = f"certificate title? comment? producer? case {argument} claims"
-    _, *told, of, entries, claims = members(certificate, names)
+    _, *told, of = (found := members(certificate, names))[:5]
     require(all(t is None or isinstance(t, str) for t in told), "what carries no truth is no text")
     name, digest = members(of, "path sha256")
     good = isinstance(name, str) and "\0" not in name and name.split("/")[-1] not in ("", ".")
     require(good, "the path of the case is none")
     value = read_json(case or path.parent / name, read[1], size, decimals=True)
     require(isinstance(value, dict), "this is no case")
-    return follow(value, digest, entries, claims, Budget(seconds, tests))
+    return follow(value, digest, *found[5:], Budget(seconds, tests))
 
 
 def verdict(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader]) -> Verdict:

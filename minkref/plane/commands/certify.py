@@ -26,7 +26,8 @@ def _proof(request: CertifyInPlane) -> Proof:
     first, second = read_operand(request.P), read_operand(request.Q)
 
     def make() -> Certificate:
-        certificate = Certificate(first.set, second.set)
+        axes = request.scale if isinstance(request.scale, tuple) else None
+        certificate = Certificate(first.set, second.set, axes)
         try:
             _claim(certificate, request)
         except NoProof as error:
@@ -61,7 +62,8 @@ def _is_sum(request: CertifyInPlane) -> bool:
 
 
 def _claim(certificate: Certificate, request: CertifyInPlane) -> None:
-    scale = "1" if request.scale is None else str(request.scale)
+    uniform = request.scale is not None and not isinstance(request.scale, tuple)
+    scale = str(request.scale) if uniform else "1"
     a, b = request.from_scale, request.to_scale
     if request.event is not None:
         a = _before(certificate, request.event) if a is None else a

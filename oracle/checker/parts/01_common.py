@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks certificates of Minkowski sums: `python3 check.py FILE...`. The forms: sums sP + Q in the
-plane (certificate-v1), sums of convex polyhedra (convex-certificate-v1), sums of any polyhedra
-(solid-certificate-v1), and parts that move along paths in the plane (path-certificate-v1).
+plane (certificate-v1; by a factor for each axis, axes-certificate-v1), of convex polyhedra
+(convex-certificate-v1) and of any (solid-certificate-v1), and parts on paths (path-certificate-v1).
 
 The checker stands alone: this file and the standard library. Each part of it needs this one, the
 last one, and those that it names. The members, the demands of each rule and why they are enough:

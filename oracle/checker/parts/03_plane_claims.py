@@ -132,5 +132,17 @@ def moved(proof: Proof, value: Json, s: Fraction) -> Triple:
     return x, y, Fraction(1)
 
 
+def of_scaled_axes(
+    case: Json, digest: Json, axes: Json, steps: Json, claims: Json, budget: Budget
+) -> list[str]:
+    """All that part 2 says, with P scaled by a factor for each axis first."""
+    P, Q = (Operand(case.get(operand), operand) for operand in "PQ")
+    demand(digest_of({"P": P.plain, "Q": Q.plain}) == digest, "not the case that is certified")
+    x, y = map(scale_of, items(axes, 2))
+    P.exact = [(x * a, y * b) for a, b in P.exact]
+    return [f"P by {x},{y}: {line}" for line in Proof(P, Q, budget).follow(steps, claims)]
+
+
+FORMS["axes-certificate-v1"] = "axes steps", of_scaled_axes
 Proof.claims.update(interval=add_interval, event=add_event, point=add_point)
 Proof.claims.update(passage=add_passage, sign=add_sign)

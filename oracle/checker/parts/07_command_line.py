@@ -16,14 +16,14 @@ def check(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader])
     require(form in tuple(FORMS), f"this is no {' or '.join(FORMS)}, but {form!r}")
     argument, follow = FORMS[form]
     names = f"certificate title? comment? producer? case {argument} claims"
-    _, *told, of, entries, claims = members(certificate, names)
+    _, *told, of = (found := members(certificate, names))[:5]
     require(all(t is None or isinstance(t, str) for t in told), "what carries no truth is no text")
     name, digest = members(of, "path sha256")
     good = isinstance(name, str) and "\0" not in name and name.split("/")[-1] not in ("", ".")
     require(good, "the path of the case is none")
     value = read_json(case or path.parent / name, read[1], size, decimals=True)
     require(isinstance(value, dict), "this is no case")
-    return follow(value, digest, entries, claims, Budget(seconds, tests))
+    return follow(value, digest, *found[5:], Budget(seconds, tests))
 
 
 def verdict(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader]) -> Verdict:

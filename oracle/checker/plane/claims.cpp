@@ -255,13 +255,36 @@ class Certificate {
   std::vector<Shown> shown_;
 };
 
+bool is_axes_certificate(const Value& certificate) {
+  if (certificate.kind != Value::Kind::object) return false;
+  for (const auto& [member, entry] : certificate.members) {
+    if (member == "certificate") {
+      return entry.kind == Value::Kind::text && entry.text == "axes-certificate-v1";
+    }
+  }
+  return false;
+}
+
+/// Scales the operand by a factor for each axis, and returns the words for it.
+std::string scaled_by_axes(Operand& P, const Value& axes) {
+  const auto& factors = items(axes, 2);
+  const mpq_class x = scale(factors[0]), y = scale(factors[1]);
+  for (Point& point : P.exact) {
+    point.x *= x;
+    point.y *= y;
+  }
+  return "P by " + x.get_str() + "," + y.get_str() + ": ";
+}
+
 }  // namespace
 
 std::vector<std::string> check(const Value& certificate,
                                const std::function<Value(const std::string&)>& read_case,
                                Budget& budget) {
-  const auto m = members(certificate, "certificate title? comment? producer? case steps claims");
-  require(m[0]->kind == Value::Kind::text && m[0]->text == "certificate-v1",
+  const bool has_axes = is_axes_certificate(certificate);
+  const auto m = members(certificate, std::string("certificate title? comment? producer? case ") +
+                                          (has_axes ? "axes " : "") + "steps claims");
+  require(has_axes || (m[0]->kind == Value::Kind::text && m[0]->text == "certificate-v1"),
           "this is no certificate-v1");
   for (const Value* told : {m[1], m[2], m[3]}) {
     require(told->is_null() || told->kind == Value::Kind::text, "what carries no truth is no text");
@@ -282,8 +305,11 @@ std::vector<std::string> check(const Value& certificate,
   const std::string plain = "{\"P\":" + sets[0].plain + ",\"Q\":" + sets[1].plain + "}";
   demand(of[1]->kind == Value::Kind::text && sha256(plain) == of[1]->text,
          "this is not the case that is certified");
+  const std::string scaled = has_axes ? scaled_by_axes(sets[0], *m[5]) : "";
   Certificate proof(std::move(sets[0]), std::move(sets[1]), budget);
-  return followed(proof, *m[5], *m[6]);
+  std::vector<std::string> said = followed(proof, *m[m.size() - 2], *m[m.size() - 1]);
+  for (std::string& line : said) line.insert(0, scaled);
+  return said;
 }
 
 }  // namespace minkref::checker

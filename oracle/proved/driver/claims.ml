@@ -174,17 +174,34 @@ let check_claim budget p q step claim_of claim =
     | _ -> assert false)
   | _ -> assert false
 
-let check_plane certificate read_case budget =
+(* P scaled by a factor for each axis, and the words for it: what is proved is about this set. *)
+let scaled_by axes (p : Reading.operand) =
+  let x, y = pair axes in
+  let x = Intervals.scale_of x and y = Intervals.scale_of y in
+  let vertex (a, b) = Q.(x * a, y * b) in
+  let ring = List.map vertex in
+  let polygon ({ outer; holes } : Reading.point Reading.polygon) : _ Reading.polygon =
+    { outer = ring outer; holes = List.map ring holes }
+  in
+  ( { p with polygons = List.map polygon p.polygons; vertices = Array.map vertex p.vertices },
+    Printf.sprintf "P by %s,%s: " (Q.to_string x) (Q.to_string y) )
+
+let check_plane ~has_axes certificate read_case budget =
   let spent = ref 0 in
   let budget tests =
     spent := !spent + tests;
     budget tests
   in
-  match
-    members certificate
-      [ "certificate"; "title?"; "comment?"; "producer?"; "case"; "steps"; "claims" ]
-  with
-  | [ _; title; comment; producer; case; steps; claims ] ->
+  let argument = if has_axes then [ "axes"; "steps" ] else [ "steps" ] in
+  let names = [ "certificate"; "title?"; "comment?"; "producer?"; "case" ] in
+  match members certificate (names @ argument @ [ "claims" ]) with
+  | _ :: title :: comment :: producer :: case :: argued ->
+    let axes, steps, claims =
+      match argued with
+      | [ axes; steps; claims ] -> (Some axes, steps, claims)
+      | [ steps; claims ] -> (None, steps, claims)
+      | _ -> assert false
+    in
     let path, digest = Reading.head [ title; comment; producer ] case in
     let p, q =
       match read_case path with
@@ -198,6 +215,7 @@ let check_plane certificate read_case budget =
       | _ -> fail Malformed "this is no case"
     in
     demand (Reading.case_digest p q = digest) "not the case that is certified";
+    let p, scaled = match axes with Some axes -> scaled_by axes p | None -> (p, "") in
     require (not (Reading.is_thin p && Reading.is_thin q)) "both operands are points or segments";
     let operand_of = function
       | "P" -> p
@@ -268,7 +286,7 @@ let check_plane certificate read_case budget =
       let { said; theorem; holds; follows; _ } : claim = Option.get claim in
       within (place i) (fun () ->
           demand (follows || Lazy.force holds) "the proved checker does not take this for a proof");
-      ({ said; theorem } : proved)
+      ({ said = scaled ^ said; theorem } : proved)
     in
     List.mapi proved (Array.to_list found)
   | _ -> assert false
@@ -282,7 +300,8 @@ let check certificate read_case budget =
     | _ -> ""
   in
   match form with
-  | "certificate-v1" -> check_plane certificate read_case budget
+  | "certificate-v1" -> check_plane ~has_axes:false certificate read_case budget
+  | "axes-certificate-v1" -> check_plane ~has_axes:true certificate read_case budget
   | "convex-certificate-v1" ->
     List.map
       (fun said : proved -> { said; theorem = None })
