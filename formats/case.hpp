@@ -9,6 +9,7 @@
 
 #include "formats/limits.hpp"
 #include "formats/reading.hpp"
+#include "reference/plane/scaling.hpp"
 
 namespace minkref {
 
@@ -20,7 +21,8 @@ struct CaseInterval {
 
 /// The expected result of `sP + Q` at one scale. Absent members claim nothing.
 struct Expected {
-  Rational scale;
+  Rational scale = 1;
+  std::optional<PlaneScaling> axes;   ///< or this, a factor for each axis
   std::optional<std::string> digest;  ///< SHA-256 of the canonical JSON, 64 hexadecimal digits
   std::optional<std::uint64_t> components, holes, vertices;
   std::optional<Rational> area;
@@ -32,7 +34,8 @@ struct Case {
   std::string id;
   std::string title, comment;  ///< carry no truth
   PolygonSet P, Q;
-  std::vector<Rational> scales;          ///< either these
+  std::vector<Rational> scales;          ///< either these, and these with a factor for each axis
+  std::vector<PlaneScaling> axes;        ///< (in a file both stand in one list)
   std::optional<CaseInterval> interval;  ///< or this
   std::vector<std::string> tags;         ///< families
   std::vector<std::string> flags;

@@ -115,6 +115,19 @@ class CaseReader {
     return s;
   }
 
+  /// `["SX", "SY"]`: a factor for each axis.
+  PlaneScaling axes(Json value) {
+    std::vector<Rational> factors;
+    for (const Json factor : value) factors.push_back(scale(factor));
+    if (factors.size() != 2) {
+      input_.refuse(
+          "wrong-type",
+          "a scale of a case in the plane has " + std::to_string(factors.size()) + " factors",
+          "give one number, or a list of two", value.line());
+    }
+    return {factors[0], factors[1]};
+  }
+
   void scales(const JsonObject& members, Case& value) {
     const auto list = members.find("scales");
     const auto interval = members.find("interval");
@@ -125,8 +138,14 @@ class CaseReader {
     }
     if (list) {
       expect(*list, JsonKind::array, "scales", input_);
-      for (const Json s : *list) value.scales.push_back(scale(s));
-      if (value.scales.empty()) {
+      for (const Json s : *list) {
+        if (s.is(JsonKind::array)) {
+          value.axes.push_back(axes(s));
+        } else {
+          value.scales.push_back(scale(s));
+        }
+      }
+      if (value.scales.empty() && value.axes.empty()) {
         input_.refuse("missing-member", "scales is empty", "give at least one scale", list->line());
       }
       return;
@@ -172,7 +191,12 @@ class CaseReader {
         {"scale", "digest", "components", "holes", "vertices", "area", "result"},
         JsonObject::Others::refused);
     Expected claim;
-    claim.scale = scale(members.require("scale"));
+    const Json at = members.require("scale");
+    if (at.is(JsonKind::array)) {
+      claim.axes = axes(at);
+    } else {
+      claim.scale = scale(at);
+    }
     if (const auto text = members.find("digest")) claim.digest = digest(*text);
     claim.components = count(members, "components");
     claim.holes = count(members, "holes");

@@ -63,9 +63,13 @@ class Members {
   std::string indent_, text_;
 };
 
+std::string axes_text(const PlaneScaling& scaling) {
+  return "[" + quote(scaling.x) + ", " + quote(scaling.y) + "]";
+}
+
 std::string claim_text(const Expected& claim) {
   Members members("    ");
-  members.add("scale", quote(claim.scale));
+  members.add("scale", claim.axes ? axes_text(*claim.axes) : quote(claim.scale));
   if (claim.digest) members.add_text("digest", *claim.digest);
   members.add_count("components", claim.components);
   members.add_count("holes", claim.holes);
@@ -98,6 +102,7 @@ std::string write_case(const Case& value) {
   } else {
     std::string scales;
     for (const Rational& s : value.scales) scales += (scales.empty() ? "" : ", ") + quote(s);
+    for (const PlaneScaling& s : value.axes) scales += (scales.empty() ? "" : ", ") + axes_text(s);
     members.add("scales", "[" + scales + "]");
   }
   if (!value.tags.empty()) members.add("tags", words(value.tags));

@@ -53,7 +53,7 @@ def check_scales(case: Mapping[str, object]) -> None:
     if ("scales" in case) == ("interval" in case):
         raise InputError("a case has either scales or an interval")
     if "scales" in case:
-        scales = [scale(one) for one in listed(case["scales"], "scales")]
+        scales = [factors(one) for one in listed(case["scales"], "scales")]
         if not scales:
             raise InputError("scales is empty")
         return
@@ -64,7 +64,7 @@ def check_scales(case: Mapping[str, object]) -> None:
 
 
 def check_claim(claim: Mapping[str, object]) -> None:
-    scale(claim["scale"])
+    factors(claim["scale"])
     if not re.fullmatch("[0-9a-f]{64}", text(claim.get("digest", "0" * 64), "digest")):
         raise InputError("a digest is 64 hexadecimal digits in lower case")
     for name in COUNTS:
@@ -100,6 +100,14 @@ def text(value: object, what: str) -> str:
 
 def scale(value: object) -> Fraction:
     return positive(str(coordinate(value)))
+
+
+def factors(value: object) -> tuple[Fraction, ...]:
+    """Read one factor, or a list of two, one for each axis."""
+    given = value if isinstance(value, list) else [value]
+    if isinstance(value, list) and len(value) != 2:
+        raise InputError("a scale is one factor, or a list of two")
+    return tuple(scale(one) for one in given)
 
 
 def numbers(values: list[object]) -> Iterator[JsonNumber]:
