@@ -14,6 +14,9 @@ class Exchange(Protocol):
 
     @property
     def answer_is_no(self) -> str: ...
+    def taken(self, case: Any, declaration: Any) -> Any:
+        """The case as the target takes it."""
+
     def sent(self, text: str, declaration: Any) -> Any: ...
     def sent_scale(self, text: str) -> str | list[str]: ...
     def received(self, value: dict[str, Any], declaration: Any, seconds: float) -> Any:

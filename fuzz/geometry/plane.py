@@ -37,11 +37,24 @@ def fraction_rings(text: str, factor: Number = 1) -> list[list[Vector[Fraction]]
     ]
 
 
-def read_shape(text: str, factor: Number = 1, shift: Point = ORIGIN) -> Shape:
-    """A set of the canonical JSON's form in fractions, scaled about the origin and then moved."""
+def scale_factors(scale: str) -> Vector[Fraction]:
+    """The factors of the two axes: of `S`, the same for both, or of `SX,SY`."""
+    factors = [Fraction(factor) for factor in scale.split(",")]
+    x, y = factors * 2 if len(factors) == 1 else factors
+    return x, y
+
+
+def is_uniform(scale: str) -> bool:
+    return "," not in scale
+
+
+def read_shape(text: str, factor: Number | Point = 1, shift: Point = ORIGIN) -> Shape:
+    """A set of the canonical JSON's form in fractions, scaled about the origin, perhaps by a factor
+    for each axis, and then moved."""
+    a, b = factor if isinstance(factor, tuple) else (factor, factor)
     return [
         [
-            [(factor * Fraction(x) + shift[0], factor * Fraction(y) + shift[1]) for x, y in ring]
+            [(a * Fraction(x) + shift[0], b * Fraction(y) + shift[1]) for x, y in ring]
             for ring in rings_of(polygon)
         ]
         for polygon in json.loads(text)["polygons"]
@@ -52,8 +65,10 @@ def mapped(shape: Shape, change: Callable[[Point], Point]) -> Shape:
     return [[[change(p) for p in ring] for ring in polygon] for polygon in shape]
 
 
-def scaled(shape: Shape, factor: Number) -> Shape:
-    return mapped(shape, lambda p: (p[0] * factor, p[1] * factor))
+def scaled(shape: Shape, factor: Number | Point) -> Shape:
+    """Scaled about the origin, perhaps by a factor for each axis."""
+    a, b = factor if isinstance(factor, tuple) else (factor, factor)
+    return mapped(shape, lambda p: (p[0] * a, p[1] * b))
 
 
 def moved(shape: Shape, dx: Number, dy: Number) -> Shape:

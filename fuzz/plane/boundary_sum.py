@@ -14,6 +14,7 @@ from minkref.fuzz.geometry.plane import (
     edges,
     in_box,
     read_shape,
+    scale_factors,
     segments_meet,
     turn,
 )
@@ -43,13 +44,13 @@ def boundary_sum(case: Case) -> Region:
 
 def decide_boundary(case: Case, point: tuple[str, str]) -> Witness:
     """Whether the point is p + q with p and q on the boundaries. O(mn) exact segment tests."""
-    s, x = Fraction(case.scale), (Fraction(point[0]), Fraction(point[1]))
+    s, x = scale_factors(case.scale), (Fraction(point[0]), Fraction(point[1]))
     reflected = edges(read_shape(case.Q_json, Fraction(-1), x))
     for a, b in edges(read_shape(case.P_json, s)):
         for c, d in reflected:
             if segments_meet(a, b, c, d):
                 z = _common((a, b), (c, d))
-                p = (str(z[0] / s), str(z[1] / s))
+                p = (str(z[0] / s[0]), str(z[1] / s[1]))
                 q = (str(x[0] - z[0]), str(x[1] - z[1]))
                 return Witness(point, True, p, q, boundary=True)
     return Witness(point, False, boundary=True)

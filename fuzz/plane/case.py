@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
 from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.needs import is_double, needs_of_plane
-from minkref.fuzz.geometry.plane import written_rings
+from minkref.fuzz.geometry.plane import is_uniform, written_rings
 from minkref.fuzz.plane.protocol import IN_THE_PLANE
+
+NON_UNIFORM = "non-uniform"
 
 
 @dataclass
@@ -37,6 +39,17 @@ class Case:
     @cached_property
     def Q_json(self) -> str:
         return self.Q.to_json()
+
+    @property
+    def is_uniform(self) -> bool:
+        return is_uniform(self.scale)
+
+    def taken_by(self, capabilities: frozenset[str]) -> Case:
+        """The case as an implementation with these capabilities is asked it: one that knows no
+        factor for each axis gets `S P` as P, at the scale 1."""
+        if self.is_uniform or NON_UNIFORM in capabilities:
+            return self
+        return replace(self, P=self.P.scaled(self.scale), scale="1")
 
     @cached_property
     def scaled_P_json(self) -> str:

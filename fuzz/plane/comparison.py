@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.geometry.plane import Point
+from minkref.fuzz.geometry.plane import Point, scale_factors
 from minkref.fuzz.geometry.region import Region
 from minkref.fuzz.plane.boundary_sum import decide_boundary
 from minkref.fuzz.plane.case import Case
@@ -54,8 +54,8 @@ def some_point(case: Case) -> Witness:
     """Returns a point of the sum, from two vertices. If the sum is empty, the origin, outside."""
     if case.P.is_empty or case.Q.is_empty:
         return decide(case, ("0", "0"))
-    s, (px, py), (qx, qy) = Fraction(case.scale), _first(case.P), _first(case.Q)
-    return decide(case, (str(s * px + qx), str(s * py + qy)))
+    (a, b), (px, py), (qx, qy) = scale_factors(case.scale), _first(case.P), _first(case.Q)
+    return decide(case, (str(a * px + qx), str(b * py + qy)))
 
 
 def _first(operand: _core.PolygonSet) -> Point:

@@ -12,10 +12,11 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.geometry.plane import Shape, mapped, moved, scaled
+from minkref.fuzz.geometry.plane import Point, Shape, mapped, moved, scale_factors, scaled
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.exact_shapes import set_of, shape_of
 from minkref.fuzz.plane.maps import hull_of, quarter_turn, refined, without_holes
+from minkref.scaling import joined
 
 FAR = (Fraction(1013), Fraction(-778))
 FACTOR = Fraction(3)
@@ -54,6 +55,19 @@ def _turned(shape: Shape) -> Shape:
     return mapped(shape, quarter_turn)
 
 
+def _times(factors: Point, along: Point) -> Point:
+    return factors[0] * along[0], factors[1] * along[1]
+
+
+def _doubled(scale: str) -> str:
+    return joined([str(2 * Fraction(factor)) for factor in scale.split(",")])
+
+
+def _exchanged(scale: str) -> str:
+    """The factors after a quarter turn, which exchanges the axes."""
+    return joined(scale.split(",")[::-1])
+
+
 def _same(_: Case, R: Shape) -> Shape:
     return R
 
@@ -62,7 +76,7 @@ LAWS: dict[str, Law] = {
     "translate-P": Law(
         "s(P + t) + Q = (sP + Q) + st",
         lambda case: replace(case, P=_made(_moved, case.P)),
-        lambda base, R: moved(R, *(Fraction(base.scale) * along for along in FAR)),
+        lambda base, R: moved(R, *_times(scale_factors(base.scale), FAR)),
     ),
     "translate-Q": Law(
         "sP + (Q + t) = (sP + Q) + t",
@@ -81,7 +95,7 @@ LAWS: dict[str, Law] = {
     ),
     "scale-split": Law(
         "(2s)(P/2) + Q = sP + Q",
-        lambda case: replace(case, P=case.P.scaled("1/2"), scale=str(2 * Fraction(case.scale))),
+        lambda case: replace(case, P=case.P.scaled("1/2"), scale=_doubled(case.scale)),
         _same,
     ),
     "empty": Law(
@@ -93,7 +107,7 @@ LAWS: dict[str, Law] = {
     "point": Law(
         "sP + {q} = sP moved by q",
         lambda case: replace(case, Q=_core.PolygonSet(THERE)),
-        lambda base, R: moved(scaled(shape_of(base.P), Fraction(base.scale)), *THERE),
+        lambda base, R: moved(scaled(shape_of(base.P), scale_factors(base.scale)), *THERE),
         constant=True,
     ),
     "monotonicity": Law(
@@ -109,7 +123,9 @@ LAWS: dict[str, Law] = {
     ),
     "quarter-turn": Law(
         "the sum turns with the operands",
-        lambda case: replace(case, P=_made(_turned, case.P), Q=_made(_turned, case.Q)),
+        lambda case: replace(
+            case, P=_made(_turned, case.P), Q=_made(_turned, case.Q), scale=_exchanged(case.scale)
+        ),
         lambda _, R: _turned(R),
     ),
     "hull": Law(

@@ -9,7 +9,14 @@ from typing import Any
 from minkref.fuzz.geometry.region import TextRing, region_of_polygons
 from minkref.fuzz.targets.answer import Answer, answered, no_set
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.numbers import MOST_VERTICES, Unreadable, double, list_in, received
+from minkref.fuzz.targets.numbers import (
+    MOST_VERTICES,
+    Unreadable,
+    double,
+    list_in,
+    received,
+    sent_scale,
+)
 from minkref.fuzz.verdicts.verdict import Verdict
 
 
@@ -63,11 +70,16 @@ class PlaneExchange:
 
     answer_is_no = "not a polygon set"
 
+    def taken(self, case: Any, declaration: Declaration) -> Any:
+        """Every target of the plane takes a factor for each axis: the case says how. Cases of paths
+        and of invalid operands have one scale."""
+        return case.taken_by(declaration.capabilities) if hasattr(case, "taken_by") else case
+
     def sent(self, text: str, declaration: Declaration) -> Any:
         return sent_set(text, declaration)
 
-    def sent_scale(self, text: str) -> str:
-        return text
+    def sent_scale(self, text: str) -> str | list[str]:
+        return sent_scale(text)
 
     def received(self, value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
         return plane_answer(value, declaration, seconds)

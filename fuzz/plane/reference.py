@@ -57,6 +57,8 @@ class ReferenceTarget:
             return skipped("does not declare update")
 
         def step() -> _core.Sum:
+            if not (before.is_uniform and case.is_uniform):
+                return self._by_axes(before, case)
             least, most = sorted((before.scale, case.scale), key=Fraction)
             if self.route == INDEX:
                 return _core.ScaleIndex(case.P, case.Q, least, most).sum(case.scale)
@@ -66,6 +68,20 @@ class ReferenceTarget:
             return moving.sum()
 
         return self._guarded(step)
+
+    def _by_axes(self, before: Case, case: Case) -> _core.Sum:
+        """With a factor for each axis: the update of convex operands, else the sum of `S P` and Q
+        at 1."""
+        if self.route == DYNAMIC and case.P.is_convex and case.Q.is_convex:
+            convex = _core.DynamicPolygonSum(case.P, case.Q, before.scale)
+            convex.update(case.scale)
+            return convex.sum()
+        P = case.P.scaled(case.scale)
+        if self.route == INDEX:
+            return _core.ScaleIndex(P, case.Q, "1", "1").sum("1")
+        moving = _core.DynamicSum(P, case.Q, "1", "1")
+        moving.move_to("1")
+        return moving.sum()
 
     def _guarded(self, compute: Callable[[], _core.Sum]) -> Answer:
         try:

@@ -9,7 +9,6 @@ from typing import Any, ClassVar
 
 from minkref import _core
 from minkref.errors import refusing
-from minkref.exact import read_scale
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
@@ -22,17 +21,18 @@ from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.small_case import PlaneCase, smaller_in_plane
 from minkref.fuzz.setting import Setting
 from minkref.plane.operand import read_operand
+from minkref.plane.scaling import read_plane_scale, text_of
 
 
 class Plane(Setting):
-    """Sets of polygons and uniform scales."""
+    """Sets of polygons, and scales, perhaps with a factor for each axis."""
 
     name, where, dimension = "plane", "in the plane", 2
     target = "minkref:paper"
     asking = PlaneAsking
     families: ClassVar[dict[str, str]] = {name: one.title for name, one in FAMILIES.items()}
     verbs = (UPDATE, EVENTS, PAIR_EVENTS, REJECTS, PATH, RANGES)
-    never = frozenset({"non-uniform"})
+    never = frozenset({"non-uniform"})  # no case needs it: other targets get `S P` as P
 
     def holds(self, operands: list[Any]) -> bool:
         return all(isinstance(each, dict) and "polygons" in each for each in operands)
@@ -42,17 +42,17 @@ class Plane(Setting):
 
     def case_of(self, name: CaseName, operands: list[Any], scale: Any, where: str) -> Case:
         P, Q = (_valid(json.dumps(each), where) for each in operands)
-        return Case(name, P, Q, read_scale(str(scale), where), "P", "Q", "named")
+        return Case(name, P, Q, _scale(scale, where), "P", "Q", "named")
 
     def scales_in(self, value: dict[str, Any], path: Path) -> list[str]:
         scales = value.get("scales")
         if isinstance(scales, list) and scales:
-            return [str(scale) for scale in scales]
+            return [",".join(map(str, s)) if isinstance(s, list) else str(s) for s in scales]
         return [_within(value.get("interval"))]
 
     def case_in(self, name: CaseName, path: Path, scale: str) -> Case:
         P, Q = (read_operand(f"{path}#{part}") for part in "PQ")
-        return Case(name, P.set, Q.set, read_scale(scale), P.name, Q.name)
+        return Case(name, P.set, Q.set, _scale(scale, str(path)), P.name, Q.name)
 
     def refuse_bad_operands(self, path: Path) -> None:
         for part in "PQ":
@@ -81,6 +81,11 @@ class Plane(Setting):
 
     def scales_of_file(self, scale: str) -> list[str]:
         return [scale]
+
+
+def _scale(scale: Any, where: str) -> str:
+    text = ",".join(map(str, scale)) if isinstance(scale, list) else str(scale)
+    return text_of(read_plane_scale(text, where))
 
 
 def _valid(text: str, where: str) -> _core.PolygonSet:

@@ -12,6 +12,7 @@ from math import gcd, lcm
 from typing import Any
 
 from minkref import _core
+from minkref.plane.scaling import PlaneScale, factors_of, read_plane_scale, text_of
 
 Point = tuple[Fraction, Fraction]
 Ring = tuple[Point, ...]
@@ -23,7 +24,7 @@ Operand = tuple[Polygon, ...]
 class PlaneCase:
     P: Operand
     Q: Operand
-    scale: Fraction
+    scale: PlaneScale
 
     @cached_property
     def size(self) -> tuple[int, int, int, str]:
@@ -37,12 +38,16 @@ class PlaneCase:
 
     @cached_property
     def literal(self) -> str:
-        value = {"P": plain_operand(self.P), "Q": plain_operand(self.Q), "scale": str(self.scale)}
+        value = {
+            "P": plain_operand(self.P),
+            "Q": plain_operand(self.Q),
+            "scale": text_of(self.scale),
+        }
         return json.dumps(value, separators=(",", ":"))
 
     @staticmethod
     def read(P_json: str, Q_json: str, scale: str) -> PlaneCase:
-        return PlaneCase(_operand(P_json), _operand(Q_json), Fraction(scale))
+        return PlaneCase(_operand(P_json), _operand(Q_json), read_plane_scale(scale))
 
     def valid(self) -> bool:
         for operand in (self.P, self.Q):
@@ -106,11 +111,19 @@ def smaller_in_plane(case: PlaneCase) -> Iterator[PlaneCase]:
             yield candidate
 
 
+def _simpler_scales(scale: PlaneScale) -> Iterator[PlaneScale]:
+    """Whole numbers; of a factor for each axis also one of them for both."""
+    whole = [Fraction(round(factor) or 1) for factor in factors_of(scale)]
+    yield whole[0] if whole[0] == whole[1] else (whole[0], whole[1])
+    if isinstance(scale, tuple):
+        yield from scale
+
+
 def _candidates(case: PlaneCase) -> Iterator[PlaneCase]:
     if case.scale != 1:
         yield PlaneCase(case.P, case.Q, Fraction(1))
         yield PlaneCase(scaled_operand(case.P, case.scale), case.Q, Fraction(1))
-        yield PlaneCase(case.P, case.Q, Fraction(round(case.scale) or 1))
+        yield from (PlaneCase(case.P, case.Q, scale) for scale in _simpler_scales(case.scale))
     for which, operand in enumerate(case.operands):
         for fewer in (*_fewer_polygons(operand), *_fewer_holes(operand)):
             yield case.with_operand(which, fewer)
@@ -178,8 +191,9 @@ def _map(operand: Operand, image: Callable[[Point], Point]) -> Operand:
     )
 
 
-def scaled_operand(operand: Operand, factor: Fraction) -> Operand:
-    return _map(operand, lambda p: (factor * p[0], factor * p[1]))
+def scaled_operand(operand: Operand, factor: PlaneScale) -> Operand:
+    x, y = factors_of(factor)
+    return _map(operand, lambda p: (x * p[0], y * p[1]))
 
 
 def _moved(operand: Operand, by: Point) -> Operand:

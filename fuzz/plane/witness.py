@@ -14,6 +14,7 @@ from minkref.fuzz.geometry.plane import (
     edges,
     meet,
     read_shape,
+    scale_factors,
     segments_meet,
 )
 from minkref.fuzz.plane.square import clear_of_square, square_inside
@@ -24,14 +25,14 @@ def holds(P_json: str, Q_json: str, scale: str, witness: Witness) -> bool:
     """True iff the witness proves its statement. O(mn) exact segment tests for `outside`. With a
     tolerance, the whole square lies inside or outside; False also if too many segments cross the
     square and the check gives up."""
-    s = Fraction(scale)
+    s = scale_factors(scale)
     P = read_shape(P_json, s)
     x = (Fraction(witness.point[0]), Fraction(witness.point[1]))
     half = Fraction(witness.tolerance)
     if witness.in_truth:
         if witness.p is None or witness.q is None:
             return False
-        p = (s * Fraction(witness.p[0]), s * Fraction(witness.p[1]))
+        p = (s[0] * Fraction(witness.p[0]), s[1] * Fraction(witness.p[1]))
         q = (Fraction(witness.q[0]), Fraction(witness.q[1]))
         Q = read_shape(Q_json)
         if (p[0] + q[0], p[1] + q[1]) != x:

@@ -22,11 +22,13 @@ RANDOM = "random"  # the family of the first hour
 MUTANTS_PER_ROUND = 12
 MOST_PARENTS = 200
 DEEPEST_MUTANT = 4
+AXES_PER_ROUND = 4  # families with a factor for each axis
 PROBES_PER_ROUND = 3
 PATHS_PER_ROUND = 3  # per verb
 GRID_BITS = 24  # for cases on a grid, or in doubles
 CONVEX_FAMILIES = ("space-convex", "space-sphere")  # taken by most targets with updates
 TOUCHING = "passing"  # the family with topology events of the kind `touch`
+CONVEX = "convex"
 FAR_AND_LARGE = (  # each in every second round
     ("scaled-up:210", "far out"),
     ("cut:100", "many vertices"),
@@ -170,6 +172,7 @@ class CaseList:
                 yield CaseName(text, family)
                 yield CaseName(f"grid:{GRID_BITS}({text})", "on a grid")
         yield from self._far_and_large(index, texts, dice)
+        yield from self._by_axes(index, texts)
         for law in self.laws if self.families else ():
             family = dice.choice(self.families)
             yield CaseName(f"{law}({texts[family]})", "laws")
@@ -194,6 +197,14 @@ class CaseList:
             for k in range(PATHS_PER_ROUND):
                 number = index * PATHS_PER_ROUND + k
                 yield CaseName(f"{verb}{end}:{self.seed}:{number}", "paths")
+
+    def _by_axes(self, index: int, texts: dict[str, str]) -> Iterator[CaseName]:
+        """Yields cases of some families with a factor for each axis, and updates to such."""
+        dice = random.Random(f"minkref axes {self.seed} {index}")
+        for family in dice.sample(self.families, min(AXES_PER_ROUND, len(self.families))):
+            yield CaseName(f"axes:{index}({texts[family]})", family)
+        if UPDATE in self.laws and CONVEX in texts:
+            yield CaseName(f"{UPDATE}(axes:{index}({texts[CONVEX]}))", "laws")
 
     def _far_and_large(
         self, index: int, texts: dict[str, str], dice: random.Random

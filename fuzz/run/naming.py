@@ -5,6 +5,7 @@ P+Q@SCALE                 files or models
 CASE.json[@SCALE]         a case file, at its first scale or the one given
 {"P":...,"Q":...,"scale":"3/2"}   the case itself
 probe:K(NAME)             at the K-th scale that lies at or next to a boundary event
+axes:K(NAME)              with a factor for each axis, drawn by the number K
 scaled-up:B(NAME)         both operands 2^B times as large (scaled-down: as small)
 cut:N(NAME)               edges cut into equal parts, so that there are N vertices or more
 grid:B(NAME)              sP and Q rounded to a grid of B bits, at scale 1

@@ -9,7 +9,14 @@ from typing import Any
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.numbers import MOST_VERTICES, Unreadable, double, list_in, received
+from minkref.fuzz.targets.numbers import (
+    MOST_VERTICES,
+    Unreadable,
+    double,
+    list_in,
+    received,
+    sent_scale,
+)
 
 
 def sent_solid(text: str, declaration: Declaration) -> Any:
@@ -19,12 +26,6 @@ def sent_solid(text: str, declaration: Declaration) -> Any:
         return value
     vertices = [[double(number) for number in vertex] for vertex in value["vertices"]]
     return {"vertices": vertices, "faces": value["faces"]}
-
-
-def sent_scale(text: str) -> str | list[str]:
-    """A scale as a text; a non-uniform one as a list of three."""
-    parts = text.split(",")
-    return text if len(parts) == 1 else parts
 
 
 def solid_answer(value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
@@ -55,6 +56,9 @@ class SpaceExchange:
     """Sends cases in space, and reads answers."""
 
     answer_is_no = "not a polyhedron"
+
+    def taken(self, case: Any, declaration: Declaration) -> Any:
+        return case
 
     def sent(self, text: str, declaration: Declaration) -> Any:
         return sent_solid(text, declaration)

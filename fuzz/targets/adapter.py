@@ -86,6 +86,7 @@ class ProgramTarget:
         return declaration
 
     def _load(self, case: AnyCase, declaration: Declaration) -> None:
+        case = case.exchange.taken(case, declaration)
         key = (case.P_json, case.Q_json)
         if self._loaded == key:
             return
@@ -111,6 +112,7 @@ class ProgramTarget:
         except Refused as refused:
             return self._without_result(case, refused.value, declaration)
         exchange = case.exchange
+        case = exchange.taken(case, declaration)
         value = self._process.ask(
             verb,
             self.limits.seconds,
@@ -163,6 +165,8 @@ class AdapterTarget(ProgramTarget):
             lack = lacking(declaration, before)
             if lack:
                 return skipped(lack, declaration)
+            if before.exchange.taken(before, declaration) is not before:
+                return skipped("does not declare non-uniform", declaration)
             steps: list[tuple[AnyCase, str]] = [(before, "at"), (case, "update")]
             if zlib.crc32(case.name.text.encode()) % 2:
                 steps = [(case, "at"), (before, "update"), (case, "update")]

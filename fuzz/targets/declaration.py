@@ -23,7 +23,7 @@ CAPABILITIES = {
     "point": "a point as an operand",
     "segment": "a segment as an operand",
     "rational": "numbers that no double holds",
-    "non-uniform": "a scale of three numbers, in space",
+    "non-uniform": "a scale with a factor for each axis",
     "rejects-invalid": "invalid operands in the plane, to be rejected",
     "update": "an update from another scale",
     "events": "the scales of topology events in the plane",

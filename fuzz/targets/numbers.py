@@ -71,3 +71,9 @@ def received_scale(value: Any, declaration: Declaration) -> Fraction:
     if isinstance(value, str):
         declaration = replace(declaration, numbers="text")
     return Fraction(received(value, declaration))
+
+
+def sent_scale(text: str) -> str | list[str]:
+    """A scale as a text; with a factor for each axis, their list."""
+    parts = text.split(",")
+    return text if len(parts) == 1 else parts

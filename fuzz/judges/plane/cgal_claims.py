@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from fractions import Fraction
 from typing import Any
 
 from minkref.fuzz.cgal.oracle import CgalOracle, OracleNotFoundError, method_of_target
-from minkref.fuzz.judges.plane.slow_operands import slow_operand, slow_operands
+from minkref.fuzz.judges.plane.slow_operands import slow_operand, slow_operands, slow_scale
 from minkref.fuzz.plane.case import Case
 from minkref.oracle import slow
 
@@ -31,7 +30,7 @@ class CgalClaims:
         `different` (with a point inside the difference, and both sets), `no set`, or the call's
         status."""
         P, Q = slow_operands(case)
-        scale = Fraction(case.scale)
+        scale = slow_scale(case)
         rows = []
         for method, oracle in self._oracles.items():
             answer = oracle.sum(case.scaled_P_json, case.Q_json)

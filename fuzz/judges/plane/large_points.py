@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import written_rings
-from minkref.fuzz.judges.plane.slow_operands import slow_operands
+from minkref.fuzz.judges.plane.slow_operands import slow_operands, slow_scale
 from minkref.fuzz.plane.case import Case
 from minkref.oracle import slow
 from minkref.oracle.slow.witness import Pieces
@@ -19,7 +19,7 @@ def decided_otherwise(case: Case, count: int, seed: int) -> list[str]:
     """Points that the reference and the slow engine decide differently, among `count` vertices of
     the sum's boundary, middles of its edges, and points a little left and right of the middles."""
     P, Q = map(Pieces.of, slow_operands(case))
-    scale = Fraction(case.scale)
+    scale = slow_scale(case)
     different = []
     for x, y in points(case, count, seed):
         ours = _core.decide(case.P, case.Q, case.scale, str(x), str(y))["contact"]

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import written_rings
-from minkref.fuzz.judges.plane.slow_operands import slow_operands
+from minkref.fuzz.judges.plane.slow_operands import slow_operands, slow_scale
 from minkref.fuzz.judges.ruling import Ruling, dice_of
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.witness import holds
@@ -28,7 +28,7 @@ def judge(case: Case) -> Ruling:
     for x in points_of(case):
         text = str(x[0]), str(x[1])
         ours = _core.decide(case.P, case.Q, case.scale, *text)
-        theirs = slow.witness(P, Q, Fraction(case.scale), x)
+        theirs = slow.witness(P, Q, slow_scale(case), x)
         ruling.compare(
             f"how sP and x - Q meet at x = ({', '.join(text)})",
             ours["contact"], WORDS[theirs.contact],
