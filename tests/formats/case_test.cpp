@@ -69,6 +69,25 @@ TEST(CaseFile, WrittenAndReadAgainIsTheSame) {
   }
 }
 
+TEST(CaseFile, AScaleMayHaveAFactorForEachAxis) {
+  const Case value =
+      read_case_text(
+          case_text(R"("scales":["3",["2","1/3"]],"expected":[{"scale":["2","1/3"],"holes":1}])"),
+          "input")
+          .value;
+  const PlaneScaling factors{2, Rational(1, 3)};
+  EXPECT_EQ(value.scales, (std::vector<Rational>{3}));
+  EXPECT_EQ(value.axes, (std::vector<PlaneScaling>{factors}));
+  EXPECT_EQ(value.expected[0].axes, factors);
+  EXPECT_EQ(read_case_text(write_case(value), "input").value, value) << write_case(value);
+}
+
+TEST(CaseFile, OtherListsThanOfTwoPositiveFactorsAreRefused) {
+  EXPECT_EQ(code(case_text(R"("scales":[["1","2","3"]])")), "wrong-type");
+  EXPECT_EQ(code(case_text(R"("scales":[["1"]])")), "wrong-type");
+  EXPECT_EQ(code(case_text(R"("scales":[["1","0"]])")), "scale-not-positive");
+}
+
 TEST(CaseFile, WrongOrientationIsRefusedAndNotTurned) {
   const Reading reading =
       read_text(case_text(R"("scales":["1"])", triangle), Format::case_json, "input#Q");

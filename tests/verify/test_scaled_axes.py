@@ -105,6 +105,7 @@ def test_a_literal_and_a_file_name_the_same_case(tmp_path: Path) -> None:
     assert (again.scale, again.P, again.Q) == (case.scale, case.P, case.Q)
     value = {
         "schema": "case-v1",
+        "id": "axes",
         "dimension": 2,
         "P": json.loads(case.P_json),
         "Q": json.loads(case.Q_json),
