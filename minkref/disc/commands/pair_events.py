@@ -176,6 +176,8 @@ def _print(head: dict[str, Any], rows: list[Row]) -> None:
         truth = head["truth"]
         told = f"{truth['right']:,} right, {truth['missed']:,} missed of {truth['count']:,}"
         named.append(("in truth", f"{told}, {truth['invented']:,} invented"))
+        if "none" in head["changes"]:
+            named.append(("none", "at the printed radius the pair's shared points do not change"))
     named.append(("seconds", f"{head['seconds']:.3f}"))
     if head["output"]:
         named.append(("written", head["output"]))

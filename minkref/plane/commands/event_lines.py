@@ -17,6 +17,10 @@ MEANINGS = {  # of the changes, under the table
     "Where holes and components of the sum do, --kind topology says.",
     "topology": "before, after: the features that take part, by number; `outside` is no hole.",
 }
+AS_PRINTED = (
+    "As printed: the scales that the interval of Section 4.2.3 gives to each pair, all scales "
+    "where no end bounds it, right or wrong. --form corrected counts the pairs that meet."
+)
 SHOWN = 10  # events that people see
 LIVES = 24  # holes and components whose lives people see
 
@@ -44,13 +48,7 @@ def print_events(value: dict[str, Any], found: EventList, count: int) -> None:
     if value["pairs"] is not None:
         rows += [("pairs", f"{value['pairs']:,}; {value['filtered_pairs']:,} filtered by floats")]
     if value["kind"] == "pair":
-        rows += [
-            (
-                "meeting",
-                f"{value['intersecting_pairs']:,}, of them {value['always_meeting_pairs']:,} at "
-                f"every scale; {value['touching_pairs']:,} more only touch",
-            )
-        ]
+        rows += [_meeting(value)]
     elif value["kind"] == "parallel":
         rows += [("on one line", f"{value['parallel_pairs']:,}")]
     scales = counted(value["distinct"], "scale")
@@ -71,9 +69,21 @@ def print_events(value: dict[str, Any], found: EventList, count: int) -> None:
         sys.stdout.write("\n" + lines(events_in_words(value["literal"])))
         print_literal(value["literal"]["rows"][:count])
     if value["output"] is None and value["trial"] is None:
-        _print_first(found, count)
+        _print_first(found, count, value["form"] == "printed")
     for warning in value["warnings"]:
         sys.stderr.write(f"warning: {escaped(warning)}\n")
+
+
+def _meeting(value: dict[str, Any]) -> tuple[str, str]:
+    """How many pairs meet, or are given scales by the printed interval."""
+    some, always, single = (
+        f"{value[name]:,}"
+        for name in ("intersecting_pairs", "always_meeting_pairs", "touching_pairs")
+    )
+    if value["form"] == "printed":
+        told = f"to {some} pairs, to {always} of them all scales; to {single} more one scale"
+        return "scales given", told
+    return "meeting", f"{some}, of them {always} at every scale; {single} more only touch"
 
 
 def _least_text(found: dict[str, int | None]) -> str:
@@ -95,7 +105,7 @@ def _trial_rows(arithmetic: str, trial: dict[str, Any]) -> list[tuple[str, str]]
     ]
 
 
-def _print_first(found: EventList, count: int) -> None:
+def _print_first(found: EventList, count: int, printed: bool) -> None:
     from rich.table import Table
 
     events = found.events(0, min(count, len(found)))
@@ -114,6 +124,8 @@ def _print_first(found: EventList, count: int) -> None:
         sys.stdout.write(f"{len(found) - len(events):,} more: --json or -o FILE gives all\n")
     if events[0]["kind"] in MEANINGS:
         sys.stdout.write(MEANINGS[events[0]["kind"]] + "\n")
+    if printed:
+        sys.stdout.write(AS_PRINTED + "\n")
     for name, lives in found.features().items():
         if lives:
             _print_lives(name, lives)
