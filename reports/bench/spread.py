@@ -15,6 +15,13 @@ class Spread:
     median: float
     upper: float
 
+    def in_words(self, digits: int = 1) -> str:
+        """The median and, of several values, the quartiles."""
+        if self.count == 1:
+            return f"{self.median:,.{digits}f}"
+        quartiles = f"{self.lower:,.{digits}f} to {self.upper:,.{digits}f}"
+        return f"median {self.median:,.{digits}f} (quartiles {quartiles})"
+
 
 def spread(values: Sequence[float]) -> Spread:
     """The spread of one or more values."""
