@@ -30,8 +30,8 @@ def print_polygons(value: dict[str, Any], seed: int) -> None:
         if mean is not None:
             text.append((f"mean of ratios, {name}", f"{mean:.2f}: of single re-scalings"))
     text.append(
-        ("the paper's", f"{PAPER_MEAN} over its 25 pairs (all pairs of edges in MPFR; which of "
-         "both means is not said; another machine)")
+        ("the paper's", f"{PAPER_MEAN} over 25 pairs of its own polygons, by all pairs of edges in "
+         "MPFR on another machine: not to be compared pair by pair")
     )  # fmt: skip
     text += [("note", note) for note in value["notes"]]
     text += [("WRONG", f"the sum differs from the static one: {wrong}") for wrong in value["wrong"]]
@@ -168,8 +168,8 @@ def print_polyhedra(value: dict[str, Any], seed: int) -> None:
     paper = value["paper"]
     text.append(
         ("the paper's", f"{paper['least']} to {paper['greatest']}, arithmetic mean "
-         f"{paper['mean']} (against its own recomputation, at factors whose range it does not "
-         "give; another machine)")
+         f"{paper['mean']}, of its own models, against its own recomputation, at factors whose "
+         "range it does not give, on another machine: not to be compared pair by pair")
     )  # fmt: skip
     text += [("note", note) for note in value["notes"]]
     text += [("WRONG", wrong) for wrong in value["wrong"]]

@@ -87,7 +87,7 @@ class Table1(TypedDict):
     paper_mean_ratio: Annotated[
         float,
         Meta(
-            description="Of the paper's Table 1, over its 25 pairs; to be compared with pairwise."
+            description="Of the paper's Table 1, over 25 pairs of other polygons."
         ),
     ]
     notes: Annotated[list[str], Meta(description="What was left out, and what stands for what.")]
