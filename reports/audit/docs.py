@@ -21,7 +21,8 @@ entry says how. `minkref report audit` runs all checks and writes a page with th
 drawn; they are also tests.
 
 These pages are written by `python -m minkref.reports.audit.docs` from `reports/audit/chapters/`,
-and a test holds them to it. What is printed in the paper is told in our words and formulas.
+and a test holds them to it. What is printed in the paper is told in our words and formulas;
+what stands between “ and ” are its own words, which a test looks up.
 """
 
 COUNTED = """Formulas and sentences are counted, not entries: where several entries are about one,

@@ -1,16 +1,23 @@
-"""Writes the table of `docs/paper.md` from the statements: `python -m minkref.reports.paper.docs`.
-A test holds the page to it."""
+"""Writes the table of `docs/paper.md` from the statements, and the verdicts from the kept run:
+`python -m minkref.reports.paper.docs`. With the `paper.json` of a report as argument that run is
+kept first. A test holds the page to both."""
 
 from __future__ import annotations
+
+import sys
+from pathlib import Path
 
 from minkref.output.documents import write_atomically
 from minkref.reports.audit.catalogue import CHAPTERS
 from minkref.reports.audit.page import ROOT
+from minkref.reports.paper.kept_run import keep, verdicts
 from minkref.reports.paper.statements import STATEMENTS, Statement
 
 PAGE = ROOT / "docs" / "paper.md"
 BEGIN = "<!-- the table: python -m minkref.reports.paper.docs -->\n"
 END = "<!-- the end of the table -->\n"
+RUN = "<!-- the verdicts: python -m minkref.reports.paper.docs REPORT/paper.json -->\n"
+END_OF_RUN = "<!-- the end of the verdicts -->\n"
 COLUMNS = ("section", "what it is", "file", "form", "arithmetic", "command", "judge")
 
 
@@ -33,11 +40,18 @@ def _page(name: str) -> str:
 
 
 def written(text: str) -> str:
-    """The page with its table renewed. Raises ValueError without the marks."""
-    before, rest = text.split(BEGIN)
-    _, after = rest.split(END)
-    return f"{before}{BEGIN}\n{table()}\n{END}{after}"
+    """The page with its table and verdicts renewed. Raises ValueError without the marks."""
+    with_table = _between(text, BEGIN, END, table())
+    return _between(with_table, RUN, END_OF_RUN, verdicts())
+
+
+def _between(text: str, begin: str, end: str, made: str) -> str:
+    before, rest = text.split(begin)
+    _, after = rest.split(end)
+    return f"{before}{begin}\n{made}\n{end}{after}"
 
 
 if __name__ == "__main__":
+    for report in sys.argv[1:]:
+        keep(Path(report), Path(__file__).resolve().parent)
     write_atomically(PAGE, written(PAGE.read_text(encoding="utf-8")))

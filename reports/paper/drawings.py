@@ -58,10 +58,11 @@ def figure_2() -> tuple[list[Picture], list[Claim]]:
         side = (float(x0), float(y0), float(x1), float(y1))
         sides |= {side, (*side[2:], *side[:2])}
     return pictures, [
-        Claim("the edge p0 p1 is compatible with q0: its direction is on the counter-clockwise "
-              "turn at q0", "it is in the convolution" if AT_Q0 in found[False] else "it is not",
+        Claim("Edge p0p1 is compatible with q0", "Fig. 2", "the rule of Section 3, on our polygons",
+              "it is in the convolution" if AT_Q0 in found[False] else "it is not",
               AT_Q0 in found[False]),
-        Claim("the reduced convolution is the convolution without what reflex vertices contribute",
+        Claim("We exclude contributions from reflex vertices (2D)", "Sec. 3",
+              "the edges that the reduced convolution leaves out",
               f"edges left out: {len(left_out)}, at the reflex vertex of Q",
               bool(left_out) and shared and of_reflex <= sides),
     ]  # fmt: skip
@@ -102,8 +103,9 @@ def with_true_disc(pair: Pair) -> tuple[list[Picture], list[Claim]]:
     ]
     area, most = float(Fraction(by_polygon.region.area())), disc.area[1]
     claim = Claim(
-        "the disc is a polygon with corners on the circle, so that its sum lies in that with the "
-        "true disc",
+        "the disc is represented as a polygon with 32 vertices",
+        "Fig. 1",
+        "the sum with the polygon has no more area than with the true disc through its corners",
         f"areas {area:.6g} and {most:.6g}, curves {by_polygon.region.vertices:,} and "
         f"{disc.curves:,}",
         area <= most,

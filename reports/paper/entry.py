@@ -12,16 +12,18 @@ from typing import Any
 class Verdict(StrEnum):
     REPRODUCED = "reproduced"
     IN_KIND = "reproduced in kind"
+    CONSISTENT = "consistent"
     NOT_REPRODUCED = "not reproduced"
     NOT_ATTEMPTED = "not attempted"
 
 
 RULE = (
-    "An entry lists what the paper states there that can be measured or counted and is no time of "
-    "its machine; speed-ups are compared by what is said of them, and by their order of magnitude. "
-    "Reproduced: all of it comes out, with the paper's own input. Reproduced in kind: "
-    "all of it comes out, with input of ours, because the paper's is not published or not at hand. "
-    "Not reproduced: some of it does not come out. Not attempted: nothing of it was measured."
+    "An entry quotes sentences of the paper that can be measured or counted, says how each was "
+    "tested, and gives the numbers of one run with their spread; times of the paper's machine are "
+    "not compared. Reproduced: all of it comes out, and nothing was unlike the paper. Reproduced "
+    "in kind: all of it comes out, with the differences from the paper that the entry lists. "
+    "Consistent: it comes out for some values of something that the paper does not give. Not "
+    "reproduced: some of it does not come out. Not attempted: nothing of it was measured."
 )
 
 
@@ -45,37 +47,43 @@ class Table:
 
 @dataclass(frozen=True)
 class Claim:
-    """A statement of the paper, quoted or paraphrased, the finding, and whether the statement
-    holds."""
+    """A tested sentence. `words`: the paper's own, nothing else; `place`: section, figure or table.
+    `tested`: test and threshold, in our words. `found`: numbers. `chosen`: the sentence comes out
+    only for a chosen value of something that the paper does not give."""
 
-    stated: str
+    words: str
+    place: str
+    tested: str
     found: str
     holds: bool
+    chosen: bool = False
 
 
-def verdict_of(claims: Sequence[Claim], their_input: bool) -> Verdict:
+def verdict_of(claims: Sequence[Claim], unlike: Sequence[str]) -> Verdict:
     """By RULE."""
     if not claims:
         return Verdict.NOT_ATTEMPTED
     if not all(claim.holds for claim in claims):
         return Verdict.NOT_REPRODUCED
-    return Verdict.REPRODUCED if their_input else Verdict.IN_KIND
+    if any(claim.chosen for claim in claims):
+        return Verdict.CONSISTENT
+    return Verdict.IN_KIND if unlike else Verdict.REPRODUCED
 
 
 @dataclass
 class Entry:
     """`place`: the paper's name for the entry. `why`: the runs, with caveats. `command`: the
-    command that makes the entry. `their_input`: whether all input is the paper's own."""
+    command that makes the entry. `unlike`: differences from the paper."""
 
     place: str
     title: str
     why: str
     command: str
     claims: Sequence[Claim] = ()
-    their_input: bool = False
+    unlike: Sequence[str] = ()
     pictures: list[Picture] = field(default_factory=list)
     tables: list[Table] = field(default_factory=list)
 
     @property
     def verdict(self) -> Verdict:
-        return verdict_of(self.claims, self.their_input)
+        return verdict_of(self.claims, self.unlike)

@@ -24,7 +24,11 @@ def figure_3() -> tuple[list[Picture], list[Claim]]:
         factor = [spans[-1][i] / spans[0][i] for i in (0, 1)]
         claims.append(
             Claim(
-                f"{name}: " + ("it only translates" if name == "T-edge" else "it also scales"),
+                "the segment only translates as s changes"
+                if name == "T-edge"
+                else "the segment also scales as it translates",
+                "Fig. 3",
+                f"{name}: its length at two scales",
                 f"at s = 2 it is {factor[0]} times as long as at s = 1",
                 factor == [1, 1] if name == "T-edge" else factor == [2, 2],
             )
@@ -32,7 +36,8 @@ def figure_3() -> tuple[list[Picture], list[Claim]]:
         first, middle, last = (crossing(edge, ACROSS, scale) for scale in SCALES)
         even = minus(middle, first) == minus(last, middle)
         claims.append(
-            Claim(f"{name}: the intersection moves along a line at a constant rate",
+            Claim("x(s) is a parameterized line as well", "Sec. 4.2",
+                  f"{name}: its crossing with an edge at three scales, exact",
                   "equal steps from s = 1 to 3/2 and to 2" if even else "unequal steps", even)
         )  # fmt: skip
         pictures.append(Picture(f"{name} at s = 1 and 2, and its intersection", _drawn(edge)))

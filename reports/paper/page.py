@@ -22,8 +22,8 @@ PAGE = "paper.html"
 def write_paper(
     folder: Path, quick: bool, seed: int, tell: Callable[[str], None], done: Callable[[], None]
 ) -> Path:
-    """Times what is timed; writes `paper.html`, `paper.json` with what the paper states and what
-    was found, and NAME.csv and NAME.json for each table."""
+    """Times what is timed; writes `paper.html`, `paper.json` with the paper's words and what was
+    found, and NAME.csv and NAME.json for each table."""
     found = entries(quick, seed, tell, done)
     page = (
         environment("paper")
@@ -52,8 +52,8 @@ def _told(entry: Entry) -> dict[str, Any]:
         "place": entry.place,
         "title": entry.title,
         "verdict": str(entry.verdict),
-        "their_input": entry.their_input,
         "claims": [asdict(claim) for claim in entry.claims],
+        "unlike": list(entry.unlike),
         "why": entry.why,
         "command": entry.command,
     }

@@ -27,9 +27,11 @@ def figure_4() -> tuple[list[Picture], list[Claim]]:
     at = Fraction(COPLANAR)
     drawn = facets_picture([rising.corners(at)], [still.corners(at)], "two triangles")
     return [Picture(f"two faces of the convolution at s = {COPLANAR}", drawn)], [
-        Claim("six contacts of edges at one scale", f"{contacts} at s = {COPLANAR}",
+        Claim("contacts are marked as c1 through c6", "Fig. 4", "edge events at one scale, exact",
+              f"{contacts} at s = {COPLANAR}",
               contacts == 6 and set(events["edge"]) == {at}),
-        Claim("no vertices are involved", f"{len(events['vertex'])} vertex events",
+        Claim("no vertices are involved in this event", "Fig. 4", "vertex events, exact",
+              f"{len(events['vertex'])} vertex events",
               not events["vertex"]),
     ]  # fmt: skip
 
@@ -58,10 +60,12 @@ def figure_5() -> tuple[list[Picture], list[Claim]]:
         Picture("the arc g(e) between the facets of e, over the Gaussian map of Q (seen from the "
                 "centre, on a plane): arcs of compatible edges are thick", _drawn_chain(P, Q)),
     ], [
-        Claim("the witness leads upwards, and the descent ends at the compatible vertex",
+        Claim("Using gradient decent, we will find the compatible vertex u for f", "Fig. 5",
+              "the witness leads upwards, with a signed degree, to the farthest vertex",
               f"after {len(way) - 1} edges at the vertex that is farthest along the normal"
               if way[-1] == farthest else "it ends elsewhere", way[-1] == farthest),
-        Claim("the edges compatible with e form a path from q- to q+",
+        Claim("The edges with which e is compatible must form a path", "Sec. 6",
+              "the compatible edges of one edge, by supports",
               f"a path of {len(chain)} edges" if chain else "they form none", bool(chain)),
     ]  # fmt: skip
 

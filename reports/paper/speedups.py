@@ -8,11 +8,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from statistics import correlation, median
+from statistics import median
 
 from minkref import _core
 from minkref.reports.bench.pairs import Pair
+from minkref.reports.bench.rank_correlation import Interval, rank_correlation, stronger_by
 from minkref.reports.bench.rescalings import rescalings
+from minkref.reports.bench.spread import Spread, spread
 
 REPETITIONS = 5
 SEED = 1
@@ -24,7 +26,8 @@ READINGS = {name: corrected for name, _, corrected, _ in _core.paper_readings()}
 class Rescaling:
     """A step from one scale to another. `events`: insertions and deletions on the way. `updated`:
     intersections at the end, which get a new place. `ours` and `theirs`: seconds for the update,
-    and for a search among all edge pairs, per repetition."""
+    and for a search among all edge pairs, per repetition. `stepping`: seconds of `ours` for
+    stepping through the events, without placing intersections."""
 
     start: str
     scale: str
@@ -32,6 +35,7 @@ class Rescaling:
     updated: int
     ours: tuple[float, ...]
     theirs: tuple[float, ...]
+    stepping: tuple[float, ...] = ()
 
     @property
     def factor(self) -> float:
@@ -57,10 +61,18 @@ class Rescaling:
     def speedup(self) -> float:
         return median(self.ratios)
 
+    @property
+    def best(self) -> float:
+        """Either side's least time, as a ratio."""
+        return min(self.theirs) / min(self.ours)
+
+
+Value = Callable[[Rescaling], float]
+
 
 @dataclass(frozen=True)
 class Speedups:
-    """Speed-ups of one pair in one arithmetic. `pairs` counts the examined edge pairs.
+    """A pair's speed-ups in one arithmetic. `pairs` counts the examined edge pairs.
     `preprocessing`: seconds for finding the critical regions of all pairs and sorting their
     events."""
 
@@ -70,12 +82,26 @@ class Speedups:
     preprocessing: float
     rescalings: Sequence[Rescaling]
 
-    def correlation_of(
-        self, value: Callable[[Rescaling], float], other: Callable[[Rescaling], float]
-    ) -> float:
-        """The rank correlation (Spearman) between two values."""
-        return correlation(*(_ranks([what(one) for one in self.rescalings])
-                             for what in (value, other)))  # fmt: skip
+    def correlation_of(self, value: Value, other: Value) -> Interval:
+        """The rank correlation between two values."""
+        return rank_correlation(self._each(value), self._each(other))
+
+    def predicted_better(self, value: Value, first: Value, second: Value) -> Interval:
+        """By how much stronger the first predictor's rank correlation with the value is."""
+        return stronger_by(self._each(value), self._each(first), self._each(second))
+
+    def _each(self, value: Value) -> list[float]:
+        return [value(one) for one in self.rescalings]
+
+    @property
+    def speed(self) -> Spread:
+        """Single re-scalings, each with the median of its repetitions, as a spread."""
+        return spread(self._each(lambda one: one.speedup))
+
+    @property
+    def density(self) -> Spread:
+        """Events processed over intersections updated, as a spread."""
+        return spread(self._each(lambda one: one.events / max(one.updated, 1)))
 
     @property
     def search(self) -> float:
@@ -104,6 +130,7 @@ def speedups(pair: Pair, arithmetic: str, count: int, tell: Callable[[str], None
     events, updated = [0] * count, [0] * count
     ours: list[list[float]] = [[] for _ in steps]
     theirs: list[list[float]] = [[] for _ in steps]
+    stepping: list[list[float]] = [[] for _ in steps]
     for repetition in range(REPETITIONS):
         tell(f"{about}: repetition {repetition + 1} of {REPETITIONS}")
         walk.move_to(scales[0])
@@ -112,6 +139,7 @@ def speedups(pair: Pair, arithmetic: str, count: int, tell: Callable[[str], None
             updated[i], seconds = walk.place_intersections()
             events[i] = did["insertions"] + did["deletions"]
             ours[i].append(did["seconds"] + seconds)
+            stepping[i].append(did["seconds"])
             theirs[i].append(walk.search_intersections(scale)[1])
     return Speedups(
         pair.name,
@@ -119,22 +147,14 @@ def speedups(pair: Pair, arithmetic: str, count: int, tell: Callable[[str], None
         walk.counts()["pairs"],
         walk.seconds,
         [
-            Rescaling(*steps[i], events[i], updated[i], tuple(ours[i]), tuple(theirs[i]))
+            Rescaling(
+                *steps[i],
+                events[i],
+                updated[i],
+                tuple(ours[i]),
+                tuple(theirs[i]),
+                tuple(stepping[i]),
+            )
             for i in range(count)
         ],
     )
-
-
-def _ranks(values: list[float]) -> list[float]:
-    """From the least on; equal values share the mean of their ranks."""
-    order = sorted(range(len(values)), key=values.__getitem__)
-    ranks = [0.0] * len(values)
-    first = 0
-    while first < len(order):
-        last = first
-        while last + 1 < len(order) and values[order[last + 1]] == values[order[first]]:
-            last += 1
-        for i in order[first : last + 1]:
-            ranks[i] = (first + last) / 2
-        first = last + 1
-    return ranks

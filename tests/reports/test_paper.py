@@ -10,32 +10,38 @@ import re
 import pytest
 from minkref.plane.operand import read_operand
 from minkref.reports.bench.pairs import Pair
-from minkref.reports.paper import drawings, moving_edges_drawn, space_drawn
+from minkref.reports.bench.rank_correlation import HOW
+from minkref.reports.bench.space_pairs import PAIRS
+from minkref.reports.paper import crossing_facets, drawings, moving_edges_drawn, space_drawn
 from minkref.reports.paper.entry import Claim, Entry, Verdict, verdict_of
 from minkref.reports.paper.page import _csv
 from minkref.reports.paper.speedup_entries import figure, times
 from minkref.reports.paper.speedups import REPETITIONS, Rescaling, speedups
 
-SO, NOT_SO = Claim("stated", "found", True), Claim("stated", "found", False)
+SO, NOT_SO = (Claim("words", "Sec. 1", "tested", "found", holds) for holds in (True, False))
+CHOSEN = Claim("words", "Sec. 1", "tested", "found", True, chosen=True)
+OURS = ["the polygons are ours"]
 SMALL = Pair(read_operand("g3"), read_operand("g1"), small=True)
 
 
 @pytest.mark.parametrize(
-    ("claims", "their_input", "verdict"),
+    ("claims", "unlike", "verdict"),
     [
-        ([], True, Verdict.NOT_ATTEMPTED),
-        ([], False, Verdict.NOT_ATTEMPTED),
-        ([SO], True, Verdict.REPRODUCED),
-        ([SO], False, Verdict.IN_KIND),
-        ([SO, NOT_SO], True, Verdict.NOT_REPRODUCED),
-        ([NOT_SO], False, Verdict.NOT_REPRODUCED),
+        ([], [], Verdict.NOT_ATTEMPTED),
+        ([], OURS, Verdict.NOT_ATTEMPTED),
+        ([SO], [], Verdict.REPRODUCED),
+        ([SO], OURS, Verdict.IN_KIND),
+        ([SO, CHOSEN], [], Verdict.CONSISTENT),
+        ([SO, CHOSEN], OURS, Verdict.CONSISTENT),
+        ([SO, NOT_SO], [], Verdict.NOT_REPRODUCED),
+        ([CHOSEN, NOT_SO], OURS, Verdict.NOT_REPRODUCED),
     ],
 )
 def test_one_rule_tells_what_is_reproduced(
-    claims: list[Claim], their_input: bool, verdict: Verdict
+    claims: list[Claim], unlike: list[str], verdict: Verdict
 ) -> None:
-    assert verdict_of(claims, their_input) == verdict
-    assert Entry("p", "t", "w", "c", claims, their_input).verdict == verdict
+    assert verdict_of(claims, unlike) == verdict
+    assert Entry("p", "t", "w", "c", claims, unlike).verdict == verdict
 
 
 @pytest.mark.parametrize(
@@ -79,12 +85,35 @@ def test_a_rescaling_tells_how_far_it_goes() -> None:
 def test_a_figure_states_what_was_run() -> None:
     found = speedups(SMALL, "double", 12, lambda text: None)
     entry = figure(SMALL, [found], "")
-    assert "in the same arithmetic" in entry.why and "In MPFR" in entry.why
-    assert len(entry.claims) == 3 and len(entry.pictures) == 2 + 4
+    assert "in the same arithmetic" in entry.why and HOW in entry.why
+    assert len(entry.claims) == 4 and len(entry.pictures) == 2 + 4
+    assert any("MPFR" in text for text in entry.unlike) and entry.verdict != Verdict.REPRODUCED
     assert all("<svg" in one.svg for one in entry.pictures)
     rows = list(csv.DictReader(io.StringIO(_csv(entry.tables[0]))))
     assert [int(row["events"]) for row in rows] == [one.events for one in found.rescalings]
+    for one in found.rescalings:
+        assert all(part <= whole for part, whole in zip(one.stepping, one.ours, strict=True))
     table = times([found], [(SMALL, 0.5)]).tables[0]
     assert [row[1] for row in table.rows] == [
-        "the paper, MPFR", "the paper's program in double", "our exact events of pairs",
+        "the paper, MPFR, its own machine", "the paper's program in double",
+        "our exact events of pairs",
     ]  # fmt: skip
+
+
+def test_what_another_program_does_decides_no_verdict_on_the_papers_times() -> None:
+    """However fast our own search for events is: the paper's program takes longer than the
+    nodes."""
+    found = speedups(SMALL, "double", 4, lambda text: None)
+    assert found.preprocessing > found.search
+    for seconds in (0.0, 1e9):
+        claims = times([found], [(SMALL, seconds)]).claims
+        assert [claim.holds for claim in claims if "is a fraction of" in claim.words] == [False]
+
+
+def test_a_step_in_space_has_an_event() -> None:
+    """So no ratio is one of the clock's resolution alone."""
+    found, counts, _ = crossing_facets._followed(PAIRS[1], 1, 3)
+    assert len(found.rescalings) == 3 and counts["events"] > 0
+    for one in found.rescalings:
+        assert one.events > 0 and len(one.ours) == crossing_facets.REPETITIONS
+        assert one.best == min(one.theirs) / min(one.ours)

@@ -10,6 +10,7 @@ from typing import Any
 from minkref import _core
 from minkref.model_catalogue import all_models, or_look_alike
 from minkref.plane.operand import read_operand
+from minkref.reports.audit.chapters import static_methods
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
 from minkref.reports.audit.pictures import sum_and_convolution
 from minkref.reports.audit.plane import (
@@ -511,8 +512,8 @@ def _(shown: Shown) -> None:
     "The worst case of the static sum",
     place="Section 3",
     status=Status.CONDITION,
-    printed=r"""The worst-case complexity of the algorithms is $O(m^d n^d)$, which is optimal, since
-    it is that of the boundary of the sum: $m^2 n^2$ in the plane.""",
+    printed=r"""The worst-case complexity of the algorithms is $O(m^d n^d)$, “which is optimal with
+    respect to the worst-case complexity of the Minkowski sum boundary”.""",
     right=r"""So it is of the arrangement and of the boundary, in the plane: two combs of $m$ and
     $n$ teeth, each beside squares that belong to the same operand, have a sum with $(m n - 1)^2$
     holes. (For operands of one polygon each the bound is known, and not checked here.) As a bound
@@ -539,7 +540,7 @@ def _(shown: Shown) -> None:
     printed=r"""Intervals for all pairs of segments are computed in $O(n^2)$.""",
     right=r"""So it is if $n$ is the number $N$ of edges of the convolution, which may be $\Theta(m
     n)$ for operands of $m$ and $n$ vertices: then it is $m^2 n^2$ pairs. Sorting the events adds a
-    logarithm. "Output-sensitive" (Section 1) is not true of it. Nor is it of updates without
+    logarithm. “Output-sensitive” (Section 1) is not true of it. Nor is it of updates without
     reservation: they pass all events in between, also those that the boundary does not show, and
     then move every node.""",
     code=("reference/plane/critical/pair_events.hpp",),
@@ -558,3 +559,6 @@ def _(shown: Shown) -> None:
             "product."
         )
     shown.true("the share of the product does not fall", shares == sorted(shares))
+
+
+CHAPTER.entries.extend(static_methods.PART.entries)

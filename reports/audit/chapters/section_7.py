@@ -9,6 +9,7 @@ from itertools import product
 from minkref import _core
 from minkref.model_catalogue import all_models
 from minkref.plane.operand import read_operand
+from minkref.reports.audit.chapters import counts_and_times
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.paper_numbers import (
     EDGES,
@@ -33,8 +34,9 @@ PHASES = 400
     "Exact algorithms, in MPFR",
     place="Sections 1 and 7",
     status=Status.CONDITION,
-    printed=r"""Both algorithms are exact (Section 1); they are implemented with GNU MPFR, for
-    arithmetic of high precision (Section 7).""",
+    printed=r"""“two exact, output-sensitive algorithms” (Section 1), implemented “using GNU MPFR
+    and the MPFRC++ wrapper for high precision arithmetic” (Section 7). How many bits, or that these
+    make them exact, is not said.""",
     right=r"""In rational numbers they can be exact: in the plane, for rational operands, all scales
     of events are roots of linear equations. MPFR has a fixed number of bits, to which quotients and
     decimals are rounded. Then scales are not the exact ones, and there are events that are none:
@@ -213,7 +215,7 @@ def _(shown: Shown) -> None:
     "Captions of Figures 7 and 9",
     place="Fig. 7 and 9",
     status=Status.MISPRINT,
-    printed=r"""Fig. 7: "as P scales in 3D". Fig. 9: (a) is the speed-up with collision detection
+    printed=r"""Fig. 7: “as P scales in 3D”. Fig. 9: (a) is the speed-up with collision detection
     and (b) that of intersections alone; the axis has the labels $2 \cdot 10^6$ three times, and
     the speed-up starts at $-1$.""",
     right=r"""Fig. 7 is of two polygons. In Fig. 9 these are (c) and (d), for (a) and (b) are the
@@ -232,8 +234,8 @@ def _(shown: Shown) -> None:
     "Events processed for neuron and disc",
     place="Fig. 8 (a) and Section 7.1",
     status=Status.NOT_REPRODUCIBLE,
-    printed=r"""There are 56,238 events for $s \in (0, \infty)$; the axis of Fig. 8 (a), "critical
-    events processed", goes to 1,200,000.""",
+    printed=r"""There are 56,238 events for $s \in (0, \infty)$; the axis of Fig. 8 (a), “critical
+    events processed”, goes to 1,200,000.""",
     right=r"""One re-scaling can pass all events at most. So either the axis is a sum over several
     re-scalings, and the text does not say over which, or the two numbers are not of the same thing.
     (In Fig. 7 (c) the axis stays below the total.)""",
@@ -250,8 +252,8 @@ def _(shown: Shown) -> None:
     place="Section 7.1",
     status=Status.MISPRINT,
     printed=r"""The times of the pre-processing (140 s and 28.7 s; 5.3 s and 1.25 s) are given in
-    two paragraphs one after the other, of "neuron/circle" and "neuron/disc".""",
-    right=r"""They are the same times. "A fraction of the time" is 1/4.9 and 1/4.2.""",
+    two paragraphs one after the other, of “neuron/circle” and “neuron/disc”.""",
+    right=r"""They are the same times. “A fraction of the time” is 1/4.9 and 1/4.2.""",
 )
 def _(shown: Shown) -> None:
     """The ratios of the printed times."""
@@ -302,10 +304,10 @@ def _(shown: Shown) -> None:
     "Edges of the convolution of neuron and disc",
     place="Section 7.1",
     status=Status.NOT_REPRODUCIBLE,
-    printed=r"""The reduced convolution has 3,196 segments, the disc being a polygon of 32
-    vertices.""",
+    printed=r"""“The reduced convolution of the neuron and the disc has 3196 segments.” The disc is
+    a polygon of 32 vertices.""",
     right=r"""The number depends on the phase of the 32-gon, which the paper does not give: between
-    3,169 and 3,202 for 400 phases, 3,196 for some of them. That is consistent, and does not
+    3,169 and 3,202 for 400 phases, 3,196 for 20 of them. That is consistent, and does not
     reproduce it.""",
     code=("reference/plane/convolution/convolution.cpp",),
     slow=True,
@@ -399,3 +401,6 @@ def _(shown: Shown) -> None:
         ratios.append(Fraction(found, edges))
         shown.tell(f"combs of {m} teeth: {edges:,} edges, {found:,} intersections.")
     shown.true("the intersections grow faster than the edges", ratios == sorted(ratios))
+
+
+CHAPTER.entries.extend(counts_and_times.PART.entries)

@@ -14,6 +14,7 @@ from minkref.fuzz.judges.disc.paper_disc import circles, ring_touches
 from minkref.fuzz.plane.families.drawing import convex, reflected
 from minkref.fuzz.plane.families.small_operands import star
 from minkref.motion.scale_ranges import PATH_ROUTES
+from minkref.plane.operand import read_operand
 from minkref.reports.audit.disc import corner, crossing, exact, reflex_pairs, squared_distance
 from minkref.reports.audit.edges import Edge, Interval, answers, written
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
@@ -370,6 +371,30 @@ def _(shown: Shown) -> None:
     quotient = Fraction("96.811") / Fraction("2.498")
     shown.equal("the quotient, rounded to three digits and to one",
                 (round(quotient * 1000), round(quotient * 10)), (38755, 388))  # fmt: skip
+
+
+@CHAPTER.entry(
+    "speed-up-of-figure-12",
+    "The speed-up of the decomposition",
+    place="Section 8.2, Fig. 12",
+    status=Status.NOT_REPRODUCIBLE,
+    printed=r"""“The speed-up for the decomposition of the polygons shown in Fig. 12 using the
+    proposed method is 68.556 over that of repetitive re-computation of the Minkowski sums”.""",
+    right=r"""The beetle is not published, nor how many radii were taken from $0.05 \le \alpha \le
+    1$, nor what was re-computed. Pocket minima and the decomposition are not in minkref, so that
+    nothing was timed. Sums with a true disc are, at all radii: the discs on the outer boundary in
+    the figure are corners of such a sum.""",
+    code=("reference/disc/diagram/diagram_events.hpp",),
+)
+def _(shown: Shown) -> None:
+    """The letter S of our models: all radii at which its sum with a disc changes, and the corners
+    at a small and at a large radius."""
+    P = read_operand("g1").set
+    small, large = (_core.offset(P, square) for square in ("1/100", "400"))
+    shown.tell(
+        f"curves of the boundary at the radii 1/10 and 20: {small.curves} and {large.curves}"
+    )
+    shown.true("the boundary has not the same curves at both", small.curves != large.curves)
 
 
 @CHAPTER.entry(

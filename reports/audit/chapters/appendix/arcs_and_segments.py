@@ -74,8 +74,8 @@ def _(shown: Shown) -> None:
     place="Appendix, arcs with segments",
     status=Status.INCOMPLETE,
     printed=r"""The tangent line $x_0 = x_c - s_0 r$ is considered; as $s$ varies from $s_0$ the
-    intersection of "this line" and the disc is sought, by the equation of the circle of radius $s
-    r$, "as we pass the line through the disc". No formula is given, and not how the line moves.""",
+    intersection of “this line” and the disc is sought, by the equation of the circle of radius $s
+    r$, “as we pass the line through the disc”. No formula is given, and not how the line moves.""",
     right=r"""The edge is offset as the disc grows, so the line does not stay at $x_0$: it is at the
     distance $|g - s r|$ from the centre. The crossings are $c - (g - s r) n \pm \sqrt{g (2 s r -
     g)} \, t$, $t$ a unit vector along the edge. Were the line to stay, they would be at $r

@@ -104,7 +104,7 @@ def _draw_pair(shown: Shown, words: str, P: Body, Q: Body, s: Whole) -> None:
     printed=r"""Where $IC$ is defined, and in the proof of Theorem 1, a pair is one of a facet $f$
     of $P$ and a vertex $v$ of $Q$; where there is an ee-error there is an fv-error. (Elsewhere
     facets of $Q$ seem to be counted as well: there are $O(m + n)$ facets of this kind, and each
-    face of $P$ is paired with a vertex of $Q$ "and vice-versa".)""",
+    face of $P$ is paired with a vertex of $Q$ “and vice-versa”.)""",
     right=r"""Facets of $Q$ have to be counted: with the facets of $P$ only the theorem is false,
     for an ee-error may come with an error of a facet of $Q$ alone.""",
     formula="Theorem 1, first half",
