@@ -6,12 +6,14 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "bindings/core.hpp"
@@ -123,6 +125,17 @@ void bind_sums_in_space(nb::module_& module) {
       "The same with what was counted on the way. `progress` is told how many of how many steps "
       "are "
       "done.");
+  module.def(
+      "timed_edge_sum",
+      [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling) {
+        const auto began = std::chrono::steady_clock::now();
+        const EdgeSum sum = edge_sum(P.value(), Q.value(), to_scaling(scaling));
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
+        return std::tuple(taken.count(), 1e-9 * double(sum.statistics.nanoseconds_of_tests),
+                          sum.statistics.tests);
+      },
+      "P"_a, "Q"_a, "scaling"_a, Released(),
+      "Seconds of the same on one thread, seconds of these for collision tests, and the tests.");
   module.def(
       "tight_passages_in_space",
       [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling) {

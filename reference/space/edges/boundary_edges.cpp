@@ -1,6 +1,7 @@
 #include "reference/space/edges/boundary_edges.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 namespace minkref::inline space {
 namespace {
@@ -22,7 +23,9 @@ std::pair<IntegerVector, Integer> exact_point(const CarrierLine& carrier, const 
 }  // namespace
 
 EdgeStatistics BoundaryEdgeSearch::statistics() const {
-  EdgeStatistics result{cutting_.signs, pieces_, candidates_, collision_.tests, collision_.covered};
+  EdgeStatistics result{cutting_.signs,     pieces_,
+                        candidates_,        collision_.tests,
+                        collision_.covered, nanoseconds_of_tests_};
   result.signs.add(collision_.signs);
   return result;
 }
@@ -109,7 +112,11 @@ bool BoundaryEdgeSearch::is_outside(const CarrierPiece& piece, const Ray& first,
     return {point, weight, at_end ? IntegerVector{} - direction : direction,
             narrow ? cross(direction, m - n) : n + m};
   });
-  return !collision_.contains(x);
+  const auto began = std::chrono::steady_clock::now();
+  const bool contained = collision_.contains(x);
+  const std::chrono::nanoseconds spent = std::chrono::steady_clock::now() - began;
+  nanoseconds_of_tests_ += static_cast<std::uint64_t>(spent.count());
+  return !contained;
 }
 
 }  // namespace minkref::inline space

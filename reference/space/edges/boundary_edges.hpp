@@ -22,6 +22,7 @@ struct EdgeStatistics {
   SignCounts signs;
   std::uint64_t pieces = 0, candidates = 0, tests = 0;
   std::uint64_t covered = 0;  ///< of the tests, answered by cells
+  std::uint64_t nanoseconds_of_tests = 0;
 };
 
 /// One thread's search.
@@ -56,6 +57,7 @@ class BoundaryEdgeSearch {
   const std::vector<ConvolutionFacet>& facets_;
   CarrierCutting cutting_;
   Collision collision_;
+  std::uint64_t nanoseconds_of_tests_ = 0;
   std::vector<Ray> rays_;
   std::vector<std::size_t> bundles_;  ///< where rays of one direction begin, and the end
   std::uint64_t pieces_ = 0, candidates_ = 0;

@@ -178,6 +178,7 @@ EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scalin
     result.statistics.candidates += part.candidates;
     result.statistics.tests += part.tests;
     result.statistics.covered += part.covered;
+    result.statistics.nanoseconds_of_tests += part.nanoseconds_of_tests;
   }
   result.near_pairs = pairs.size();
   result.edges = edges.size();
