@@ -17,7 +17,7 @@ HOW = (
 
 @dataclass(frozen=True)
 class Interval:
-    """A value of all points, and the 2.5 and 97.5 percentiles of its resamples."""
+    """A value, and its resamples' 2.5 and 97.5 percentiles."""
 
     value: float
     low: float
@@ -28,7 +28,7 @@ class Interval:
 
 
 def rank_correlation(xs: Sequence[float], ys: Sequence[float]) -> Interval:
-    """The rank correlation of two values; raises StatisticsError where either is constant."""
+    """Spearman's correlation; raises StatisticsError for constant values."""
     values = [
         _correlated([xs[i] for i in chosen], [ys[i] for i in chosen])
         for chosen in _resamples(len(xs))

@@ -59,7 +59,7 @@ def figure_2() -> tuple[list[Picture], list[Claim]]:
         sides |= {side, (*side[2:], *side[:2])}
     return pictures, [
         Claim("Edge p0p1 is compatible with q0", "Fig. 2", "the rule of Section 3, on our polygons",
-              "it is in the convolution" if AT_Q0 in found[False] else "it is not",
+              "in the convolution" if AT_Q0 in found[False] else "missing",
               AT_Q0 in found[False]),
         Claim("We exclude contributions from reflex vertices (2D)", "Sec. 3",
               "the edges that the reduced convolution leaves out",

@@ -37,8 +37,8 @@ def program_entry(runs: Runs | None) -> Entry:
         f"polygons. Each walk goes through the re-scalings of Table 1, and after {counts} and "
         f"{last} of them its sum is held against the exact one: right is the same structure, each "
         f"vertex near its own. A pair with many edges is tried in fewer arithmetics; a line and a "
-        f"bar are of the pairs that were tried in all of them. What is to blame is told by "
-        f"rational numbers: there nothing is wrong but the formula. These runs are of "
+        f"bar are of the pairs that were tried in all of them. Rational numbers tell the "
+        f"formula to blame: nothing else is wrong there. These runs are of "
         f"{runs.date}, and are not made again with the page."
         + ("" if runs.paper_models else " Look-alikes stand for the paper's models.")
     )

@@ -196,8 +196,9 @@ SECTION_6 = (
               f"{REPAIR} --form corrected --reading errors=facets-of-P", EXACT_FACETS,
               ("theorem-1-one-kind", "theorem-1-edge-errors", "theorem-1-facet-errors",
                "theorem-1-proof")),
-    Statement("6", r"$O(\lvert E \rvert)$ for the chain of an edge", (f"{LITERAL}/paper_repair.hpp",), PRINTED,
-              EXACT, AUDIT, "a count of the edges that are looked at", ("cost-of-a-chain",)),
+    Statement("6", r"$O(\lvert E \rvert)$ for the chain of an edge",
+              (f"{LITERAL}/paper_repair.hpp",), PRINTED, EXACT, AUDIT,
+              "a count of the edges that are looked at", ("cost-of-a-chain",)),
     Statement("Fig. 5", "the degree of incompatibility, and the chain of an edge",
               (f"{REPORT}/space_drawn.py",), CORRECTED, EXACT, PAPER, CLAIMS),
 )  # fmt: skip

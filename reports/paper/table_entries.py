@@ -145,7 +145,7 @@ def second_table(table: table2.Table2) -> Entry:
     why = (
         f"All times are of one run, with the exact coordinates of all corners; CGAL's time has the "
         f"surface too. All pairs and CGAL's hull are timed at every {table2.ALL_EVERY}th "
-        f"re-scaling. Of the 25 pairs the mean of ratios is: "
+        f"re-scaling. Over the 25 pairs the mean of ratios is: "
         f"{'; '.join(_of_kind(table, kind) for kind in table2.ABOUT)}. The paper's own table, of "
         f"its own models, is in the audit."
     )

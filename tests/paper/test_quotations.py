@@ -92,7 +92,7 @@ def test_each_claim_of_the_kept_run_is_in_the_words_of_its_section() -> None:
     if run is None:
         pytest.skip("no run is kept")
     claims = [claim for entry in run["entries"] for claim in entry["claims"]]
-    assert len(claims) > 25
+    assert len(claims) >= 20
     for claim in claims:
         said = [plain(sentence) for sentence in QUOTATIONS[claim["place"]]]
         assert any(plain(claim["words"]) in one for one in said), claim["words"]

@@ -40,6 +40,9 @@ LONG = {
     "theorem-1-edge-errors": "theorem-1-one-kind",
     "largest-valid-scale": "trapping-scale",
     "path-events": "trapping-scale",
+    "faster-than-winding": "fewer-primitives",
+    "events-outstrip-intersections": "figure-8-axis",
+    "collision-detection-in-space": "no-collision-detection",
 }
 
 

@@ -9,7 +9,7 @@ from itertools import product
 from minkref import _core
 from minkref.model_catalogue import all_models
 from minkref.plane.operand import read_operand
-from minkref.reports.audit.chapters import counts_and_times
+from minkref.reports.audit.chapters import collision_detection, counts_and_times
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.paper_numbers import (
     EDGES,
@@ -403,4 +403,4 @@ def _(shown: Shown) -> None:
     shown.true("the intersections grow faster than the edges", ratios == sorted(ratios))
 
 
-CHAPTER.entries.extend(counts_and_times.PART.entries)
+CHAPTER.entries.extend([*counts_and_times.PART.entries, *collision_detection.PART.entries])

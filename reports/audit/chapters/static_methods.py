@@ -41,8 +41,7 @@ def _(shown: Shown) -> None:
     """Edges of reduced convolutions, counted by the code, against two bounds for decompositions. At
     least: a polygon of $n$ edges, $r$ reflex vertices and $h$ holes has $r/2 + 1 - h$ convex parts
     or more, whatever points are added, and its $k$ parts have $n$ and $3 k$ edges or more. By
-    triangles: $n + 2 h - 2$ parts of three edges. The models are those that come with the
-    project."""
+    triangles: $n + 2 h - 2$ parts of three edges. All models come with the project."""
     fewest: list[Fraction] = []
     by_triangles: list[Fraction] = []
     for names in ALIKE:
@@ -90,7 +89,7 @@ def _triangles(operand: _core.PolygonSet) -> Parts:
 
 
 def _counts(operand: _core.PolygonSet) -> tuple[int, int, int]:
-    """Corners that are not straight, reflex ones, and holes of a set of one polygon."""
+    """Corners (not straight ones), reflex corners, and holes of one polygon."""
     corners = reflex = 0
     rings = next(iter(operand.rings()))
     for ring in rings:
