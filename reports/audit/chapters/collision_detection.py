@@ -35,16 +35,15 @@ TIMED = (0, 1, 2, 5, 6)  # of the pairs of solids, those that take a second or s
     status=Status.NOT_REPRODUCIBLE,
     printed=r"""“the collision detection step that we use to filter out boundaries interior to the
     Minkowski sum boundary takes about 50% of the total computation time”.""",
-    right=r"""It is a figure of their program and their models, which are not at hand. In our exact
-    sum from scratch, which is another program and tests places beside edges, not shells, collision
-    tests took 52 to 77 % of the time for five pairs, the median 69 %, in one run on one thread of a
-    busy machine.""",
+    right=r"""Their program and models are not at hand. Our exact sum from scratch, another program,
+    tests places beside edges, not shells: collision tests took 52 to 77 % of the time for five
+    pairs, the median 69 %, in one run on one thread of a busy machine.""",
     code=("reference/space/edges/collision.hpp",),
     slow=True,
 )
 def _(shown: Shown) -> None:
-    """Sums of pairs of solids of ours on one thread, by edges: the share of the time that goes to
-    collision tests, the median of three runs."""
+    """Sums from edges of our solids, one thread: collision tests' share of the time, median of
+    three runs."""
     shares = []
     for pair in map(PAIRS.__getitem__, TIMED):
         P, Q = map(core_polyhedron, pair.solids())
@@ -65,9 +64,9 @@ def _(shown: Shown) -> None:
     status=Status.HOLDS,
     printed=r"""“There is no collision detection component here” (Table 2); “no culling is
     necessary”.""",
-    right=r"""So it is: each facet of compatible features lies in a plane that supports the sum, and
-    so on its boundary. Nothing of the convolution is inside. (Ties are another matter, see the
-    [boundary of convex sums](section-6.md#boundary-of-convex-sums).)""",
+    right=r"""True: each facet of compatible features lies in a supporting plane, hence on the
+    boundary. Nothing of the convolution is inside. (Ties are another matter, see the [boundary of
+    convex sums](section-6.md#boundary-of-convex-sums).)""",
     code=("reference/space/convex/static_convex_sum.hpp",),
 )
 def _(shown: Shown) -> None:
@@ -89,7 +88,7 @@ Whole = tuple[int, int, int]
 
 
 def _facets(P: Body, Q: Body) -> list[tuple[Whole, set[int], set[int]]]:
-    """The outward normal, and the vertices of P and Q, for each facet of the convolution."""
+    """Each convolution facet: outward normal, vertices of P, vertices of Q."""
     pairs = compatible_pairs(P, Q)
     found = [(n, set(facet), {min(of_Q)})
              for n, facet, of_Q in zip(P.normals, P.facets, pairs.fv, strict=True)]  # fmt: skip

@@ -107,17 +107,17 @@ def _counts(operand: _core.PolygonSet) -> tuple[int, int, int]:
     place="Section 3",
     status=Status.CONDITION,
     printed=r"""“experimentally, our method is shown to be much faster than Wein's”.""",
-    right=r"""CGAL has both, written by others than the paper's authors: its reduced convolution,
-    and its full one with winding numbers, which is Wein's. In one run over 25 pairs of polygons
-    with the paper's numbers of vertices the reduced convolution was 7.6 times as fast in the median
-    (quartiles 5.1 to 10.2; 2.3 to 18.4). The paper's own program is not at hand here, and for
-    convex operands both convolutions are the same.""",
+    right=r"""CGAL, by other authors, has both: the reduced convolution, and Wein's full one with
+    winding numbers. In one run over 25 pairs of polygons with the paper's numbers of vertices the
+    reduced convolution was 7.6 times as fast in the median (quartiles 5.1 to 10.2; 2.3 to 18.4).
+    The paper's own program is not at hand here, and for convex operands both convolutions are the
+    same.""",
     code=("oracle/cgal/reduced.cpp", "oracle/cgal/full.cpp"),
     slow=True,
 )
 def _(shown: Shown) -> None:
-    """CGAL's own seconds for 25 pairs of our models, the least of three, by its reduced and by its
-    full convolution, one after the other."""
+    """CGAL's own seconds, the least among three, reduced and full convolution in turn, 25 pairs of
+    our models."""
     if missing := set(TARGETS) - set(available_targets()):
         shown.tell(f"not built here: {', '.join(sorted(missing))}; nothing was timed")
         return
