@@ -11,7 +11,8 @@ from minkref.exact import read_scale
 
 PlaneScale = Fraction | tuple[Fraction, Fraction]
 Scaling = tuple[str, str, str]
-COUNTS = {2: "two", 3: "three"}
+# By the number of axes: how many factors there are to be, and what refuses others.
+COUNTS = {2: ("two", "scale-not-uniform"), 3: ("three", "scale-not-three")}
 
 
 def read_plane_scale(text: str, option: str = "--scale") -> PlaneScale:
@@ -35,13 +36,13 @@ def read_factors(text: str, option: str, axes: str) -> tuple[str, ...]:
         return (read_scale(text, option),) * len(axes)
     if len(parts) != len(axes):
         where = f"{option} {text[:40]}{'...' if len(text) > 40 else ''}"
-        wanted = COUNTS[len(axes)]
+        wanted, code = COUNTS[len(axes)]
         form = ",".join(f"S{axis.upper()}" for axis in axes)
         raise Refusal(
             f"these are {len(parts)} factors",
             where,
             f"give one positive number, or {wanted}: {form}",
-            f"scale-not-{wanted}",
+            code,
         )
     return tuple(
         read_scale(part, f"{option} {axis}") for part, axis in zip(parts, axes, strict=True)

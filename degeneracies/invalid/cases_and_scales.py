@@ -24,7 +24,7 @@ NOT_A_NUMBER = (
     "", "x", "1/0", "1/-2", "1/2/3", "0x2", "1e", "--1", "1.2.3", "²", "٣", "1_0", "2 3", "1/2.5",
     "one", ".", "2s", "50%", "1;5", "0b1", "1/", "/3", "(1)", "=1",
 )  # fmt: skip
-NOT_UNIFORM = ("1,2", "2,2", "1/2,3", "1,", ",1", "1,2,3", "1.5,1.5", "2, 2", "0,0")
+NOT_UNIFORM = ("1,2,3", "2,2,2", "1/2,3,1", "1,2,", ",1,", "1,2,3,4", "1.5,2,1", "2, 2, 2", "0,0,0")
 ZEROS = ("0", "0.0", "-0", "+0", "0/7", "0e99", ".0", "00", "0.", "-0.000")
 
 
@@ -126,7 +126,7 @@ def scale_not_a_number(dice: Random) -> Invalid:
     return with_scale(dice, "scale-not-a-number", dice.choice(NOT_A_NUMBER))
 
 
-@FAMILIES.add("a scale for each axis")
+@FAMILIES.add("a scale of three factors or more")
 def scale_not_uniform(dice: Random) -> Invalid:
     return with_scale(dice, "scale-not-uniform", dice.choice(NOT_UNIFORM))
 

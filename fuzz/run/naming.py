@@ -28,7 +28,6 @@ from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal, cut
-from minkref.exact import read_scale
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
@@ -45,6 +44,7 @@ from minkref.fuzz.settings import (
 )
 from minkref.model_catalogue import all_models
 from minkref.plane.operand import is_file, read_operand
+from minkref.plane.scaling import read_plane_scale, text_of
 
 DEEPEST = 64  # operations in a name
 _GENERATED = re.compile(r"([a-z0-9-]+):(-?[0-9]+):([0-9]+)")
@@ -140,7 +140,8 @@ def _named(name: CaseName) -> AnyCase:
         first, second = operands[:k], operands[k + 1 :]
         if all(part in known or is_file(part) for part in (first, second)):
             P, Q = read_operand(first), read_operand(second)
-            return Case(name, P.set, Q.set, read_scale(scale if at else "1"), P.name, Q.name)
+            s = text_of(read_plane_scale(scale if at else "1"))
+            return Case(name, P.set, Q.set, s, P.name, Q.name)
     raise Refusal(
         "this is not the name of a pair of files or models",
         f"--case {cut(name.text)}",

@@ -203,7 +203,7 @@ def test_a_limit_leaves_out_edges_but_counts_them(minkref: Minkref) -> None:
         (("g1", "g2", "--scale", "-7/5"), "scale-negative", "--scale -7/5"),
         (("g1", "g2", "--scale", "nan"), "scale-not-finite", "--scale nan"),
         (("g1", "g2", "--scale", "x"), "scale-not-a-number", "--scale x"),
-        (("g1", "g2", "--scale", "1,2"), "scale-not-uniform", "--scale 1,2"),
+        (("g1", "g2", "--scale", "1,2,3"), "scale-not-uniform", "--scale 1,2,3"),
         (("g1", "g2", "--compatible", "opn"), "usage", "did you mean open?"),
         (("g1", "g2", "--limit", "-1"), "usage", "--limit -1"),
         (("g1", "g2", "--format", "svg"), "usage", "nothing to write"),

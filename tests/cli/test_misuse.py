@@ -25,7 +25,7 @@ MISUSES = [
     (["sum", "g1", "g2", "--scale", ""], "not a number"),
     (["sum", "g1", "g2", "--scale", "1_0"], "not a number"),
     (["sum", "g1", "g2", "--scale", "\u0663"], "not a number"),
-    (["sum", "g1", "g2", "--scale", "1,2"], "one scale"),
+    (["sum", "g1", "g2", "--scale", "1,2,3"], "or two: SX,SY"),
     (["sum", "g1", "g2", "--scale", "1e1000000000"], "exponent"),
     (["sum", "g1", "g2", "--scale", "1" * 1_000_000], "characters"),
     (["sum", "g1", "g2", "--route", "shortest"], "no route"),
