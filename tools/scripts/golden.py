@@ -137,7 +137,7 @@ def load(question: Question) -> None:
 
 
 def masked(text: str) -> str:
-    """Documents and ledgers without what varies, their keys in order; other text without seconds."""
+    """Documents and ledgers without what varies, in order of keys; other text without seconds."""
     try:
         return json.dumps(_constant(json.loads(text)), sort_keys=True, ensure_ascii=False)
     except ValueError:

@@ -85,10 +85,7 @@ class Table1(TypedDict):
     means_of_ratios: MeanRatios
     median_ratio: Annotated[float | None, Meta(description="Of pairwise, over the small pairs.")]
     paper_mean_ratio: Annotated[
-        float,
-        Meta(
-            description="Of the paper's Table 1, over 25 pairs of other polygons."
-        ),
+        float, Meta(description="Of the paper's Table 1, over 25 pairs of other polygons.")
     ]
     notes: Annotated[list[str], Meta(description="What was left out, and what stands for what.")]
     wrong: Annotated[
