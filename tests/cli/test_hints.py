@@ -38,7 +38,7 @@ CUBE = """OFF
 4 1 3 7 5
 """
 #: Refusals that depend on the numbers, not on an option.
-OF_THE_NUMBERS = ("undecided-sign", "no-proof")
+OF_THE_NUMBERS = ("undecided-sign", "no-proof", "not-star-shaped")
 CUBES = ["cube.off", "cube.off"]
 WINDOW = ["--from", "1", "--to", "2"]
 #: Arguments that each command takes in each setting.
