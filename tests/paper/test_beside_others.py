@@ -38,7 +38,9 @@ def case_of(text: str) -> Case:
 def beside(name: str, case: Case, cgal: Case | None) -> str:
     """The kind of the one comparison: with the exact sum of another case as CGAL's answer."""
     found, program = Beside(), read_name(f"minkref-paper@{name}")
-    theirs = cgal and region_of_sum(_core.minkowski_sum(cgal.P, cgal.Q, cgal.scale))
+    theirs = None
+    if cgal is not None:
+        theirs = region_of_sum(_core.minkowski_sum(cgal.P, cgal.Q, cgal.scale))
     beside_in_plane(program, case, plane_answer(program, case), theirs, found)
     (kind,) = found.counts
     if kind in (OURS, THEIRS):
