@@ -28,7 +28,7 @@ const TripleEvent* ArrangementEvents::triple_event_at(std::uint32_t group) const
 std::span<const PairEvent> ArrangementEvents::pair_events_of(std::uint32_t group) const {
   const auto& all = pairs_.events;
   const auto group_of = [&](const PairEvent& event) { return group_of_rank_[event.rank]; };
-  // Events outside the window are those of the first rank, and of the last.
+  // Only the first rank and the last may lie outside the window.
   const auto first = std::partition_point(all.begin(), all.end(), [&](const PairEvent& event) {
     return group_of(event) == EdgeNode::always ? event.rank == 0 : group_of(event) < group;
   });

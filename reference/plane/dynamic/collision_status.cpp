@@ -19,8 +19,8 @@ class CollisionStatus : public GapStatus {
     }
   }
 
-  /// The gaps below that form a gap at the group's scale give its status, if they agree; otherwise
-  /// it is decided anew.
+  /// A gap takes the status common to the gaps below that form it at the group's scale; without
+  /// one, collision detection decides anew.
   void pass(const EdgePassage& g, std::vector<Status>& status) override {
     const auto& stretches = g.stretches;
     for (std::size_t j = 0, k = 0; j + 1 < g.list.size(); ++j) {

@@ -13,8 +13,8 @@ namespace minkref::inline plane {
 class DynamicSum {
  public:
   /// Finds all events of a closed window of scales (open towards 0 or infinity without a bound).
-  /// `of`: the convolution to follow. Collision detection finds the sum in the arrangement of the
-  /// reduced convolution, winding numbers in that of the full convolution, for which operands with
+  /// `of`: the convolution to follow. Collision detection tells the sum in the reduced
+  /// convolution's arrangement, winding numbers in the full convolution's, whose operands with
   /// holes are cut (simply_connected.hpp). Throws BadInput for a bad window or operands. Cost:
   /// arrangement_timeline.
   DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,

@@ -16,7 +16,7 @@ namespace minkref::inline plane {
 /// numbers for the full convolution (winding_status.hpp).
 class EdgeSweep {
  public:
-  /// `of`: the convolution of the events.
+  /// `of`: the convolution that has the events.
   EdgeSweep(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events,
             ConvolutionType of);
   ~EdgeSweep();

@@ -11,7 +11,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// The first half-edge along each segment: it alone begins where no other one of them ends.
+/// The first half-edge along each segment: only this one begins where none ends.
 template <class K>
 std::vector<std::uint32_t> first_half_edges(const Arrangement<K>& arrangement, std::size_t count) {
   const auto along = [&](auto&& add) {

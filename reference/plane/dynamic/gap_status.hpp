@@ -30,18 +30,18 @@ struct EdgePassage {
   const std::vector<std::uint32_t>& overlapping;  ///< edges that share the line at the group only
 };
 
-/// Decides the gaps of one edge at a time, from below to above. A gap of no length is `interior`.
+/// Decides the gaps of one edge at a time, from below to above. A gap without length is `interior`.
 class GapStatus {
  public:
   virtual ~GapStatus() = default;
-  /// The gaps of the edge that has been loaded, in interval 0; `next`: the first group on the edge.
+  /// The loaded edge's gaps in interval 0; `next`: the first group on the edge.
   virtual void begin(std::span<const std::uint32_t> list, std::uint32_t next,
                      std::vector<Status>& status) = 0;
   /// The gaps above a group.
   virtual void pass(const EdgePassage& passage, std::vector<Status>& status) = 0;
   /// Whether an overlapped stretch lies on the boundary at the scale of the last passage.
   virtual bool on_boundary_at(const Stretch& stretch, const EdgePassage& passage) = 0;
-  /// Adds to the history what else it keeps of the edge.
+  /// Appends its own records about the edge.
   virtual void finish(EdgeHistory& history) = 0;
 };
 

@@ -21,8 +21,7 @@ bool runs_along(const RationalEdge& e, const RationalEdge& f, const Point& point
 std::pair<SideNumbers, SideNumbers> change_by_passing(const RationalEdge& e, const RationalEdge& f,
                                                       int sign) {
   const int along = minkref::sign(PlainKernel<Rational>::dot(e.d, f.d)) * sign;
-  // The distance of the lines is linear in the scale: f comes from one side and leaves on the
-  // other.
+  // The lines' distance is linear in the scale: f changes sides.
   const bool to_left = minkref::sign(PlainKernel<Rational>::cross(e.d, V(f.p - e.p))) > 0;
   if (to_left) return {{0, -along}, {-along, 0}};
   return {{along, 0}, {0, along}};

@@ -1,4 +1,4 @@
-// Parallel edges that pass over each other at one scale.
+// Parallel edges passing over each other at a single scale.
 #pragma once
 
 #include <utility>
@@ -14,7 +14,7 @@ bool runs_along(const RationalEdge& e, const RationalEdge& f, const Point& point
                 const Rational& scale);
 
 /// The changes of the winding numbers beside e, where f passes over e: from below to the scale of
-/// the event, and from there to above. `sign`: of f in the full convolution. Exact.
+/// the event, and from there to above. `sign`: f's sign. Exact.
 std::pair<SideNumbers, SideNumbers> change_by_passing(const RationalEdge& e, const RationalEdge& f,
                                                       int sign);
 

@@ -56,8 +56,8 @@ class WindingStatus : public GapStatus {
     return n.left > 0 && n.right == 0 && events_.edges()[swept_.edge()].sign > 0;
   }
 
-  /// The change of the numbers across a node: the sides on which the other edge runs see it pass
-  /// from one of its sides to the other.
+  /// The change across a node: only sides where the crossing edge runs go from its left to its
+  /// right, or back.
   SideStep step(std::uint32_t local) const {
     const EdgeNode& node = swept_.node(local);
     if (node.kind != EdgeNode::Kind::crossing) return {};
@@ -69,7 +69,7 @@ class WindingStatus : public GapStatus {
     return {on_left ? change : std::int8_t{0}, on_right ? change : std::int8_t{0}};
   }
 
-  /// All numbers along the edge from those of one gap.
+  /// All numbers along the edge, from one gap's numbers.
   void spread(std::span<const std::uint32_t> list, std::size_t gap, SideNumbers known,
               std::uint32_t interval) {
     numbers_.assign(list.size() - 1, {});

@@ -20,7 +20,7 @@ DynamicSum by_winding(const PolygonSet& P, const PolygonSet& Q, const ScaleWindo
   return {P, Q, window, ConvolutionType::full};
 }
 
-/// A scale; every second one an event's scale, if there is any.
+/// A scale; every second time an event's, if any exists.
 Rational some_scale(Source& random, const DynamicSum& dynamic) {
   const ArrangementEvents& events = *dynamic.states().timeline().events;
   if (events.groups() > 0 && random.coin()) {
