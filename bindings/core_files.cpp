@@ -28,8 +28,7 @@ void bind_files(nb::module_& module) {
   module.attr("SET_FORMATS") = formats;
   module.def(
       "read_file", [](const std::string& path) { return kept(read_file(path)); }, "path"_a,
-      Released(),
-      "Reads an operand, exact; the format by the extension. Raises BadInput.");
+      Released(), "Reads an operand, exact; the format by the extension. Raises BadInput.");
   module.def(
       "read_text",
       [](const std::string& text, const std::string& format, const std::string& source) {
