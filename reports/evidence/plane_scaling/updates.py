@@ -15,7 +15,7 @@ MINUTES = Minutes(0.1, 1, 3)
 SEED = 609
 WALKS, STEPS = Counts(10, 200, 1000), 20
 CORNERS = Counts(200, 2_000, 20_000)  # of the polygons whose costs are measured
-NEAR = Fraction(1, 10**6)  # relative change of a factor, in small steps
+NEAR = Fraction(1, 10**4)  # relative change of a factor, in small steps
 
 
 def polygon(dice: random.Random, corners: int, reach: int) -> _core.PolygonSet:
