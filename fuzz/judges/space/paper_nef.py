@@ -19,7 +19,7 @@ from minkref.fuzz.libraries.paper.in_space import SpaceProgram
 from minkref.fuzz.libraries.paper.program_name import ProgramName
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.comparison import compare
-from minkref.fuzz.space.protocol import sent_scale
+from minkref.fuzz.targets.numbers import sent_scale
 
 
 def beside_in_space(

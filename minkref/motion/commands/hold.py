@@ -45,7 +45,8 @@ def run(request: HoldInPlane) -> None:
     asked = (way.points[:1], way.points)
     with memory_wall(request.memory, "the way", f"{request.part} and {request.obstacles}", SMALLER):
         rows = refusing(
-            where, lambda: _core.held_scales(*sets, way.points, contact, *window, route)
+            where,
+            lambda: _core.held_scales(*sets, way.points, contact, window[0], window[1], route),
         )
         proven = [
             _proved(proof, names, sets, places, contact, window, found[0])

@@ -30,7 +30,7 @@ def run(request: HoldInSpace) -> None:
         rows = refusing(
             f"{request.part}, {request.obstacles}",
             lambda: _core.held_scales_in_space(
-                first.surface, second.surface, way.points, contact, *window, route
+                first.surface, second.surface, way.points, contact, window[0], window[1], route
             ),
         )
     value = document(

@@ -205,7 +205,7 @@ def _counts(
         return {**dict.fromkeys(PAIR_COUNTS), **edges}
     pairs = refusing(
         f"{P.name} and {Q.name}",
-        lambda: _core.pair_events(P.set, Q.set, *window, route=route or ROUTES[0]),
+        lambda: _core.pair_events(P.set, Q.set, window[0], window[1], route=route or ROUTES[0]),
     )
     return dict(pairs.counts())
 

@@ -258,7 +258,8 @@ def _updated(
         return answer, answer.passage_rows(), time.perf_counter() - began, {}
     P, at = static_pair(P, factor)
     begin, scale = str(at if start is None else start), str(at)
-    moving = _core.DynamicSum(P.set, Q.set, *sorted((begin, scale), key=Fraction), route)
+    least, greatest = sorted((begin, scale), key=Fraction)
+    moving = _core.DynamicSum(P.set, Q.set, least, greatest, route)
     moving.move_to(begin)
     did = dict(moving.move_to(scale))
     answer = moving.sum()
