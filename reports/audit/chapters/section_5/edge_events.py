@@ -9,14 +9,12 @@ from itertools import product
 from math import isqrt
 
 import sympy as sp
-from minkref import _core
-from minkref.cli.readings import FACET_CHOICES as CHOICES
-from minkref.cli.readings import readings_of
 from minkref.fuzz.geometry.space import cross, dot, minus
 from minkref.fuzz.judges.space import paper_space
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import pair_of_family
 from minkref.reports.audit.entry import Chapter, Shown, Status, text
+from minkref.reports.audit.facet_code import contacts_as_read
 from minkref.reports.audit.space import (
     Edge,
     Vector,
@@ -173,12 +171,8 @@ def _(shown: Shown) -> None:
     shown.equal("scale at which they begin to meet", min(events["edge"]), 3)
     pair = pair_of_family("mixed", 1, 0)
     P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
-    printed, right = (
-        dict(
-            _core.facet_contact_trial(P, Q, "rational", readings_of("corrected", as_read, CHOICES))
-        )
-        for as_read in (["corner=lines", "crossing=points"], None)
-    )
+    printed = contacts_as_read(P, Q, corner="lines", crossing="points")
+    right = contacts_as_read(P, Q)
     singular = {
         "of parallel faces": printed["parallel_faces"],
         "of parallel edges": printed["parallel_sides"],

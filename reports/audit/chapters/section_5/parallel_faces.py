@@ -7,13 +7,13 @@ from fractions import Fraction
 from itertools import product
 
 from minkref import _core
-from minkref.cli.readings import FACET_CHOICES, readings_of
 from minkref.fuzz.geometry.space import cross, dot, minus
 from minkref.fuzz.judges.space import paper_space
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import pair_of_family
 from minkref.reports.audit.bodies import hull
 from minkref.reports.audit.entry import Chapter, Shown, Status
+from minkref.reports.audit.facet_code import contacts_as_read
 from minkref.reports.audit.space import (
     Edge,
     Facet,
@@ -159,8 +159,7 @@ def _(shown: Shown) -> None:
         once += case == "once"
     pair = pair_of_family("mixed", 1, 0)
     P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
-    readings = readings_of("corrected", ["corner=lines"], FACET_CHOICES)
-    told = dict(_core.facet_contact_trial(P, Q, "rational", readings))
+    told = contacts_as_read(P, Q, corner="lines")
     shown.true(
         "two polyhedra, in rational numbers, by `minkref events --reading corner=lines`: "
         f"{told['missed']} events are missed, all of them of parallel faces",
