@@ -167,6 +167,25 @@ std::tuple<std::string, Numbers, Numbers> facet(const CriticalEvents& events, st
   return {name(found.kind), of_P, of_Q};
 }
 
+void bind_facet_contacts(nb::module_& module) {
+  module.def("facet_contact_trial", &trial, "P"_a, "Q"_a, "arithmetic"_a, "readings"_a = Words{},
+             Released(),
+             "The paper's way to the events of two facets (Sec. 5.1, 5.2) in an arithmetic, on all "
+             "pairs of facets, against the exact events. `readings`: as `facet_readings` lists "
+             "them; those left out are the printed ones. Raises BadInput, LimitExceeded.");
+  module.def(
+      "check_facet_reading",
+      [](const std::string& name, const std::string& value) {
+        FacetReadings readings;
+        set_reading(readings, name, value);
+      },
+      "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
+  module.def(
+      "facet_readings", [] { return rows_of(facet_reading_names()); },
+      "The choices of the way to events of facets: name, values (the printed one first), the "
+      "corrected one, section of the paper.");
+}
+
 }  // namespace
 
 void bind_space_events(nb::module_& module) {
@@ -263,22 +282,7 @@ void bind_space_events(nb::module_& module) {
       },
       "P"_a, "Q"_a, "from_scale"_a, "to_scale"_a, "concurrent"_a = false, Released(),
       "The same by all pairs of facets, without boxes and filters: slow.");
-  module.def("facet_contact_trial", &trial, "P"_a, "Q"_a, "arithmetic"_a, "readings"_a = Words{},
-             Released(),
-             "The paper's way to the events of two facets (Sec. 5.1, 5.2) in an arithmetic, on all "
-             "pairs of facets, against the exact events. `readings`: as `facet_readings` lists "
-             "them; those left out are the printed ones. Raises BadInput, LimitExceeded.");
-  module.def(
-      "check_facet_reading",
-      [](const std::string& name, const std::string& value) {
-        FacetReadings readings;
-        set_reading(readings, name, value);
-      },
-      "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
-  module.def(
-      "facet_readings", [] { return rows_of(facet_reading_names()); },
-      "The choices of the way to events of facets: name, values (the printed one first), the "
-      "corrected one, section of the paper.");
+  bind_facet_contacts(module);
 }
 
 }  // namespace minkref::python

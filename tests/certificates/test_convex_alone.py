@@ -32,7 +32,7 @@ def test_another_form_is_malformed(check: Any, folder: Path, form: Any) -> None:
     code, said = check(folder / "it.cert.json")
     assert (
         code == 2
-        and "this is no certificate-v1 or convex-certificate-v1 or solid-certificate-v1" in said
+        and "this is no certificate-v1 or axes-certificate-v1 or convex-certificate-v1" in said
     )
 
 
