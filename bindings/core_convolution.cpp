@@ -52,7 +52,7 @@ std::vector<SegmentTuple> segments(const Set& P, const Set& Q, const std::string
   return rows;
 }
 
-/// A convolution at one scale, with its operands.
+/// A convolution at one scale, keeping its operands.
 struct Convolution {
   PolygonSet P, Q;
   Rational scale;

@@ -25,7 +25,7 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// Whether the feature is an edge, its ring, and its index.
+/// The feature: whether an edge, its ring, its index.
 using FeatureRow = std::tuple<bool, std::uint32_t, std::uint32_t>;
 /// Scale, whether the bound blocks; segment, t and point of the path; features of the part and of
 /// the obstacles; the touching point.

@@ -81,8 +81,7 @@ std::string to_json(const Set& set) {
   return text;
 }
 
-/// Reads our own text, whatever the length of its numbers. The rings' places within a file are
-/// lost.
+/// Reads our own text, numbers of any length. The rings' places within a file are lost.
 Set from_state(const std::pair<std::string, bool>& state) {
   return {set_of(state.first, no_limits()).value, state.second};
 }

@@ -1,4 +1,4 @@
-// Sums of polyhedra of any shape.
+// Binds sums for arbitrary polyhedra.
 #include <nanobind/stl/function.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>

@@ -1,4 +1,4 @@
-// Critical scales of sums of polyhedra.
+// Binds the critical scales for sums of polyhedra.
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/function.h>
 #include <nanobind/stl/map.h>

@@ -67,7 +67,7 @@ SpacePathAnswer space_answer(const SpaceValidScales& found) {
 /// Scale, whether the range ends there, event, place, contact.
 using SpaceFreeBoundRow =
     std::tuple<std::string, bool, std::string, ExactSpacePoint, std::optional<SpaceBoundRow>>;
-/// Vertex of the part, face of the container, weight.
+/// Part vertex, container face, weight.
 using SupportRow = std::tuple<std::uint32_t, std::uint32_t, std::string>;
 using SpaceFreeAnswer = std::tuple<std::vector<RangeRow>, std::vector<SpaceFreeBoundRow>,
                                    std::vector<SupportRow>, std::vector<ProofRow>, std::uint64_t>;

@@ -54,7 +54,7 @@ TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const s
   const double seconds = watch.seconds();
   // Only exact arithmetic is known to give a canonical form.
   const bool canonical = arithmetic == "rational" || arithmetic == "interval";
-  // The operands outlive the sum, which keeps them alive.
+  // The sum keeps its operands alive.
   const auto find = [operand, &Q] {
     return tight_passages(operand.set(), Q.value, operand.scale());
   };

@@ -9,7 +9,7 @@
 
 namespace minkref::python {
 
-/// The factors of "SX,SY"; none for "S". Throws BadInput for a text that is no number.
+/// The factors of "SX,SY"; none for "S". Throws BadInput for a text other than a number.
 inline std::optional<PlaneScaling> axes_of(const std::string& scale) {
   const std::size_t comma = scale.find(',');
   if (comma == scale.npos) return std::nullopt;
@@ -21,7 +21,7 @@ inline std::optional<PlaneScaling> axes_of(const std::string& scale) {
 /// A set that is not scaled here has to outlive the object.
 class ScaledOperand {
  public:
-  /// Throws BadInput for a text that is no scale, and for a factor that is not positive.
+  /// Throws BadInput for a text other than a scale, and for a factor <= 0.
   ScaledOperand(const PolygonSet& P, const std::string& scale) : axes_(axes_of(scale)), given_(&P) {
     if (axes_) {
       made_ = std::make_shared<const PolygonSet>(scaled(P, *axes_));
@@ -32,7 +32,7 @@ class ScaledOperand {
 
   const PolygonSet& set() const { return made_ ? *made_ : *given_; }
   const Rational& scale() const { return scale_; }
-  /// The point of P that a point of the set comes from.
+  /// The point of P behind a point of the set.
   Point of_P(const Point& p) const {
     return axes_ ? Point{Rational(p.x / axes_->x), Rational(p.y / axes_->y)} : p;
   }

@@ -19,7 +19,7 @@ struct CaseInterval {
   friend bool operator==(const CaseInterval&, const CaseInterval&) = default;
 };
 
-/// The expected result of `sP + Q` at one scale. Absent members claim nothing.
+/// The expected `sP + Q` at one scale. Absent members claim nothing.
 struct Expected {
   Rational scale = 1;
   std::optional<PlaneScaling> axes;   ///< or this, a factor for each axis
@@ -51,7 +51,7 @@ struct CaseReading {
   std::vector<RingOrigin> P_origins, Q_origins;
 };
 
-/// Reads a case of dimension 2. No ring is turned: `validate` refuses wrong orientation. Refuses
+/// Reads a 2-dimensional case. No ring is turned: `validate` refuses wrong orientation. Refuses
 /// unknown members. Throws BadInput, LimitExceeded. A refusal of an operand names it:
 /// "file.json#P".
 CaseReading read_case_text(std::string_view text, const std::string& source,

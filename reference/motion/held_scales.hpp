@@ -1,5 +1,5 @@
-// The scales at which a part is held by an assembly: it fits at its place, and a given way out is
-// blocked (Behar & Lien 2012, Section 8.1, "part removal").
+// Scales where an assembly holds a part: the part fits at its place, and a given way out is blocked
+// (Behar & Lien 2012, Section 8.1, "part removal").
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct HeldEndOf {
   Bound contact;
 };
 
-/// A range of held scales.
+/// A held scale range.
 template <class Bound>
 struct HeldRangeOf {
   ScaleRange scales;
@@ -46,7 +46,7 @@ HeldScales held_scales(const PolygonSet& part, const PolygonSet& obstacles,
                        const std::vector<Point>& way, ContactRule rule = ContactRule::allowed,
                        const ScaleWindow& window = {}, PathRoute route = PathRoute::pieces);
 
-/// The scales of a window that are in `all` and not in `some`, both sorted and apart. Exact.
+/// A window's scales from `all` without `some`, both sorted and disjoint. Exact.
 std::vector<ScaleRange> scales_without(const std::vector<ScaleRange>& all,
                                        const std::vector<ScaleRange>& some,
                                        const ScaleWindow& window);

@@ -44,7 +44,7 @@ Interval reach_of(const std::vector<NearVector<Dimension>>& corners,
 /// The scales from and to; a gap without an upper end goes to infinity.
 using ScaleGap = std::array<double, 2>;
 
-/// Indices of a segment, a piece of the part and a piece of the obstacles.
+/// Indices: a segment, a part's piece and an obstacles' piece.
 struct PieceTriple {
   std::uint32_t segment = 0, part = 0, obstacle = 0;
 };
@@ -78,14 +78,14 @@ class MovingPiecesOf {
   using Triple = PieceTriple;
   using Gap = ScaleGap;
 
-  /// Takes the pieces of -R, which slide over the obstacles, and of the obstacles. O((a + k) b)
+  /// Takes the pieces of -R, sliding over the obstacles, and the obstacles' pieces. O((a + k) b)
   /// doubles for a, b sides of pieces and k segments.
   MovingPiecesOf(std::vector<Piece> part, std::vector<Piece> obstacles, std::vector<Point> path,
                  bool strict);
 
   /// Calls `take` with each triple that may collide at some scale of any gap, likely triples first.
-  /// `gaps` is read anew each time and may change; `touching`: also with triples that may only
-  /// touch there.
+  /// `gaps` is read anew each time and may change; `touching`: includes triples possibly only
+  /// touching there.
   void each(const std::vector<Gap>& gaps, bool touching,
             const std::function<void(const Triple&)>& take) const;
 
@@ -106,8 +106,8 @@ class MovingPiecesOf {
     return polygon_of(triple, all);
   }
 
-  /// The least place of the segment at which a triple collides at a scale, or the limit of such
-  /// places. Exact.
+  /// The segment's least place where a triple collides at a scale, or the limit of such places.
+  /// Exact.
   std::optional<Rational> first_place(const Triple& triple, const Rational& scale) const {
     return least_place(conditions(triple), scale, strict_,
                        path_[triple.segment] == end_of(triple.segment));

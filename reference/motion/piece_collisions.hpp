@@ -16,7 +16,7 @@ namespace minkref::inline motion {
 /// Ranges in doubles, rounded to the outside.
 std::vector<ScaleGap> gaps_of(const std::vector<ScaleRange>& ranges);
 
-/// The scales of the window at which some triple collides. Exact.
+/// The window's scales where some triple collides. Exact.
 template <class Geometry>
 ScaleSet collisions_of(const MovingPiecesOf<Geometry>& pieces, const ScaleWindow& window,
                        PathStatistics& statistics) {

@@ -30,8 +30,8 @@ ScaleSet collisions_by_index(const PathProblem& problem, PathStatistics& statist
 std::vector<PathBound> bounds_of(const PathProblem& problem, const std::vector<ScaleRange>& valid);
 
 /// The first place along the path where the part collides at each scale, or the limit of such
-/// places, and the contact there. Requires that the path is not valid at any of the scales, and
-/// that its first place is free. Exact.
+/// places, and the contact there. Requires a path valid at none of the scales, with its first place
+/// free. Exact.
 std::vector<PathBound> stops_of(const PathProblem& problem, const std::vector<Rational>& scales);
 
 /// The set -R, by a half-turn.

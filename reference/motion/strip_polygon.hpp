@@ -34,7 +34,7 @@ struct StripScales {
 
 /// The segment's places and the scales that meet all conditions: a polygon. With `strict`
 /// conditions, which exclude equality, the sides on a condition do not belong to the region. None
-/// without any place. `is_point`: t is 0 only. Exact. O(n^2) for n conditions.
+/// without any place. `is_point`: only t = 0. Exact. O(n^2) for n conditions.
 std::optional<StripPolygon> strip_polygon(const std::vector<StripCondition>& conditions,
                                           bool strict, bool is_point);
 

@@ -5,8 +5,8 @@
 
 namespace minkref::inline plane {
 
-/// S = diag(x, y). The sum `S P + Q` is that of the operand S P and Q: `minkowski_sum(scaled(P, S),
-/// Q, 1)`, by any route and in any arithmetic.
+/// S = diag(x, y). `S P + Q` is the sum of the operand S P and Q: `minkowski_sum(scaled(P, S), Q,
+/// 1)`, by any route and in any arithmetic.
 struct PlaneScaling {
   Rational x = 1, y = 1;
   friend bool operator==(const PlaneScaling&, const PlaneScaling&) = default;

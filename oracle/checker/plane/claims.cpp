@@ -186,7 +186,7 @@ class Certificate {
     return ": " + kind + " at " + s.get_str();
   }
 
-  /// point: x = s p + q, with p in a piece of P and q in a piece of Q.
+  /// point: x = s p + q; a piece of P holds p, a piece of Q holds q.
   std::string point_of_sum(const Value& claim) {
     const auto m = members(claim, "claim scale point p q by pieces");
     const mpq_class s = scale(*m[1]);

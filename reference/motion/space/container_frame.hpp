@@ -1,4 +1,4 @@
-// The outside of a container as an obstacle in space.
+// A container's outside as an obstacle.
 #pragma once
 
 #include <vector>

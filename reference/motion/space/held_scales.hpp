@@ -1,4 +1,4 @@
-// The scales at which a polyhedron is held by an assembly (Behar & Lien 2012, Section 8.1).
+// Scales where an assembly holds a polyhedron (Behar & Lien 2012, Section 8.1).
 #pragma once
 
 #include "reference/motion/held_scales.hpp"

@@ -58,7 +58,7 @@ ScaleSet collisions_by_contacts_in_space(const SpaceProblem& problem, PathStatis
                     });
 }
 
-/// The piece of x + sR from a piece of -R.
+/// Maps a piece of -R to the piece of x + sR.
 SolidPiece placed_piece(const SolidPiece& turned, const SpacePoint& x, const Rational& scale) {
   Polyhedron result{{}, turned.faces};
   for (const SpacePoint& p : turned.corners) result.vertices.push_back(x - scale * p);

@@ -1,4 +1,4 @@
-// The readings of the sentences of Behar & Lien 2012, Sec. 4: each formula by itself.
+// Readings for the sentences of Behar & Lien 2012, Sec. 4: each formula by itself.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace minkref::inline plane {
 
-/// The paper's program of Sec. 4, choice by choice. Defaults are the printed choices; where the
-/// text says nothing, the kindest reading.
+/// The paper's Sec. 4 program, choice by choice. Defaults are the printed choices; where the text
+/// says nothing, the kindest reading.
 struct Readings {
   /// Observation 1 (Sec. 4.1): the intersection of two lines.
   Form observation = Form::printed;
@@ -44,7 +44,7 @@ struct Readings {
   bool parallel = false;
 
   /// Whether edges with a common vertex of the convolution are tested, too. They meet there at all
-  /// scales; the text does not say that any pair is left out.
+  /// scales; the text does not exclude any pair.
   bool adjacent = false;
 };
 
@@ -59,8 +59,8 @@ void set_reading(Readings& readings, std::string_view name, std::string_view val
 /// The names and values that set_reading takes.
 const std::vector<ReadingName>& reading_names();
 
-/// Sets how systems are solved, and the tolerance if it is one ("printed", "tolerance:1e-9").
-/// Throws BadInput ("unknown-reading") with the choices that are `known`.
+/// Sets how to solve systems, and the tolerance if given ("printed", "tolerance:1e-9"). Throws
+/// BadInput ("unknown-reading") with the choices that are `known`.
 void set_solve(Readings::Solve& solve, Rational& tolerance, const std::vector<ReadingName>& known,
                std::string_view value);
 

@@ -12,7 +12,7 @@
 
 namespace minkref::inline space {
 
-/// The sides of two coplanar facets as moving edges of Sec. 4, in the plane of two coordinates.
+/// The sides of two coplanar facets as moving edges of Sec. 4, projected onto two coordinates.
 template <class T>
 class CoplanarSides {
  public:
@@ -36,7 +36,7 @@ class CoplanarSides {
   }
 
   /// The scales at which a side of each meet, from the first to the last, as read. The plane's
-  /// readings say what becomes of parallel sides, and of sides with a corner in common.
+  /// readings govern parallel sides, and sides with a common corner.
   std::optional<CriticalRegion<T>> region(std::size_t k, std::size_t l) const {
     if (!readings_.plane.adjacent && share_corner(k, l)) return std::nullopt;
     const Edge a = edge(0, k), b = edge(1, l);

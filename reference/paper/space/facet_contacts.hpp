@@ -20,7 +20,7 @@ namespace minkref::inline space {
 /// "Parallel faces" are the case that the paper names.
 enum class Singular : std::uint8_t { no, parallel_faces, parallel_sides, side_along_plane };
 
-/// A contact of one facet's corner with the other facet (5.1), or of a side of each (5.2).
+/// A contact between one facet's corner and the other facet (5.1), or between a side of each (5.2).
 template <class T>
 struct PaperContact {
   ContactKind kind = ContactKind::vertex;
@@ -48,9 +48,9 @@ class FacetContacts {
                 const T& zero)
       : pair_(first, second), readings_(readings), zero_(zero) {}
 
-  /// Always in the same order, so that answers of two arithmetics can be compared: each corner,
-  /// each side of the first with each of the second, and once more these, for the second scale of
-  /// sides in one plane. O(1) for triangles and parallelograms.
+  /// Always keeps the same order, to compare the answers of two arithmetics: each corner, each side
+  /// of the first with each side of the second, then the same pairs again for the second scale of
+  /// coplanar sides. O(1) for triangles and parallelograms.
   std::vector<PaperContact<T>> all() const {
     const std::size_t corners = pair_.size(0) + pair_.size(1),
                       crossings = pair_.size(0) * pair_.size(1);
@@ -127,7 +127,7 @@ class FacetContacts {
     return contact;
   }
 
-  /// The determinant of both sides and the way from one to the other is zero: linear in s.
+  /// The determinant of both sides and the way between them is zero: linear in s.
   PaperContact<T> lines_meet(std::size_t k, std::size_t l) const {
     PaperContact<T> contact{ContactKind::edge};
     const auto &a = pair_.named(0, k), &b = pair_.named(1, l);
@@ -187,7 +187,7 @@ class FacetContacts {
     });
   }
 
-  /// s alpha = beta as read; both are multiples of `direction`.
+  /// s alpha = beta as read, both multiples of `direction`.
   ScaleSolution<T> solve(const Vector& direction, const Vector& alpha, const Vector& beta) const {
     switch (readings_.solve) {
       case Readings::Solve::printed:

@@ -1,4 +1,4 @@
-// The readings of the sentences of Behar & Lien 2012, Sec. 5: each by itself.
+// Readings for the sentences of Behar & Lien 2012, Sec. 5: each by itself.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ struct FacetReadings {
 
   /// Sec. 5.2, parallel faces: "the scale value when the faces are coplanar", by a vertex "as
   /// though we were detecting a vertex event"; edges are checked at that scale "if there are no
-  /// vertex events". Or such faces are left out.
+  /// vertex events". Or skips such faces.
   enum class Parallel : std::uint8_t { followed, left_out };
   Parallel parallel = Parallel::followed;
 

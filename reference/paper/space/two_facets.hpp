@@ -1,4 +1,5 @@
-// Two facets of the convolution at all scales, in one arithmetic: what Sec. 5 asks of them.
+// Two facets of the convolution at all scales, with one arithmetic: the questions Sec. 5 asks about
+// them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,13 +14,13 @@
 
 namespace minkref::inline space {
 
-/// Two facets, `0` and `1`, whose corners are s p + q. Throws UndecidedSign where T cannot tell.
+/// Two facets, `0` and `1`, with corners s p + q. Throws UndecidedSign where T cannot tell.
 template <class T>
 class TwoFacets {
  public:
   using Vector = Eigen::Matrix<T, 3, 1>;
   using Matrix = Eigen::Matrix<T, 3, 3>;
-  /// The corner s p + q, and the vertices of P and Q that it is made of.
+  /// The corner s p + q, and its vertices of P and Q.
   struct Corner {
     Vector p, q;
     std::uint32_t of_P, of_Q;
@@ -65,8 +66,8 @@ class TwoFacets {
   }
 
   /// The point at which a side's line meets the other facet's plane, by the system of Sec. 5.2:
-  /// e_a - t_a = M^T (t, u, v), where M has the rows e_a - e_b, t_b - t_a and t_c - t_a. Nothing
-  /// where it is singular, for then the line runs along the plane.
+  /// e_a - t_a = M^T (t, u, v), where M has the rows e_a - e_b, t_b - t_a and t_c - t_a. Nothing if
+  /// singular: then the line runs along the plane.
   std::optional<Vector> crossing(std::size_t which, std::size_t k, const T& s) const {
     const std::size_t other = 1 - which;
     const Vector a = corner(which, k, s), b = corner(which, k + 1, s), ta = corner(other, 0, s);
@@ -107,7 +108,7 @@ class TwoFacets {
     return sign(T(along.dot(Vector(x - a)))) >= 0 && sign(T(along.dot(Vector(b - x)))) >= 0;
   }
 
-  /// Whether two sides cross that lie in one plane at a scale, and are not parallel.
+  /// Whether two sides, coplanar at a scale and not parallel, cross.
   bool sides_cross(std::size_t k, std::size_t l, const T& s) const {
     if (is_parallel_to_side(k, l)) return false;
     const Vector n = normal(0);

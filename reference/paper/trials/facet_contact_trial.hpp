@@ -25,7 +25,7 @@ struct FacetContactTrial {
   // Events with s > 0, one for each corner and each two sides; two for sides of coplanar facets.
   std::uint64_t events = 0;  ///< in truth
   std::uint64_t missed = 0;  ///< in truth, and nothing is answered for its scale
-  // Of `missed`: nothing to solve, for a matrix is singular.
+  // The part of `missed` with nothing to solve: a singular matrix.
   std::uint64_t parallel_faces = 0;    ///< the faces are parallel
   std::uint64_t parallel_sides = 0;    ///< the sides are, and the faces are not
   std::uint64_t side_along_plane = 0;  ///< a side is parallel to the other face's plane only

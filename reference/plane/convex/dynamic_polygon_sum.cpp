@@ -59,7 +59,7 @@ int DynamicPolygonSum::turn(std::size_t edge_of_P, std::size_t edge_of_Q) const 
   return sign(Rational(a.x * b.y - ratio_ * a.y * b.x));
 }
 
-/// Whether the edge of Q comes first in the sum's boundary, as it does if both have one direction.
+/// Whether the edge of Q comes first along the sum's boundary; true if both have one direction.
 bool DynamicPolygonSum::goes_before(std::size_t edge_of_Q, std::size_t edge_of_P) const {
   const bool late_Q = is_in_second_half(Q_.directions[edge_of_Q]);
   const bool late_P = is_in_second_half(P_.directions[edge_of_P]);
@@ -137,7 +137,7 @@ void DynamicPolygonSum::insert(bool is_P, std::uint32_t edge) {
   if (at.end) pairs.by_end.emplace(*at.end, edge);
 }
 
-/// A vertex 0 is the one after all edges of Q for the edges of P that point into the second half.
+/// For the edges of P pointing into the second half, vertex 0 comes after all edges of Q.
 std::size_t DynamicPolygonSum::edges_of_Q_before(std::size_t edge_of_P) const {
   if (edge_of_P == P_.size()) return Q_.size();
   const std::size_t vertex = of_P_.vertex[edge_of_P];
@@ -149,8 +149,8 @@ bool DynamicPolygonSum::have_one_direction(std::size_t edge_of_P, std::size_t ed
          is_in_second_half(P_.directions[edge_of_P]) == is_in_second_half(Q_.directions[edge_of_Q]);
 }
 
-/// Both operands begin at their least vertex, and so does the sum. Edges in one direction are one
-/// edge of the sum.
+/// Both operands begin at their least vertex, and so does the sum. Edges with one direction merge
+/// into one edge.
 PolygonSet DynamicPolygonSum::region() const {
   Ring ring;
   std::size_t i = 0, j = 0;

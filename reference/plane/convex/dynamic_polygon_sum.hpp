@@ -12,7 +12,7 @@
 
 namespace minkref::inline plane {
 
-/// What one update found and did (Behar & Lien 2012, Sec. 6, in the plane).
+/// Counts one update's errors and steps (Behar & Lien 2012, Sec. 6, in the plane).
 struct PolygonUpdateCounts {
   std::uint64_t ev_errors = 0;      ///< edges of P whose vertex of Q changed
   std::uint64_t ve_errors = 0;      ///< edges of Q whose vertex of P changed
@@ -28,7 +28,7 @@ struct RatioPlace {
   }
 };
 
-/// An interval of ratios, as far as it is bounded.
+/// An interval of ratios; an absent end means unbounded.
 struct RatioInterval {
   std::optional<RatioPlace> begin, end;
 
@@ -36,8 +36,8 @@ struct RatioInterval {
   void keep(const Rational& u, const Rational& w, bool positive);
 };
 
-/// Pairs by an end of the ratios at which they are compatible, so that an update finds the errors
-/// without looking at the other pairs.
+/// Pairs sorted by an end of their compatible ratios, so an update finds the errors without looking
+/// at the other pairs.
 using PairsByEnd = std::set<std::pair<RatioPlace, std::uint32_t>>;
 
 /// `S P + Q` for changing S and convex polygons, as pairs of an edge and the compatible vertex of
@@ -51,8 +51,8 @@ using PairsByEnd = std::set<std::pair<RatioPlace, std::uint32_t>>;
 /// edge's normal. Exact. An update takes O((k + d) log(m + n)) for k errors and d steps.
 class DynamicPolygonSum {
  public:
-  /// From scratch, by merging the edges in the order of their angles: O((m + n) log(m + n)). Throws
-  /// BadInput ("not-convex", "bad-scale").
+  /// Builds from scratch, merging the edges by angle: O((m + n) log(m + n)). Throws BadInput
+  /// ("not-convex", "bad-scale").
   DynamicPolygonSum(const PolygonSet& P, const PolygonSet& Q, const PlaneScaling& at);
 
   /// Mends the pairs that the new scaling makes wrong. Throws BadInput ("bad-scale") and keeps the
@@ -63,12 +63,12 @@ class DynamicPolygonSum {
   PolygonSet region() const;
 
   const PlaneScaling& scaling() const { return scaling_; }
-  /// For each edge of P its vertex of Q; for each edge of Q its vertex of P.
+  /// For each edge of P its vertex from Q; for each edge of Q its vertex from P.
   const std::vector<std::uint32_t>& vertex_of_Q() const { return of_P_.vertex; }
   const std::vector<std::uint32_t>& vertex_of_P() const { return of_Q_.vertex; }
 
  private:
-  /// The pairs of one operand's edges with vertices of the other.
+  /// Pairs one operand's edges with the second operand's vertices.
   struct Pairs {
     std::vector<std::uint32_t> vertex;
     std::vector<RatioInterval> compatible;

@@ -183,7 +183,7 @@ class PairSearch {
                               static_cast<std::uint8_t>(bound.half_line)});
   }
 
-  /// Sorts by doubles first, then exactly those runs of neighbours that doubles cannot tell apart.
+  /// Sorts by doubles first, then exactly the runs of neighbours with indistinguishable doubles.
   void sort() {
     auto& events = result_.events;
     std::sort(events.begin(), events.end(), [](const PairEvent& x, const PairEvent& y) {

@@ -25,7 +25,7 @@ enum class Change : std::uint8_t {
 /// "birth", "death", "touch" or "overlap".
 std::string_view name(Change change);
 
-/// A critical scale of the pair of edges a < b: `critical_scales(...)[rank]`.
+/// A critical scale for the edges a < b: `critical_scales(...)[rank]`.
 struct PairEvent {
   double approximate = 0;  ///< the scale; for drawing and first looks
   std::uint32_t a = 0, b = 0;

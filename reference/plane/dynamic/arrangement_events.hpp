@@ -28,11 +28,11 @@ class ArrangementEvents {
   std::size_t groups() const { return approximate_.size(); }
   double approximate(std::uint32_t group) const { return approximate_[group]; }
   Rational exact(std::uint32_t group) const;
-  /// An event that gives the group its scale, if any; at most one of the two is not null.
+  /// An event defining the group's scale, if any; the two functions never both return one.
   const PairEvent* pair_event_at(std::uint32_t group) const;
   const TripleEvent* triple_event_at(std::uint32_t group) const;
   std::uint32_t group_of_triple(std::size_t triple) const { return group_of_triple_[triple]; }
-  /// The group of an event of pairs(); EdgeNode::always for an event not inside the window.
+  /// The group of a pairs() event; EdgeNode::always for an event not inside the window.
   std::uint32_t group_of_pair_event(std::size_t event) const {
     return group_of_rank_[pairs_.events[event].rank];
   }

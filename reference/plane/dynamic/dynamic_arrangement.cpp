@@ -95,7 +95,7 @@ std::vector<SideNumbers> DynamicArrangement::winding_numbers(std::uint32_t edge)
   const WindingHistory& winding = timeline_.winding;
   std::vector<SideNumbers> numbers{winding.base(edge, group())};
   for (const std::uint32_t n : nodes(edge)) {
-    // At a group's scale the faces are those below, but where parallel edges overlap.
+    // At a group's scale the faces equal the faces below, except where parallel edges overlap.
     const bool arrives = at_event() && timeline_.events->table().nodes[n].from == group();
     numbers.push_back(arrives ? numbers.back() : numbers.back() + winding.steps[n]);
   }
@@ -103,7 +103,7 @@ std::vector<SideNumbers> DynamicArrangement::winding_numbers(std::uint32_t edge)
   return numbers;
 }
 
-/// Adds what parallel edges change that lie on an edge at the scale of the group.
+/// Adds the changes by parallel edges lying on an edge at the group's scale.
 void DynamicArrangement::pass_parallel_edges(std::uint32_t edge,
                                              std::vector<SideNumbers>& numbers) const {
   const ArrangementEvents& events = *timeline_.events;

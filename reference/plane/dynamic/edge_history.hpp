@@ -55,7 +55,7 @@ struct SubEdgeAtGroup {
   std::uint32_t before = no_sub_edge, after = no_sub_edge;
 };
 
-/// Nodes of an edge that coincide at a group's scale.
+/// An edge's nodes coinciding at a group's scale.
 struct CoincidentNodes {
   std::uint32_t group = 0, edge = 0;
   std::vector<std::uint32_t> nodes;

@@ -245,8 +245,8 @@ struct EdgeSweep::Impl {
     coincident(g, stretches);
   }
 
-  /// The sub-edge that continues as gap j, formed by stretches `first` to `end`, if its ends and
-  /// all of its length remain.
+  /// The sub-edge continuing as gap j, formed by stretches `first` to `end`, if its ends and whole
+  /// length remain.
   std::uint32_t continued(const Group& g, const std::vector<Stretch>& stretches, std::size_t first,
                           std::size_t end, std::size_t j) const {
     if (first == end) return no_sub_edge;

@@ -88,7 +88,7 @@ Status SubEdgeStatus::at(std::uint32_t x, std::uint32_t y, const SampleScale& sa
     return covered_against(point, sample.scale, other);
   };
   const std::span<const std::uint32_t> one_line = always_on_one_line_.of(swept_.edge());
-  // Possibly no edge bounds one side of a passage through a point where rings touch.
+  // Possibly no edge bounds one side of a passage through a point of touching rings.
   const bool tight =
       std::any_of(one_line.begin(), one_line.end(), against) ||
       std::any_of(overlaps.begin(), overlaps.end(), against) ||

@@ -32,7 +32,7 @@ class SweptEdge {
   double slope(std::uint32_t local) const { return slope_[local]; }
   double value(std::uint32_t local) const { return value_[local]; }
   double near(std::uint32_t local, double s) const { return slope_[local] * s + value_[local]; }
-  /// The sum of the terms of `near`: bounds its rounding.
+  /// Sums the absolute terms of `near`, to bound its rounding.
   double terms(std::uint32_t local, double s) const {
     return std::abs(slope_[local]) * s + std::abs(value_[local]);
   }
@@ -40,7 +40,7 @@ class SweptEdge {
   /// The point half-way between two nodes.
   Point middle(std::uint32_t x, std::uint32_t y, const Rational& scale) const;
 
-  /// How the other edge of a crossing node runs.
+  /// How a crossing node's second edge runs.
   EdgeCrossing crossing(std::uint32_t local) const {
     return arithmetic_->crossing(edge_, name(local));
   }

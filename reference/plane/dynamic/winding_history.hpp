@@ -11,7 +11,7 @@ struct SideStep {
   std::int8_t left = 0, right = 0;
 };
 
-/// The winding numbers of the faces on the two sides of a piece of an edge.
+/// Winding numbers of the faces on both sides of an edge's piece.
 struct SideNumbers {
   std::int32_t left = 0, right = 0;
 

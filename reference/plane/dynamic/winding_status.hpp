@@ -20,8 +20,8 @@ namespace minkref::inline plane {
 std::unique_ptr<GapStatus> winding_status(const PolygonSet& P, const PolygonSet& Q,
                                           const ArrangementEvents& events, const SweptEdge& swept);
 
-/// The numbers beside each edge of the full convolution, on its first piece of positive length, in
-/// the edges' order. Exact. O((N + k) log N).
+/// For each edge of the full convolution, ordered by edge, the numbers beside its first piece of
+/// positive length. Exact. O((N + k) log N).
 std::vector<SideNumbers> first_numbers(const PolygonSet& P, const PolygonSet& Q,
                                        const Rational& scale);
 

@@ -86,8 +86,7 @@ class Cutter {
     return best;
   }
 
-  /// The position of `point` within the ring such that its wedge of the interior holds the
-  /// direction to `towards`.
+  /// The position of `point` within the ring whose interior wedge holds the direction to `towards`.
   std::size_t corner(const Indices& ring, std::uint32_t point, std::uint32_t towards) const {
     const std::size_t n = ring.size();
     std::size_t last = n;

@@ -37,7 +37,7 @@ class Separation {
     }
   }
 
-  /// Decides by doubles and corner names; in doubt the facets are not apart.
+  /// Decides from doubles and corner names; if unsure, answers not apart.
   bool operator()(std::uint32_t a, std::uint32_t b) {
     return by_plane(facets_[a], facets_[b]) || by_plane(facets_[b], facets_[a]) ||
            by_a_side(a, facets_[b]) || by_a_side(b, facets_[a]);

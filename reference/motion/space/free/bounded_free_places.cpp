@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_rays = 1000;
 
-/// The surface of the sum, and the shells of its cavities.
+/// The sum's surface, and its cavities' shells.
 struct Cavities {
   SurfaceEdges surface;
   std::vector<Shell> shells;
@@ -61,7 +61,7 @@ std::optional<bool> crosses(const SurfaceEdges& surface, const SurfaceFace& face
   return inside;
 }
 
-/// Whether a shell is around a place; none if the ray is not in general position.
+/// Whether a shell surrounds a place; none if the ray is not generic.
 std::optional<bool> is_around(const SurfaceEdges& surface, const Shell& shell,
                               const SpacePoint& place, const SpacePoint& direction) {
   bool inside = false;
@@ -85,7 +85,7 @@ bool is_enclosed(const FreeProblemAt& problem, const SpacePoint& place) {
     std::optional<bool> around;
     for (int k = 1; !around; ++k) {
       if (k == most_rays) throw std::logic_error("no ray in general position");
-      // Directions on a curve that lies in no plane: few of them are parallel to a face.
+      // Directions on a curve within no plane: few run parallel to a face.
       const SpacePoint direction{1, Rational(k, 997), Rational(k * k, 99991)};
       around = is_around(cavities.surface, shell, place, direction);
     }

@@ -1,4 +1,4 @@
-// The bounded components of the places at which a part is clear of obstacles, at one scale.
+// The bounded components of a part's places clear of obstacles, at one scale.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ struct FreeProblemAt {
 /// costs as `definition_sum` or `edge_sum`.
 bool has_bounded_free_places(const FreeProblemAt& problem);
 
-/// Whether a free place lies in a bounded component: inside a shell of the outside whose volume is
-/// negative (`shells`). Exact: parity of crossings along a ray in general position. Likewise.
+/// Whether a free place lies within a bounded component: inside a shell of the outside with
+/// negative volume (`shells`). Exact: counts crossings along a generic ray, by parity. Likewise.
 bool is_enclosed(const FreeProblemAt& problem, const SpacePoint& place);
 
 }  // namespace minkref::inline space

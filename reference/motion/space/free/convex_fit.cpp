@@ -21,7 +21,7 @@ std::size_t axis_with_width(const SpacePoint& size) {
   return size.x != 0 ? 0 : size.y != 0 ? 1 : 2;
 }
 
-/// The vertex that is farthest along a direction.
+/// The vertex farthest along a direction.
 std::uint32_t farthest(const Polyhedron& part, const SpacePoint& direction) {
   std::uint32_t best = 0;
   for (std::uint32_t k = 1; k < part.vertices.size(); ++k) {
@@ -90,7 +90,7 @@ SpaceFreeScales fit_into_convex(const Polyhedron& part, const Polyhedron& contai
   result.bounds.push_back(
       {found.scale, true, "contact", found.at,
        SpacePathBound{found.scale, true, {0, 0, found.at}, vertex, *touched, at}});
-  // Just below, the part is moved towards the middle of the container with all its points.
+  // Just below, all of the part's points move towards the container's middle.
   const SpaceFrame frame(part, container, {found.at});
   const Rational share = 1 - Rational(1, 1 << 20);
   const SpacePoint below = share * found.at + (1 - share) * mean_of(container.vertices);

@@ -11,8 +11,8 @@
 
 namespace minkref::inline space {
 
-/// A contact that keeps the part from growing, with its weight in the proof: the sum of the
-/// weighted normals of the faces is zero.
+/// A contact keeping the part from growing, with its weight for the proof: the weighted face
+/// normals sum to zero.
 struct FitSupport {
   std::uint32_t vertex = 0;  ///< of the part
   std::uint32_t face = 0;    ///< of the container; its plane is touched
@@ -44,7 +44,8 @@ struct SpaceFreeScales {
 /// takes a part whose every point is seen from some point strictly inside (`has_inner_centre`): its
 /// smaller copies need strictly less room, so that the scales run from 0 to the event at which the
 /// last cavity of the sum of the outside and -sR vanishes. Sums by definition bracket that event,
-/// `critical_events_in_space` lists those of the bracket, and sums built from edges find it again.
+/// `critical_events_in_space` lists the bracket's events, and sums built from edges find the same
+/// event again.
 ///
 /// Exact. Throws BadInput as `refuse_bad_fit`, and "not-star-shaped" for other parts.
 /// Linear program: O(f v) products for f faces and v vertices, and O(f) for each exchange. Else

@@ -1,4 +1,4 @@
-// The events of a bracket of scales at which free places may change.
+// A scale bracket's events where free places may change.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,9 @@ namespace minkref::inline space {
 
 struct CriticalEvents;
 
-/// The events of pairs, of three and of four facets of the sum of obstacles and -sR, for s from one
-/// scale to another, both included. Between two of their scales no component of the free places is
-/// born, dies, splits or merges. Exact and complete. Throws and costs as
-/// `critical_events_in_space`.
+/// Events of two, three and four facets of the sum of obstacles and -sR, for s from one scale to
+/// another, both included. Between two of their scales no component of the free places is born,
+/// dies, splits or merges. Exact and complete. Throws and costs as `critical_events_in_space`.
 class FreeEvents {
  public:
   FreeEvents(const Polyhedron& turned, const Polyhedron& obstacles, const Rational& from,

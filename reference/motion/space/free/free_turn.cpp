@@ -70,8 +70,8 @@ std::optional<FoundTurn> FreeTurn::find(const FreeEvents& events, const Rational
     }
     found.proofs.emplace_back(scale, small);
   }
-  // Where free places split or vanish, sums close on both sides of a passage. Others may only touch
-  // in a point, which is an event's.
+  // Where free places split or vanish, sums close on both sides of a passage. Elsewhere sums may
+  // touch only at an event's point.
   for (const bool of_passages : {true, false}) {
     const auto places = of_passages ? passages_at(found.scale) : events.places_at(found.scale);
     for (const SpacePoint& place : places) {

@@ -30,7 +30,7 @@ class FreeTurn {
 
   bool is_small(const Rational& scale, FreeRoute route = FreeRoute::definition) const;
 
-  /// Halves a scale that is not small until it is, and the bracket between the last two ten times.
+  /// Halves a scale until small, then halves the bracket between the last two ten times.
   std::pair<Rational, Rational> bracket(Rational high) const;
 
   /// Finds the last event with small scales below and none above, among events between a small
@@ -40,7 +40,7 @@ class FreeTurn {
                                 bool is_high_large, const IsFree& is_free) const;
 
  private:
-  /// A point of each tight passage; none if they are too many to be found. Exact.
+  /// A point per tight passage; none if too many to find. Exact.
   std::vector<SpacePoint> passages_at(const Rational& scale) const;
 
   const Polyhedron &turned_, &obstacles_;

@@ -51,7 +51,7 @@ class Basis {
   Basis(const std::vector<ScaleCondition>& conditions, const std::array<ScaleCondition, 4>& start)
       : conditions_(conditions), start_(start), chosen_{0, 1, 2, 3} {}
 
-  /// Exchanges a condition for the first that is not met, until all are.
+  /// Exchanges a condition for the first unmet condition, until all hold.
   GreatestScale run() {
     while (true) {
       look_for_interrupt();

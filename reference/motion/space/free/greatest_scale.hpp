@@ -15,13 +15,13 @@ struct ScaleCondition {
   Rational reach, offset;
 };
 
-/// A condition's share in the proof that no greater scale is possible.
+/// A condition's share of the proof: no greater scale is possible.
 struct ScaleWeight {
   std::size_t condition = 0;
   Rational weight;  ///< above 0
 };
 
-/// The optimum, and its proof: the weighted sum of the named conditions is s <= scale.
+/// The optimum, and its proof: the named conditions, weighted, sum to s <= scale.
 struct GreatestScale {
   Rational scale;
   SpacePoint at;                     ///< meets all conditions with this scale
