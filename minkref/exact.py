@@ -54,7 +54,7 @@ def exact_scale(text: str, option: str) -> Fraction:
 
 
 def text_of_bounds(*bounds: Fraction | None) -> list[str | None]:
-    """The bounds of a window as the extension module takes them; None where there is none."""
+    """The bounds of a window as the extension module takes them; None for an absent bound."""
     return [None if bound is None else str(bound) for bound in bounds]
 
 

@@ -11,7 +11,7 @@ from minkref.exact import read_scale
 
 PlaneScale = Fraction | tuple[Fraction, Fraction]
 Scaling = tuple[str, str, str]
-# By the number of axes: how many factors there are to be, and what refuses others.
+# By the number of axes: the required number of factors, and the error for any other.
 COUNTS = {2: ("two", "scale-not-uniform"), 3: ("three", "scale-not-three")}
 
 

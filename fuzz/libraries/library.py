@@ -39,8 +39,8 @@ class Library:
     """`targets`: the prefix of target names. `place`: the position in lists. `has_program`: whether
     `program.py` beside it shows a finding with the library alone. `read`: makes a method of a name
     that begins with the prefix and is not listed, or refuses the name; None if all names are
-    listed. `in_all`: whether the group of all targets has it. All the library's adapters share the
-    other members."""
+    listed. `in_all`: whether the group of all targets includes it. All the library's adapters share
+    the other members."""
 
     title: str
     targets: str

@@ -112,7 +112,7 @@ def smaller_in_plane(case: PlaneCase) -> Iterator[PlaneCase]:
 
 
 def _simpler_scales(scale: PlaneScale) -> Iterator[PlaneScale]:
-    """Whole numbers; of a factor for each axis also one of them for both."""
+    """Whole numbers; given a factor for each axis, also either factor for both."""
     whole = [Fraction(round(factor) or 1) for factor in factors_of(scale)]
     yield whole[0] if whole[0] == whole[1] else (whole[0], whole[1])
     if isinstance(scale, tuple):

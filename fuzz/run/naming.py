@@ -1,4 +1,4 @@
-"""Names of cases, and the cases that they name.
+"""Case names, and the cases behind them.
 
 FAMILY:SEED:INDEX         what a generator makes (`minkref families`)
 P+Q@SCALE                 files or models

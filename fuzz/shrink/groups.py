@@ -25,8 +25,8 @@ CALLS_FOR_TIME_OUT = 12  # for a target that does not answer, each as long as `b
 @dataclass
 class Group:
     """All findings for one target, verdict and reasons. `example` is the smallest, `small` holds
-    the shrunk findings, without repetition. `also`: reasons of other findings that shrink to the
-    same."""
+    the shrunk findings, without repetition. `also`: reasons from further findings shrinking to the
+    same case."""
 
     example: Finding
     count: int
@@ -47,8 +47,8 @@ def shrunk_groups(
     most_calls: int = MOST_CALLS,
     progress: Callable[[str], None] = lambda _: None,
 ) -> list[Group]:
-    """Shrinks the smallest findings of each kind. Deterministic: bounded by calls, not by time. Our
-    own failure leaves a finding unshrunk, and the group says so; a signal leaves all other findings
+    """Shrinks the smallest findings of each kind. Deterministic: limits calls, not time. Our own
+    failure leaves a finding unshrunk, and the group says so; a signal leaves all other findings
     unshrunk, and the run says so."""
     groups = groups_of(run)
     if run.ended is not None or run.failed is not None:

@@ -11,7 +11,7 @@ from typing import Any
 from minkref.fuzz.cases.grid import bits_of
 from minkref.fuzz.geometry.number_text import number_of
 
-# For each capability, the trait of cases that need it.
+# For each capability, the trait of cases needing it.
 CAPABILITIES = {
     "plane": "operands in the plane",
     "space": "operands in space",

@@ -60,7 +60,7 @@ def load(name: str) -> Any:
 
 
 class _Commands(MutableMapping[str, Any]):
-    """From names to commands; one is loaded when it is taken."""
+    """Maps names to commands; loads each when taken."""
 
     def __init__(self) -> None:
         self._loaded: dict[str, Any] = {}

@@ -1,4 +1,4 @@
-"""How the formulas of the paper are read: the options of the commands that follow it literally."""
+"""How to read the paper's formulas: options for commands following the paper literally."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ FORMS = ("printed", "corrected")
 @dataclass(frozen=True)
 class Choices:
     """How a section of the paper may be read. `rows`: name, values (the printed one first), the
-    corrected one, section. `check` refuses a value that is none."""
+    corrected one, section. `check` refuses an unknown value."""
 
     rows: list[tuple[str, list[str], str, str]]
     check: Callable[[str, str], None]
 
     def names(self) -> str:
-        """All of them as they are written: `solve=printed|corrected, ...`."""
+        """Lists all, as written: `solve=printed|corrected, ...`."""
         return ", ".join(self.values(name) for name, *_ in self.rows)
 
     def values(self, name: str) -> str:
@@ -59,7 +59,7 @@ Reading = Annotated[
 def readings_of(
     form: str | None, chosen: Sequence[str] | None, choices: Choices = PLANE_CHOICES
 ) -> dict[str, str]:
-    """By name, all of them. The last of a name counts."""
+    """Maps every name to its reading; the last one chosen counts."""
     form = form or FORMS[0]
     if form not in FORMS:
         raise Refusal(f"there is no form {form!r}", "--form", choice(form, FORMS))
@@ -98,7 +98,7 @@ def refuse_options(route: str, form: str | None, chosen: Sequence[str] | None) -
 
 
 def with_other(other: str, form: str | None, chosen: Sequence[str] | None, choices: Choices) -> str:
-    """How to mend readings that go with another option only, if these are such as it takes."""
+    """How to mend readings valid with another option only, if it takes these."""
     try:
         readings_of(form, chosen, choices)
     except Refusal:

@@ -56,8 +56,8 @@ class HeldRange(Generic[Bound]):
 @dataclass(frozen=True)
 class HeldScales(ScalesInRanges):
     """The scales at which a part fits at its place and the way out is blocked: `ranges`, ascending,
-    with their contacts in `held`. `fits`: the scales at the way's first vertex; `way`: those of the
-    whole way."""
+    with their contacts in `held`. `fits`: the scales at the way's first vertex; `way`: scales for
+    the whole way."""
 
     held: tuple[HeldRange[PathBound], ...]
     fits: ValidScales

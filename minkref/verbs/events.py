@@ -208,7 +208,7 @@ command = command_of(
 
 
 def check_form(form: str) -> None:
-    """Refuses a form that is none."""
+    """Refuses an unknown form."""
     if form not in FORMS:
         raise Refusal(f"there is no form {form!r}", "--form", choice(form, FORMS))
 

@@ -28,7 +28,7 @@ def asked_program(
     route: str, arithmetic: str | None, form: str | None, chosen: Sequence[str] | None,
     steps: int | None,
 ) -> Program | None:  # fmt: skip
-    """None for the other routes, with which its options are refused."""
+    """None for other routes; refuses the paper's options with them."""
     refuse_options(route, form, chosen)
     check_arithmetic(arithmetic or EXACT)
     if route != ROUTE:

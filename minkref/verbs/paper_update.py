@@ -145,6 +145,6 @@ def _event_fields(event: Event) -> dict[str, Any]:
 
 
 def parent_of(edge: Edge) -> str:
-    """An edge of the convolution as `--where` names it: `S 0.4 at 0.7`."""
+    """A convolution edge as `--where` names it: `S 0.4 at 0.7`."""
     kind, _, ring, index, other, vertex = edge
     return f"{kind} {ring}.{index} at {other}.{vertex}"

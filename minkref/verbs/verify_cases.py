@@ -1,4 +1,4 @@
-"""Which cases `minkref verify` goes through."""
+"""The cases for `minkref verify`."""
 
 from __future__ import annotations
 

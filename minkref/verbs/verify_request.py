@@ -161,7 +161,7 @@ Quiet = Annotated[
 
 @dataclass(frozen=True)
 class Asked:
-    """Who is asked, and what is known of them."""
+    """The targets to ask, and known facts about them."""
 
     targets: TargetNames = None
     baseline: BaselineFile = None
@@ -203,7 +203,7 @@ class Bounds:
 
 @dataclass(frozen=True)
 class Output:
-    """What is written and printed."""
+    """The files to write and the text to print."""
 
     ledger: LedgerFile = None
     report: ReportFolder = None
@@ -216,7 +216,7 @@ class Output:
     json: Json = False
 
     def verdict_files(self) -> list[Path]:
-        """Those that are written at the end, together."""
+        """Files written together, at the end."""
         files = (self.junit_file, self.sarif_file, self.markdown_file, self.lines_file)
         return [file for file in files if file is not None]
 

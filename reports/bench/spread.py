@@ -24,7 +24,7 @@ class Spread:
 
 
 def spread(values: Sequence[float]) -> Spread:
-    """The spread of one or more values."""
+    """Spread from at least one value."""
     ordered = sorted(values)
     if len(ordered) == 1:
         return Spread(1, ordered[0], ordered[0], ordered[0], ordered[0])

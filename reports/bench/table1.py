@@ -161,7 +161,7 @@ def _ours(moving: _core.DynamicSum, start: str, scales: list[str]) -> Ours:
 
 
 def _theirs(baseline: Baseline, scales: list[str]) -> tuple[list[int], list[float]]:
-    """Which re-scalings were timed, and their seconds: as ours, but for slow baselines."""
+    """The timed re-scalings, and their seconds: as ours, except for slow baselines."""
     slow = min(baseline.seconds(scales[0]) for _ in range(PASSES)) > SLOW
     every = 10 if slow and len(scales) > 10 else 1
     passes = 1 if slow and len(scales) > 10 else PASSES

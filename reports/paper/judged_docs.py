@@ -19,7 +19,7 @@ BESIDE = ("cgal-reduced", "cgal-nef")  # the other methods of CGAL agree with th
 
 
 def sums_table(judged: Judged) -> str:
-    """Sums beside one method of CGAL in the plane, and one in space: those that agree, of all."""
+    """Sums beside a CGAL method for the plane, and another for space: agreeing ones out of all."""
     rows = [_head("program", "beside")]
     for program in judged.programs():
         for other in judged.others(program):

@@ -38,7 +38,7 @@ def _names(pair: str) -> tuple[str, str]:
 
 
 def figure(pair: Pair, runs: Sequence[Speedups], absent: str) -> Entry:
-    """The entry for one pair, in one or more arithmetics."""
+    """The entry for a pair, with at least one arithmetic."""
     of_disc = is_disc(pair.name)
     about = ". ".join(_told(found) for found in runs)
     why = (

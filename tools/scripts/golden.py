@@ -60,8 +60,8 @@ class Question:
 
 
 def answer(question: Question, loaded: Path | None = None) -> tuple[str, str]:
-    """In a process of its own: what it says, and the digests of the files that it writes. Into
-    `loaded` the names of the modules that it needed."""
+    """Asks in a separate process: the output, and digests of the files written. `loaded` receives
+    the names of the modules needed."""
     with (
         tempfile.TemporaryDirectory() as name,
         tempfile.TemporaryFile() as out,
@@ -121,7 +121,7 @@ def _become(
 
 
 def program() -> Any:
-    """The function that the command `minkref` calls, wherever it is."""
+    """The function behind the command `minkref`, wherever defined."""
     told = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     module, _, name = told["project"]["scripts"]["minkref"].partition(":")
     return getattr(import_module(module), name)
@@ -169,7 +169,7 @@ def short(text: str) -> str:
 
 
 def commands(*group: str) -> Iterator[tuple[str, ...]]:
-    """All, with those of groups, as --help lists them."""
+    """Lists all commands, including grouped ones, as --help does."""
     with tempfile.TemporaryFile() as out:
         if (child := os.fork()) == 0:
             _become((*group, "--help"), ROOT, (out.fileno(), out.fileno()))
@@ -243,7 +243,7 @@ def certificates() -> Iterator[Question]:
 
 
 def programs() -> Iterator[Question]:
-    """The certificates of `checks` for each checker that is built, by itself."""
+    """The certificates of `checks`, separately for each checker built."""
     for name, (program, *rest) in CHECKERS.items():
         words = [str(ROOT / word) for word in (program, *rest)]
         if not all(Path(word).exists() for word in words):

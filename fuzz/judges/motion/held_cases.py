@@ -1,4 +1,4 @@
-"""Random assemblies that may hold a part, and ways out of them; half of them degenerate."""
+"""Random assemblies possibly holding a part, with ways out; half degenerate."""
 
 from __future__ import annotations
 

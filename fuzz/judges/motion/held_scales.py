@@ -1,5 +1,5 @@
 """Held scales before decisions at single scales: at each bound, just beside it and in each range,
-and before and behind each stop. In the plane and in space."""
+and before and behind each stop. Plane and space alike."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def wrong_stops(found: Held, way: Sequence[Any], contact: str, collides: Collide
 
 
 def wrong_ends(found: Held) -> Iterator[str]:
-    """Ends of held ranges whose contact is not one of the right answer at that scale."""
+    """Ends of held ranges with a contact absent from the right answer at the same scale."""
     for one in found.held:
         for end, at in ((one.begin, one.scales.low), (one.end, one.scales.high)):
             if end is None:

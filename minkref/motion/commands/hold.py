@@ -79,7 +79,7 @@ def run(request: HoldInPlane) -> None:
 
 
 def _certificates(certify: Path | None) -> list[Path]:
-    """The names of the two certificates. Refuses a name that is none."""
+    """The names of the two certificates. Refuses an unusable name."""
     if certify is None:
         return []
     stem = CertificateFiles.of(certify, "--certify").case.name.removesuffix(".case.json")

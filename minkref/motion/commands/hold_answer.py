@@ -70,7 +70,7 @@ def print_held(value: dict[str, Any]) -> None:
 
 
 def _range_rows(one: dict[str, Any], in_space: bool) -> list[tuple[str, str]]:
-    """The begin of a range, its stop, and its end."""
+    """Rows for a range's begin, stop and end."""
     rows = []
     for end, word in ((one["begin"], "begins"), (one["end"], "ends")):
         if end is not None:

@@ -1,4 +1,4 @@
-"""What `minkref path` writes and prints, in the plane and in space."""
+"""Writes and prints the answer of `minkref path`, in the plane and in space."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ def finish(
     proofs: Sequence[Checked] = (),
     printed: Callable[[dict[str, Any]], None] | None = None,
 ) -> None:
-    """Writes the proofs and the file of -o, or none of them. `drawn`: what makes a picture;
-    `printed`: what prints the answer, where it is not that of `path`."""
+    """Writes the proofs and the file of -o, or none of them. `drawn`: makes a picture; `printed`:
+    prints the answer for a command besides `path`."""
     files: dict[Path, str | bytes] = {
         path: content for proof in proofs for path, content in proof.contents().items()
     }

@@ -115,7 +115,7 @@ def _range(one: dict[str, Any]) -> dict[str, Any]:
 
 
 def _bound(row: Any) -> dict[str, Any]:
-    """The contact, exact, and in doubles where it is."""
+    """The exact contact, with its position also as doubles."""
     told = contact_document(row)
     return {
         **told,

@@ -21,7 +21,7 @@ class ConvexWalk:
     there is nothing to update: all counts are 0."""
 
     def __init__(self, P: Operand, Q: Operand, first: PlaneScale) -> None:
-        """From scratch at the first scale. Refuses operands that are not convex."""
+        """From scratch at the first scale. Refuses non-convex operands."""
         self.P, self.Q, self._where = P, Q, f"{P.name} and {Q.name}"
         start = time.perf_counter()
         self._moving: _core.DynamicPolygonSum | None = None

@@ -89,8 +89,7 @@ def run(request: ConvolutionInPlane) -> None:
 
 
 def _exactly(found: _core.Convolution, target: Target | None, count: int) -> bool | None:
-    """Whether what is written is exact. Refuses what the format cannot hold, before the first
-    letter of it."""
+    """Whether the written file is exact. Refuses, before writing, a result beyond the format."""
     if target is None or target.form == "json":
         return None if target is None else True
     if target.form == "svg":

@@ -88,7 +88,7 @@ def run(request: EventsInPlane) -> None:
 
 
 def _kind(request: EventsInPlane) -> str:
-    """Refuses a kind that is none, and options that it does not have."""
+    """Refuses an unknown kind, and options foreign to it."""
     kind = request.kind or ("pair" if request.index is None else "boundary")
     if kind not in KINDS:
         raise Refusal(f"there is no kind {kind!r} of events", "--kind", choice(kind, KINDS))
@@ -104,7 +104,7 @@ def _kind(request: EventsInPlane) -> str:
 
 
 def _readings(request: EventsInPlane, kind: str) -> dict[str, str] | None:
-    """How the paper's program reads the paper; None where it is not followed."""
+    """How the paper's program reads the paper; None if not followed."""
     if request.reading and kind != "pair":
         what = "the paper's program has pair events only"
         where = f"--kind {kind} --reading {request.reading[0]}"
@@ -117,7 +117,7 @@ def _readings(request: EventsInPlane, kind: str) -> dict[str, str] | None:
 def _found(
     request: EventsInPlane, kind: str, route: str | None, P: Operand, Q: Operand
 ) -> tuple[EventList, list[str | None]]:
-    """The events, and the window in which they are all of them."""
+    """The events, and the window covered completely."""
     window = text_of_bounds(request.from_scale, request.to_scale)
     if route == "index":
         swept = index_of(request.index, P, Q, request.from_scale, request.to_scale)
@@ -135,7 +135,7 @@ def _found(
 def _trials(
     request: EventsInPlane, P: Operand, Q: Operand, readings: dict[str, str] | None
 ) -> tuple[dict[str, Any] | None, dict[str, Any] | None]:
-    """How the paper's method fares, and what its program lists; None where it is not asked."""
+    """How the paper's method fares, and its program's list; None if not asked."""
     if readings is None:
         return None, None
     from minkref.verbs.paper_update import paper_walk
@@ -196,7 +196,7 @@ def _cut(P: Operand, Q: Operand, route: str | None) -> dict[str, Any] | None:
 def _counts(
     found: EventList, P: Operand, Q: Operand, window: list[str | None], route: str | None
 ) -> dict[str, Any]:
-    """Counts of pairs of edges; of an index it has no need of them: null."""
+    """Counts edge pairs; null for an index's unneeded counts."""
     if isinstance(found, PairEventList):
         return dict(found.found.counts())
     if isinstance(found, BoundaryEventList) and isinstance(found.found, _core.ScaleIndex):

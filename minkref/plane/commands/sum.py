@@ -141,8 +141,7 @@ def _written(
     target: Target,
     drawn: tuple[Operand, Operand, str, dict[str, Any], _core.PolygonSet | None] | None,
 ) -> tuple[str, bool]:
-    """The text of the output, and whether it is exact. `drawn`: what an SVG shows beside the
-    sum."""
+    """The output text, and whether exact. `drawn`: what an SVG shows beside the sum."""
     if region is None:
         raise Refusal(
             "the arithmetic could not decide a sign: there is nothing to write",
@@ -248,8 +247,8 @@ def _updated(
 ) -> tuple[_core.Sum, PassageRows, float, dict[str, Any]]:
     """By dynamic update from one scale to another, and what the step did; without a start over a
     window that is this scale only, or, of convex operands with a factor for each axis, from P
-    unscaled (Behar & Lien 2012, Sec. 6). The passages are not kept while the scale changes: they
-    are those of the static arrangement."""
+    unscaled (Behar & Lien 2012, Sec. 6). Scale changes do not keep the passages: these come from
+    the static arrangement."""
     began = time.perf_counter()
     if isinstance(factor, tuple) and P.set.is_convex and Q.set.is_convex:
         convex = _core.DynamicPolygonSum(P.set, Q.set, "1")

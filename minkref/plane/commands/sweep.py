@@ -148,7 +148,7 @@ def _sums(P: Operand, Q: Operand, scales: list[Fraction], route: str, index: Pat
 
 
 def step(sums: Sums, factor: PlaneScale) -> tuple[Row, _core.PolygonSet]:
-    """Goes to a scale: what the step did where there is one, and the sum there."""
+    """Goes to a scale: the row, with the counts of a dynamic step, and the new sum."""
     scale = text_of(factor)
     if isinstance(sums, _core.DynamicSum):
         did = dict(sums.move_to(scale))

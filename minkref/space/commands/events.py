@@ -93,7 +93,7 @@ def _write(target: Target, rows: Iterator[Row]) -> None:
 
 
 def _kind(request: EventsInSpace) -> str:
-    """Refuses a kind that is none, and options that it does not have."""
+    """Refuses an unknown kind, and options foreign to it."""
     kind = request.kind or "pair"
     if kind not in PLANE_KINDS:
         raise Refusal(f"there is no kind {kind!r} of events", "--kind", choice(kind, KINDS))
@@ -106,7 +106,7 @@ def _kind(request: EventsInSpace) -> str:
 
 
 def _readings(request: EventsInSpace, kind: str) -> dict[str, str] | None:
-    """How the paper is read; None where its way is not followed."""
+    """How to read the paper; None if not followed."""
     if request.reading and kind != "pair":
         where = f"--kind {kind} --reading {request.reading[0]}"
         raise Refusal("the paper has events of two facets only", where, "leave out one of the two")
@@ -118,7 +118,7 @@ def _readings(request: EventsInSpace, kind: str) -> dict[str, str] | None:
 def _trial(
     request: EventsInSpace, readings: dict[str, str] | None, P: SpaceOperand, Q: SpaceOperand
 ) -> dict[str, int] | None:
-    """How the paper's method fares; None where it is not asked."""
+    """How the paper's method fares; None if not asked."""
     if readings is None:
         return None
     trial = refusing(

@@ -66,7 +66,7 @@ def study(task: Task) -> dict[str, dict[str, int]] | None:
 
 
 def one_by_one() -> list[str]:
-    """Each value of each sentence that is not the corrected one: `corner=lines`."""
+    """Each sentence's values, except the corrected one: `corner=lines`."""
     return [
         f"{name}={value.replace('EPS', '1e-9')}"
         for name, values, corrected, _ in FACET_CHOICES.rows

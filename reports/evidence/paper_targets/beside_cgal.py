@@ -47,7 +47,7 @@ class Found:
             self.least.setdefault(program, Counter()).update(counts)
 
     def count(self, program: str, arithmetic: str, *kinds: str) -> int:
-        """Counts comparisons of these kinds, beside all other programs."""
+        """Counts comparisons by kind, beside all other programs."""
         rows = (b for (p, a, _), b in self.beside.items() if (p, a) == (program, arithmetic))
         return sum(beside.counts[kind] for beside in rows for kind in kinds)
 

@@ -21,7 +21,7 @@ PAIRS, STEPS = Counts(4, 60, 240), 18
 
 
 def walk(index: int) -> dict[str, Any]:
-    """Half of the stops are scales of events, half of the pairs have holes."""
+    """Half the stops fall on event scales, half the pairs have holes."""
     dice = random.Random(f"minkref winding {SEED} {index}")
     holes = index % 2 == 1
     (first, m), (second, n) = operand(dice, holes), operand(dice, holes and dice.random() < 0.5)

@@ -59,7 +59,7 @@ def _true(
 def _forged(
     findings: Findings, checkers: dict[str, list[str]], cases: list[Case], folder: Path
 ) -> None:
-    """Forgeries whose sum is another one, as the reference says; refused by every checker."""
+    """Forgeries with a wrong sum, according to the reference; every checker refuses them."""
     files: list[Path] = []
     kinds: Counter[str] = Counter()
     for k, case in enumerate(cases):

@@ -9,7 +9,7 @@ from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import naming
 
 SEED = 1203
-# In turn: every third pair is of a degenerate family, and holes are in many others.
+# Taken in turn: every third pair comes from a degenerate family; many others have holes.
 GENERAL = ("random", "convex", "holes", "star", "comb", "spiral", "cells", "rational")
 DEGENERATE = ("fit", "collinear", "touching", "passing", "degenerate", "lattice", "nested")
 
