@@ -115,7 +115,7 @@ def held_scales(
         return _held_in_space(part, obstacles, way, rule, window, by)
     expect_sets(part=part, obstacles=obstacles)
     assert isinstance(obstacles, _core.PolygonSet)
-    places = [(x, y) for x, y in path_of(way, 2)]
+    places = [(x, y) for x, y in path_of(way, 2, "way")]
     part.validate("part")
     obstacles.validate("obstacles")
     fits, along, held = _core.held_scales(part, obstacles, places, rule, *window, by)
@@ -136,7 +136,7 @@ def _held_in_space(
     window: tuple[str | None, str | None],
     by: str,
 ) -> SpaceHeldScales:
-    first, second, places = space_operands(part, obstacles, way)
+    first, second, places = space_operands(part, obstacles, way, "way")
     fits, along, held = _core.held_scales_in_space(first, second, places, rule, *window, by)
     is_star = _core.star_shaped_in_space(first)
     return SpaceHeldScales(

@@ -108,7 +108,7 @@ def coordinates(name: str, value: Any, count: int) -> list[str]:
     return [number(name, one) for one in value]
 
 
-def path_of(path: Any, count: int) -> list[list[str]]:
+def path_of(path: Any, count: int, name: str = "path") -> list[list[str]]:
     if isinstance(path, str | bytes) or not isinstance(path, Sequence):
-        raise TypeError(f"path has to be a list of points, and is of type {type(path).__name__}")
-    return [coordinates("path", place, count) for place in path]
+        raise TypeError(f"{name} has to be a list of points, and is of type {type(path).__name__}")
+    return [coordinates(name, place, count) for place in path]

@@ -107,11 +107,11 @@ def valid_scales_in_space(
 
 
 def space_operands(
-    part: Any, obstacles: Any, path: Any
+    part: Any, obstacles: Any, path: Any, name: str = "path"
 ) -> tuple[_core.Polyhedron, _core.Polyhedron, list[tuple[str, str, str]]]:
-    """Validated operands, and the vertices of a path as texts."""
+    """Validated operands, and the vertices of a path, named in errors, as texts."""
     first, second = surface_of("part", part), surface_of("obstacles", obstacles)
-    places = [_texts(place) for place in path_of(path, 3)]
+    places = [_texts(place) for place in path_of(path, 3, name)]
     first.validate_summand("part")
     second.validate_summand("obstacles")
     return first, second, places

@@ -88,7 +88,7 @@ def test_held_are_the_scales_that_fit_without_those_of_the_way(index: int, conta
         assert (scale in found) == (scale in fits and scale not in way), (SEED, index, scale)
     moved = [(x + 7, y - Fraction(1, 3)) for x, y in case.way]
     there = minkref.held_scales(
-        case.part, case.obstacles.translated(("7", "-1/3")), moved, contact, route="contacts"
+        case.part, case.obstacles.translated("7", "-1/3"), moved, contact, route="contacts"
     )
     assert there.ranges == found.ranges, (SEED, index)
 

@@ -109,7 +109,7 @@ def test_fit_anywhere_and_trap_in_space(minkref: Minkref, solids: tuple[str, str
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("hold", SQUARE, ROOM), "WAY"),
+        (("hold", SQUARE, ROOM), "Missing argument 'way'"),
         (("hold", SQUARE, ROOM, "LINESTRING EMPTY"), "no vertex"),
         (("hold", SQUARE, ROOM, WAY, "--contact", "never"), "allowed, forbidden"),
         (("hold", SQUARE, ROOM, WAY, "--certify", "held.json"), "not a name for a certificate"),

@@ -68,8 +68,11 @@ def test_values_in_python() -> None:
     assert minkref.valid_scales(octahedron, body, [(0, 0, 0)]).largest == 5
     fit = minkref.largest_fit(octahedron, cube, (0, 0, 7), contact="forbidden")
     assert [str(one) for one in fit.ranges] == ["(0, 2)"]
-    with pytest.raises(minkref.Refusal):
-        minkref.largest_fit(octahedron, cube)
+    anywhere = minkref.largest_fit(octahedron, cube)
+    assert [str(one) for one in anywhere.ranges] == ["(0, 2]"]
+    assert anywhere.place is not None and anywhere.place[2] == 7
+    with pytest.raises(minkref.Refusal, match="one place or anywhere"):
+        minkref.largest_fit(octahedron, cube, between=[(0, 0, 7), (1, 0, 7)])  # type: ignore[call-overload]
     with pytest.raises(TypeError, match="obstacles has to be a Polyhedron"):
         minkref.valid_scales(octahedron, minkref.PolygonSet([(0, 0), (1, 0), (0, 1)]), [(0, 0, 0)])  # type: ignore[call-overload]
     with pytest.raises(minkref.BadInput):

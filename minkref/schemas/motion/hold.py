@@ -79,12 +79,10 @@ class HoldDocument(AnyHold):
     fits: Annotated[Scales, Meta(description="The scales at which the part fits at its place.")]
     way: Annotated[Scales, Meta(description="The scales at which the way is valid.")]
     certificates: Annotated[
-        list[Certificate] | None,
+        Annotated[list[Certificate], Meta(min_length=2, max_length=2)] | None,
         Meta(
             description="With --certify: the proofs of `fits` and of `way` that were written, as "
-            "of `path`; null without.",
-            min_length=2,
-            max_length=2,
+            "of `path`; null without."
         ),
     ]
 
