@@ -181,7 +181,7 @@ void bind_facet_contacts(nb::module_& module) {
       },
       "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
   module.def(
-      "facet_readings", [] { return rows_of(facet_reading_names()); },
+      "facet_readings", [] { return python::rows_of(facet_reading_names()); },
       "The choices of the way to events of facets: name, values (the printed one first), the "
       "corrected one, section of the paper.");
 }
