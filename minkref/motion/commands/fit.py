@@ -79,20 +79,25 @@ def bound_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
     """A line for each bound, and one for the proofs."""
     rows = []
     for bound in value["bounds"][:MOST_ROWS]:
-        contact = bound["contact"]
-        told = (
-            f"{bound['event']} of free places"
-            if contact is None
-            else f"{feature_text(contact['part'], 'dimension' in value)} of the part touches "
-            f"{feature_text(contact['obstacle'], 'dimension' in value)}"
-        )
         side = "ends" if bound["ends"] else "begins"
-        rows.append((number_text(bound["scale"]), f"{side}: {told}, {point_text(bound['at'])}"))
+        rows.append((number_text(bound["scale"]), f"{side}: {_cause(bound, 'dimension' in value)}"))
     if len(value["bounds"]) > MOST_ROWS:
         rows.append(("more", f"{len(value['bounds']) - MOST_ROWS:,}; --json prints all"))
     how = "decisions" if "dimension" in value else "static sums"
     rows.append(("found again", f"{len(value['proofs'])} {how} at and beside the bounds"))
     return rows
+
+
+def _cause(bound: dict[str, Any], in_space: bool) -> str:
+    """The event at a bound and where, and what touches there."""
+    contact, where = bound["contact"], point_text(bound["at"])
+    if contact is None:
+        return f"{bound['event']} of free places, {where}"
+    part, obstacle = (feature_text(contact[one], in_space) for one in ("part", "obstacle"))
+    touching = f"{part} of the part touches {obstacle}"
+    if bound["event"] == "contact":
+        return f"{touching}, {where}"
+    return f"{bound['event']} of free places, {where}: there {touching}"
 
 
 def print_fit(value: dict[str, Any]) -> None:

@@ -71,11 +71,14 @@ SpaceFreeScales fit_by_events(const Polyhedron& part, const Polyhedron& containe
   return result;
 }
 
-/// Drops what lies outside a window.
+/// Drops what lies outside a window, and the bounds that end no range any more.
 SpaceFreeScales within(SpaceFreeScales found, const ScaleWindow& window) {
   found.scales = scales_without(found.scales, {}, window);
   std::erase_if(found.bounds, [&](const SpaceFreeBound& bound) {
-    return (window.from && bound.scale < *window.from) || (window.to && bound.scale > *window.to);
+    return std::none_of(found.scales.begin(), found.scales.end(), [&](const ScaleRange& range) {
+      return bound.ends ? range.to && range.to->scale == bound.scale
+                        : range.from.scale == bound.scale;
+    });
   });
   return found;
 }
