@@ -43,8 +43,8 @@ def test_a_square_is_held_between_door_and_room(contact: str, held: str) -> None
     assert texts(found) == [held]
     [one] = found.held
     assert one.begin is not None and one.end is not None
-    assert (one.begin.at_place, one.begin.contact.scale) == (False, 1)
-    assert (one.end.at_place, one.end.contact.scale) == (True, 4)
+    assert (one.begin.at_place, one.begin.contact.scale) == (False, Fraction(1))
+    assert (one.end.at_place, one.end.contact.scale) == (True, Fraction(4))
     # At 5/2 the square's right side meets the right wall where its origin is at 8 - 5/2.
     assert (one.stop.scale, one.stop.at) == (Fraction(5, 2), (Fraction(11, 2), Fraction(4)))
 

@@ -106,6 +106,40 @@ def test_fit_anywhere_and_trap_in_space(minkref: Minkref, solids: tuple[str, str
     assert trap["scales"] == [] and trap["largest"] is None
 
 
+def test_the_last_place_is_told_apart_from_what_touches_there(
+    minkref: Minkref, solids: tuple[str, str]
+) -> None:
+    """A cube fits into one of two plates up to half their thickness of 1."""
+    cube, plates = solids
+    told = minkref("fit", cube, plates, "--anywhere").out
+    assert "(0, 1/2]" in told
+    assert "ends: death of free places, (" in told and "): there vertex " in told
+
+
+def test_a_window_keeps_only_the_bounds_of_its_ranges() -> None:
+    """A cube in a closed room, up to its half-width 3: with contact forbidden no scale from 3 on,
+    and so no bound there."""
+    sides = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+
+    def cube(half: int) -> list[tuple[int, int, int]]:
+        flat = [(-half, -half), (half, -half), (half, half), (-half, half)]
+        return [(x, y, z) for z in (-half, half) for x, y in flat]
+
+    turned = [[k + 8 for k in reversed(ring)] for ring in sides]
+    room = api.Polyhedron([*cube(5), *cube(3)], [*sides, *turned])
+    part = api.Polyhedron(cube(1), sides)
+    for contact, all_scales, last in (
+        ("allowed", "(0, 3]", ["[3, 3]"]),
+        ("forbidden", "(0, 3)", []),
+    ):
+        found = api.trapped_scales(part, room, (0, 0, 0), contact)
+        assert [str(one) for one in found.ranges] == [all_scales]
+        assert [bound.scale for bound in found.bounds] == [3]
+        end = api.trapped_scales(part, room, (0, 0, 0), contact, 3)
+        assert [str(one) for one in end.ranges] == last
+        assert len(end.bounds) == len(last)
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

@@ -63,7 +63,7 @@ def test_values_in_python() -> None:
     [bound] = found.bounds
     assert bound.part.kind == "vertex" and bound.part.numbers == (4,)
     assert bound.obstacle.kind == "face" and bound.obstacle.numbers == (0,)
-    assert bound.touching == (Fraction(1, 2), 0, 5) and bound.t == 1
+    assert bound.touching == (Fraction(1, 2), Fraction(0), Fraction(5)) and bound.t == 1
     body = minkref.ConvexPolyhedron(cube)
     assert minkref.valid_scales(octahedron, body, [(0, 0, 0)]).largest == 5
     fit = minkref.largest_fit(octahedron, cube, (0, 0, 7), contact="forbidden")
