@@ -41,7 +41,7 @@ CERTIFIED = 50  # cases whose certificate is made
 CHECKERS = {  # programs that need nothing of the package
     "minkref-check": ("build/release/oracle/checker/minkref-check",),
     "check.py": (sys.executable, "oracle/checker/check.py"),
-    "minkref-check-proved": ("build/proved/minkref-check-proved",),
+    "minkref-check-proved": ("build/proofs/minkref-check-proved",),
 }
 VARIES = re.compile(  # signs that doubles settle are counted by threads that share work
     "second|peak|memory|version|commit|date$|machine|^ms$|_ms$|milli|micro"
