@@ -71,7 +71,7 @@ def events_entry(judged: Judged | None) -> Entry:
             told = _in_words(row)
             right = not any(row.counts.get(k) for k in (MISSED, INVENTED, MISPLACED, UNDECIDED))
             tested = f"all formulas corrected, {row.arithmetic}: all events are right"
-            claims.append(Claim(EXACT, "Section 1", tested, told, right))
+            claims.append(Claim(EXACT, "Sec. 1", tested, told, right))
     picture = Picture("Events missed, invented and misplaced, against the precision, % of the "
                       "true ones", events_plot(judged), True)  # fmt: skip
     tables = [_events(judged), _least("judged_events_least", "cases with all events right", judged)]
@@ -92,7 +92,7 @@ def _claim(row: Row) -> Claim:
     ours = row.counts.get(OURS, 0) + row.counts.get(GAVE_UP, 0)
     tested = f"{row.program}, {row.arithmetic}: all sums are right"
     found = f"agrees with {row.against} on {agree:,} of {total:,} sums, wrong or given up {ours:,}"
-    return Claim(EXACT, "Section 1", tested, found, not ours)
+    return Claim(EXACT, "Sec. 1", tested, found, not ours)
 
 
 def _in_words(row: Row) -> str:
