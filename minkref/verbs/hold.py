@@ -7,11 +7,9 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from minkref.cli.memory import Memory
-from minkref.cli.options import GreatestScale, Json, LeastScale
 from minkref.cli.verb import Verb, command_of
 from minkref.settings import PLANE, SPACE
-from minkref.verbs.path import Contact, Output, Part, Route
+from minkref.verbs.path import PathInPlane, PathInSpace
 
 EXAMPLES = """Examples:
 
@@ -36,7 +34,8 @@ Way = Annotated[
     str,
     typer.Argument(
         help="The way out, a polyline of the part's origin from its place on: WKT, GeoJSON or CSV, "
-        "file or text; in space with three coordinates."
+        "file or text; in space with three coordinates.",
+        metavar="way",
     ),
 ]
 Certify = Annotated[
@@ -52,32 +51,16 @@ Certify = Annotated[
 
 
 @dataclass(frozen=True)
-class HoldInPlane:
-    part: Part
+class HoldInPlane(PathInPlane):
     obstacles: Assembly
-    way: Way
-    contact: Contact = "allowed"
-    from_scale: LeastScale = None
-    to_scale: GreatestScale = None
-    route: Route = "pieces"
-    output: Output = None
+    path: Way
     certify: Certify = None
-    memory: Memory = None
-    json: Json = False
 
 
 @dataclass(frozen=True)
-class HoldInSpace:
-    part: Part
+class HoldInSpace(PathInSpace):
     obstacles: Assembly
-    way: Way
-    contact: Contact = "allowed"
-    from_scale: LeastScale = None
-    to_scale: GreatestScale = None
-    route: Route = "pieces"
-    output: Output = None
-    memory: Memory = None
-    json: Json = False
+    path: Way
 
 
 command = command_of(
@@ -87,7 +70,7 @@ command = command_of(
         PLANE: Verb(HoldInPlane, "minkref.motion.commands.hold:run"),
         SPACE: Verb(
             HoldInSpace,
-            "minkref.motion.commands.hold_in_space:run",
+            "minkref.motion.commands.hold:run_in_space",
             why={"--certify": "there is no certificate in space"},
         ),
     },

@@ -111,7 +111,7 @@ command = command_of(
         PLANE: Verb(PathInPlane, "minkref.motion.commands.path:run"),
         SPACE: Verb(
             PathInSpace,
-            "minkref.motion.commands.path_in_space:run",
+            "minkref.motion.commands.path:run_in_space",
             why={"--certify": "there is no certificate in space"},
         ),
     },

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 from minkref.cli.output import print_lines
@@ -93,7 +93,3 @@ def _contact_text(contact: dict[str, Any], in_space: bool, at_place: bool) -> st
         else f"segment {at['segment']}, t = {number_text(at['t'])}, {point_text(at['point'])}"
     )
     return f"{where}: {part} of the part, {obstacle} of the obstacles"
-
-
-def way_fields(name: str, points: Sequence[Sequence[str]]) -> dict[str, Any]:
-    return {"path": name, "vertices": len(points), "at": list(points[0])}
