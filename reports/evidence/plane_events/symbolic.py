@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import statistics
+import subprocess
+import sys
 import time
 from collections import Counter
 from typing import Any
@@ -10,10 +13,11 @@ from typing import Any
 from minkref.fuzz.judges.plane import event_comparison, interval_comparison
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 0.3, 0.6)
+MINUTES = Minutes(0.2, 0.6, 1)
 
 SEED = 5
 PAIRS, TRIPLES = Counts(200, 2500, 5000), Counts(40, 500, 1000)
+TIMED, TIMED_TRIPLES, REPEATS = 200, 40, Counts(1, 3, 5)
 
 
 def shares(pairs: Counter[str], degenerate: Counter[str]) -> str:
@@ -49,3 +53,28 @@ def run(findings: Findings, size: Size) -> None:
         "intervals": json.loads(json.dumps(vars(intervals))),
         "seconds of the intervals": round(seconds, 2),
     }
+    _rationals(findings, size.of(REPEATS))
+
+
+def _rationals(findings: Findings, repeats: int) -> None:
+    """Times the same comparisons with the rationals of gmpy2 and with Python's own, in turn."""
+    module = "minkref.reports.evidence.plane_events.timed_algebra"
+    rows: dict[str, list[dict[str, float]]] = {"gmpy2": [], "fractions": []}
+    for _ in range(repeats):
+        for name, found in rows.items():
+            command = [sys.executable, "-m", module, name, str(TIMED), str(TIMED_TRIPLES)]
+            done = subprocess.run(command, capture_output=True, text=True, check=True)
+            found.append(json.loads(done.stdout))
+    told = [one["differences"] for found in rows.values() for one in found]
+    findings.equal("differences with either kind of rationals", 0, sum(told))
+    for what in ("intervals", "events"):
+        ratios = [
+            slow[what] / quick[what]
+            for quick, slow in zip(rows["gmpy2"], rows["fractions"], strict=True)
+        ]
+        findings.note(
+            f"computer algebra, {what}: with Python's own rationals "
+            f"{statistics.median(ratios):.1f} times the processor time of gmpy2's "
+            f"({min(ratios):.1f} to {max(ratios):.1f} in {repeats} runs in turn)"
+        )
+    findings.figures["with gmpy2 and without"] = rows
