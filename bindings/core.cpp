@@ -137,6 +137,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_space(module);
   minkref::python::bind_polyhedral_set(module);
   minkref::python::bind_space_events(module);
+  minkref::python::bind_contacts_as_read(module);
   minkref::python::bind_sum_surface(module);
   minkref::python::bind_mesh_files(module);
   minkref::python::bind_convex(module);

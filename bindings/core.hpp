@@ -102,6 +102,7 @@ void bind_certify(nanobind::module_& module);
 void bind_space(nanobind::module_& module);
 void bind_polyhedral_set(nanobind::module_& module);
 void bind_space_events(nanobind::module_& module);
+void bind_contacts_as_read(nanobind::module_& module);
 void bind_sum_surface(nanobind::module_& module);
 void bind_mesh_files(nanobind::module_& module);
 void bind_convex(nanobind::module_& module);

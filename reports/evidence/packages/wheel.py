@@ -77,7 +77,8 @@ def installed(findings: Findings, folder: Path) -> None:
     command = ("cmake", "--install", ROOT / "build" / "release", "--component", "python")
     call(findings, "cmake --install", *command, "--prefix", prefix)
     code = "import minkref, minkref._core as core; print(minkref.__version__, core.__file__)"
-    said = call(findings, "import what is installed", prefix / "bin" / "python", "-c", code)
+    python = (prefix / "bin" / "python", "-P")  # not from the current folder, which has the sources
+    said = call(findings, "import what is installed", *python, "-c", code)
     findings.law("it is the installed one", str(prefix) in (said or ""), prefix.name, said)
 
 
