@@ -277,6 +277,28 @@ def difference(first: PolygonSet, second: PolygonSet) -> dict[str, Any] | None:
     return _core.difference(first, second)
 
 
+def unite(sets: Sequence[PolygonSet]) -> PolygonSet:
+    """The union, in canonical form; empty of no sets. Exact. O((n + k) log n) for n vertices and k
+    crossings. Raises BadInput for invalid sets. docs/definitions.md."""
+    return _combined("union", sets)
+
+
+def intersect(sets: Sequence[PolygonSet]) -> PolygonSet:
+    """The closure of what the interiors of all sets share, in canonical form. As unite."""
+    return _combined("intersection", sets)
+
+
+def subtract(first: PolygonSet, others: Sequence[PolygonSet]) -> PolygonSet:
+    """The closure of `first` without the others, in canonical form. As unite."""
+    _validate(first=first)
+    return _combined("difference", [first, *others])
+
+
+def _combined(operation: str, sets: Sequence[PolygonSet]) -> PolygonSet:
+    _validate(**{f"set {number}": each for number, each in enumerate(sets)})
+    return _core.combined(operation, sets)[0]
+
+
 def _validate(**operands: PolygonSet) -> None:
     expect_sets(**operands)
     for name, operand in operands.items():

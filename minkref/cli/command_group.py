@@ -33,6 +33,9 @@ HEADINGS = {
         "check": "Check whether proofs hold.",
     },
     "Inputs": {
+        "union": "The exact union of sets; also the repair of polygons that overlap.",
+        "intersection": "The exact intersection of sets.",
+        "difference": "The first set without the others, exact.",
         "generate": "Degenerate cases, each with a proof.",
         "families": "List the families of generated cases.",
         "models": "List the models that other commands accept.",

@@ -34,9 +34,20 @@ class Operand:
 
 
 def read_operand(name: str) -> Operand:
-    """Read an operand. A file wins over a model with the same name, and both over a text: `-` means
-    standard input; WKT and JSON texts are operands themselves. Refuses missing or invalid
-    operands."""
+    """Read an operand, as `as_written` does, and validate it."""
+    return validated(as_written(name))
+
+
+def validated(operand: Operand) -> Operand:
+    source = escaped(operand.source)
+    refusing(source, lambda: operand.set.validate(source))
+    return operand
+
+
+def as_written(name: str) -> Operand:
+    """Read an operand, not validated. A file wins over a model with the same name, and both over a
+    text: `-` means standard input; WKT and JSON texts are operands themselves. Refuses missing
+    operands, and what is no text of a set."""
     if not name:
         raise Refusal("the name is empty", "operand", "name a file or a model", "no-such-file")
     path = Path(name)
@@ -89,7 +100,6 @@ def _of_text(name: str) -> Operand:
     text, form = text_and_form(name)
     source = escaped(source_of(name))
     operand = refusing(source, lambda: _core.read_text(text, form, source))
-    refusing(source, lambda: operand.validate(source))
     return Operand(source, source, operand, operand.warnings)
 
 
@@ -122,8 +132,6 @@ def read_set(path: Path) -> _core.PolygonSet:
 
 def _read(name: str, path: Path) -> Operand:
     operand = read_set(path)
-    source = escaped(str(path))
-    refusing(source, lambda: operand.validate(source))
     return Operand(name, str(path), operand, operand.warnings)
 
 

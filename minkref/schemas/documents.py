@@ -22,6 +22,11 @@ from minkref.schemas.motion.view import PathViewDocument
 from minkref.schemas.plane.convolution import ConvolutionDocument
 from minkref.schemas.plane.events import EventsDocument
 from minkref.schemas.plane.index import IndexDocument
+from minkref.schemas.plane.set_operations import (
+    DifferenceDocument,
+    IntersectionDocument,
+    UnionDocument,
+)
 from minkref.schemas.plane.sum import SumDocument
 from minkref.schemas.plane.sweep import SweepDocument
 from minkref.schemas.plane.values import Ring
@@ -45,6 +50,7 @@ DOCUMENTS = {
     "check": CheckDocument,
     "convolution": ConvolutionDocument,
     "convolution_in_space": SpaceConvolutionDocument,
+    "difference": DifferenceDocument,
     "error": ErrorDocument,
     "events": EventsDocument,
     "events_in_space": SpaceEventsDocument,
@@ -58,6 +64,7 @@ DOCUMENTS = {
     "hold_in_space": SpaceHoldDocument,
     "index": IndexDocument,
     "index_with_disc": DiscIndexDocument,
+    "intersection": IntersectionDocument,
     "models": ModelsDocument,
     "path": PathDocument,
     "path_in_space": SpacePathDocument,
@@ -72,6 +79,7 @@ DOCUMENTS = {
     "targets": TargetsDocument,
     "trap": TrapDocument,
     "trap_in_space": SpaceTrapDocument,
+    "union": UnionDocument,
     "verify": VerifyDocument,
     "view": ViewDocument,
     "view_in_space": SpaceViewDocument,

@@ -186,6 +186,10 @@ CALLS |= {
     ),
     "trapped_scales at": (lambda x: minkref.trapped_scales(SQUARE, SQUARE, x), (tuple,)),
     "trapped_scales in space": (lambda x: minkref.trapped_scales(SIMPLEX, x, (0, 0, 0)), SURFACES),
+    "unite set": (lambda x: minkref.unite([SQUARE, x]), (minkref.PolygonSet,)),
+    "intersect set": (lambda x: minkref.intersect([SQUARE, x]), (minkref.PolygonSet,)),
+    "subtract set": (lambda x: minkref.subtract(SQUARE, [x]), (minkref.PolygonSet,)),
+    "subtract first": (lambda x: minkref.subtract(x, [SQUARE]), (minkref.PolygonSet,)),
     "held_scales part": (
         lambda x: minkref.held_scales(x, SQUARE, ORIGIN),
         (minkref.PolygonSet, *SURFACES),

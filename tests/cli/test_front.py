@@ -20,6 +20,9 @@ Minkref = Callable[..., Any]
 COMMANDS = (
     "sum",
     "convolution",
+    "union",
+    "intersection",
+    "difference",
     "sweep",
     "events",
     "index",

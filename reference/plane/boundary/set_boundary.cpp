@@ -7,8 +7,8 @@
 
 namespace minkref::inline plane {
 
-SetBoundary set_boundary(const PolygonSet& rings) {
-  return on_exact_frame(rings, {}, [](const auto& frame) {
+SetBoundary set_boundary(const PolygonSet& rings, int least) {
+  return on_exact_frame(rings, {}, [least](const auto& frame) {
     using K = typename std::decay_t<decltype(frame)>::K;
     std::vector<typename K::Vector> vertices;
     std::vector<IndexedSegment> segments;
@@ -25,7 +25,7 @@ SetBoundary set_boundary(const PolygonSet& rings) {
     std::vector<bool> inside;
     SetBoundary result;
     for (const int number : winding) {
-      inside.push_back(number > 0);
+      inside.push_back(number >= least);
       result.well_formed = result.well_formed && (number == 0 || number == 1);
     }
     result.graph = face_boundary(

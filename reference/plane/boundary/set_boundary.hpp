@@ -10,8 +10,8 @@ struct SetBoundary {
   bool well_formed = true;  ///< every winding number is 0 or 1
 };
 
-/// The boundary of the set of points with a positive winding number with respect to the rings.
-/// Exact.
-SetBoundary set_boundary(const PolygonSet& rings);
+/// The boundary of the set of points with a winding number of at least `least` > 0 with respect to
+/// the rings. Exact.
+SetBoundary set_boundary(const PolygonSet& rings, int least = 1);
 
 }  // namespace minkref::inline plane

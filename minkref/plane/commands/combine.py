@@ -1,0 +1,136 @@
+"""`minkref union`, `intersection` and `difference` of sets in the plane."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from functools import partial
+from typing import Any
+
+from minkref import _core
+from minkref.cli.memory import SIMPLER, memory_wall
+from minkref.cli.output import print_lines
+from minkref.errors import Refusal, refusing
+from minkref.exact import digest, in_double_range
+from minkref.output.documents import Stopwatch, as_text, document, refuse_overwriting
+from minkref.output.output_target import Target, target_of
+from minkref.output.terminal import console
+from minkref.plane.operand import Operand, as_written
+from minkref.plane.operand_text import STANDARD_INPUT
+from minkref.verbs.set_request import SetRequest
+
+FORMS = ("wkt", "geojson", "poly", "json", "svg")
+BETWEEN_POLYGONS = ("overlapping-rings", "crossing-rings", "overlapping-polygons")
+
+
+def _run(operation: str, request: SetRequest) -> None:
+    watch = Stopwatch()
+    names = request.operands
+    if names.count(STANDARD_INPUT) > 1:
+        raise Refusal("standard input is one operand", "-", "name files for the others")
+    target = target_of(request.output, request.form, FORMS, "wkt", request.json)
+    _check_picture(request, target)
+    with memory_wall(request.memory, f"the {operation}", " and ".join(names), SIMPLER):
+        operands = [as_written(name) for name in names]
+        if request.output is not None:
+            refuse_overwriting(request.output, [operand.file for operand in operands])
+        sets = [_whole(operand) for operand in operands]
+        began = time.perf_counter()
+        found = refusing(
+            ", ".join(names), lambda: _core.combined(operation, [one for one, _ in sets])
+        )
+        seconds = time.perf_counter() - began
+    region, components, holes = found
+    if target is not None:
+        text = refusing(target.name, lambda: _core.write(region, target.form))
+        if target.write(text, _core.writes_exactly(region, target.form)):
+            return
+    area = region.area()
+    value = document(
+        operation,
+        watch,
+        operands=[
+            {"name": operand.name, "polygons": len(operand.set.rings()), "united": united}
+            for operand, (_, united) in zip(operands, sets, strict=True)
+        ],
+        warnings=[warning for operand in operands for warning in operand.warnings],
+        output=None if request.output is None else str(request.output),
+        output_exact=None if target is None else _core.writes_exactly(region, target.form),
+        compute_seconds=seconds,
+        digest=digest(region.canonical_json()),
+        area=area,
+        area_approximate=in_double_range(area),
+        components=components,
+        holes=holes,
+        vertices=region.vertices,
+        result=json.loads(region.canonical_json()),
+    )
+    if request.json:
+        sys.stdout.write(as_text(value))
+        return
+    _print(value)
+    if request.plot:
+        from minkref.cli.terminal_picture import terminal_picture
+
+        sys.stdout.write("\n" + terminal_picture(region, console().width))
+
+
+def _whole(operand: Operand) -> tuple[_core.PolygonSet, bool]:
+    """The operand as a valid set, and whether its polygons had to be united. Refuses points and
+    segments, and polygons that are invalid by themselves."""
+    source = operand.source
+    if not operand.set.is_region and operand.set.rings():
+        mend = "leave it out, or give a polygon"
+        raise Refusal("a point or a segment has no interior", source, mend, "no-interior")
+    try:
+        refusing(source, lambda: operand.set.validate(source))
+        return operand.set, False
+    except Refusal as error:
+        if error.code not in BETWEEN_POLYGONS or len(operand.set.rings()) < 2:
+            raise
+    parts = []
+    for number, rings in enumerate(operand.set.rings()):
+        part = _core.PolygonSet([rings], validate=False)
+        where = f"{source}, polygon {number}"
+        refusing(where, partial(part.validate, where))
+        parts.append(part)
+    return _core.combined("union", parts)[0], True
+
+
+def _check_picture(request: SetRequest, target: Target | None) -> None:
+    if not request.plot:
+        return
+    if request.json or (target is not None and target.is_standard_output):
+        other = "--json" if request.json else "-o -"
+        what = "standard output takes only one of them"
+        raise Refusal(what, f"--plot {other}", "leave out one of the two")
+    from minkref.cli.terminal_picture import check_drawable
+
+    check_drawable()
+
+
+def _print(value: dict[str, Any]) -> None:
+    rows = [
+        ("of", ", ".join(_told(one) for one in value["operands"])),
+        ("area", value["area"]),
+        ("components", f"{value['components']:,}"),
+        ("holes", f"{value['holes']:,}"),
+        ("vertices", f"{value['vertices']:,}"),
+        ("digest", value["digest"]),
+    ]
+    if value["output"]:
+        rows.append(("written", value["output"]))
+    rows.append(("seconds", f"{value['seconds']:.3f}"))
+    print_lines(rows, value)
+
+
+def _told(operand: dict[str, Any]) -> str:
+    if not operand["united"]:
+        return str(operand["name"])
+    return f"{operand['name']} ({operand['polygons']:,} polygons, united first)"
+
+
+run_union = partial(_run, "union")
+run_intersection = partial(_run, "intersection")
+run_difference = partial(_run, "difference")
