@@ -51,6 +51,13 @@ def test_the_corrected_update_and_its_events_pass(outcomes: Outcomes, verb: str)
     assert [outcome.verdict for outcome in said] == [Verdict.PASS] * len(names), said
 
 
+@pytest.mark.parametrize("target", [RIGHT, "minkref-paper@rational,static"])
+def test_factors_for_each_axis_are_answered(outcomes: Outcomes, target: str) -> None:
+    names = [f"axes:0({family}:{SEED}:0)" for family in ("holes", "comb", "spiral", "lattice")]
+    said = outcomes(target, *names)
+    assert [outcome.verdict for outcome in said] == [Verdict.PASS] * len(names), said
+
+
 def test_the_printed_program_in_doubles_is_wrong_with_a_witness(outcomes: Outcomes) -> None:
     (said,) = outcomes("minkref-paper@double", TRIANGLES)
     assert said.verdict is Verdict.WRONG and Reason.MISSING in said.reasons

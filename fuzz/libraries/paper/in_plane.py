@@ -20,10 +20,13 @@ class PlaneProgram:
         self._name = name
         self._walk: _core.PaperUpdate | None = None
 
-    def at(self, P: str, Q: str, scale: str) -> Fields:
-        """The static sum; or the sum by the update, walked from another scale."""
+    def at(self, P: str, Q: str, scale: str | list[str]) -> Fields:
+        """The static sum; or the sum by the update, walked from another scale. Sections 3 and 4 know
+        uniform scales: with a factor for each axis P is scaled first, and walked to 1."""
         self._walk = None
         first, second = _core.PolygonSet.from_json(P), _core.PolygonSet.from_json(Q)
+        if isinstance(scale, list):
+            first, scale = first.scaled(",".join(scale)), "1"
         if self._name.is_static:
             arithmetic = self._name.arithmetic
             return _fields(_core.minkowski_sum(first, second, scale, "paper", arithmetic))
