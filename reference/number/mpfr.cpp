@@ -97,6 +97,12 @@ Mpfr operator/(const Mpfr& a, const Mpfr& b) {
   return result;
 }
 
+Mpfr sqrt(const Mpfr& a) {
+  Mpfr result(Mpfr::Bits{a.precision()});
+  mpfr_sqrt(result.value_, a.value_, MPFR_RNDN);
+  return result;
+}
+
 std::partial_ordering operator<=>(const Mpfr& a, const Mpfr& b) {
   if (mpfr_unordered_p(a.value_, b.value_) != 0) return std::partial_ordering::unordered;
   return mpfr_cmp(a.value_, b.value_) <=> 0;

@@ -56,6 +56,8 @@ class Mpfr {
   friend Mpfr operator-(const Mpfr& a, const Mpfr& b);
   friend Mpfr operator*(const Mpfr& a, const Mpfr& b);
   friend Mpfr operator/(const Mpfr& a, const Mpfr& b);
+  /// The root, rounded to nearest; NaN for a negative number.
+  friend Mpfr sqrt(const Mpfr& a);
   Mpfr& operator+=(const Mpfr& other) { return *this = *this + other; }
   Mpfr& operator-=(const Mpfr& other) { return *this = *this - other; }
   Mpfr& operator*=(const Mpfr& other) { return *this = *this * other; }
@@ -128,6 +130,7 @@ Mpfr operator+(const Mpfr& a, const Mpfr& b);
 Mpfr operator-(const Mpfr& a, const Mpfr& b);
 Mpfr operator*(const Mpfr& a, const Mpfr& b);
 Mpfr operator/(const Mpfr& a, const Mpfr& b);
+Mpfr sqrt(const Mpfr& a);
 std::partial_ordering operator<=>(const Mpfr& a, const Mpfr& b);
 bool is_finite(const Mpfr& value);
 int sign(const Mpfr& value);

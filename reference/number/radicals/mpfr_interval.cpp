@@ -136,6 +136,14 @@ int MpfrInterval::certain_sign() const {
   return mpfr_sgn(low_) > 0 ? 1 : mpfr_sgn(high_) < 0 ? -1 : 0;
 }
 
+bool MpfrInterval::is_within(long exponent) const {
+  const auto is_small = [&](mpfr_srcptr bound) {
+    return mpfr_zero_p(bound) != 0 ||
+           (mpfr_regular_p(bound) != 0 && mpfr_get_exp(bound) <= exponent);
+  };
+  return is_small(low_) && is_small(high_);
+}
+
 Rational MpfrInterval::low() const { return exact(low_); }
 Rational MpfrInterval::high() const { return exact(high_); }
 

@@ -31,6 +31,8 @@ class MpfrInterval {
 
   /// 1 or -1 if certain; 0 if uncertain, or if both bounds are 0.
   int certain_sign() const;
+  /// Whether all numbers of the interval are nearer to 0 than 2^exponent.
+  bool is_within(long exponent) const;
   bool is_below(const MpfrInterval& other) const { return mpfr_less_p(high_, other.low_) != 0; }
   Rational low() const;
   Rational high() const;
