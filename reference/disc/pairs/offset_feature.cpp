@@ -27,14 +27,16 @@ OffsetFeature OffsetFeature::arc(const Point& centre, const Direction& in, const
 std::vector<OffsetFeature> offset_features(const OffsetCurves& curves) {
   std::vector<OffsetFeature> features;
   for (const OffsetEdge& edge : curves.edges) {
-    features.push_back({false, {edge.start, edge.end}, {edge.normal, edge.normal}, edge.id});
+    features.push_back(
+        {false, {edge.start, edge.end}, {edge.normal, edge.normal}, edge.id, edge.feature});
   }
   std::map<std::uint32_t, std::size_t> arcs;  // about one place there is one at most
   for (const OffsetPatch& patch : curves.patches) {
     if (patch.edge != OffsetPatch::none || curves.edges.empty()) continue;
     const auto [found, is_new] = arcs.try_emplace(patch.feature, features.size());
     if (is_new) {
-      features.push_back({true, {patch.centre, patch.centre}, {patch.first, patch.last}, {}});
+      features.push_back(
+          {true, {patch.centre, patch.centre}, {patch.first, patch.last}, {}, patch.feature});
     } else {
       features[found->second].way[1] = patch.last;  // parts follow each other
     }

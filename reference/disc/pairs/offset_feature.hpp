@@ -12,9 +12,10 @@ namespace minkref::inline disc {
 /// points `at[k]` + ρ `way[k]` / |`way[k]`|, ordered with P on the left.
 struct OffsetFeature {
   bool is_arc = false;
-  std::array<Point, 2> at;       ///< the ends of the edge; of an arc its centre, twice
-  std::array<Direction, 2> way;  ///< outwards at both ends; of an edge as long as it is
-  VertexId id{};                 ///< of an edge: where it starts
+  std::array<Point, 2> at;                  ///< the ends of the edge; of an arc its centre, twice
+  std::array<Direction, 2> way;             ///< outwards at both ends; of an edge as long as it is
+  VertexId id{};                            ///< of an edge: where it starts
+  std::uint32_t curve = OffsetPatch::none;  ///< its number among the curves' features
 
   /// From p to q, with P on the left. Throws BadInput ("bad-feature") if p equals q.
   static OffsetFeature edge(const Point& p, const Point& q);

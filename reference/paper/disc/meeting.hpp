@@ -1,0 +1,76 @@
+// For which scales two features of the convolution meet, read off the Appendix of Behar & Lien
+// 2012: what the three kinds of pairs share.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "reference/paper/disc/moving_feature.hpp"
+
+namespace minkref::inline disc {
+
+/// Two features, one of the points where their lines or circles cross, and the scales s > 0 at
+/// which it is on both: closed; without a bound down to 0 or up to infinity.
+template <class T>
+struct Meeting {
+  std::uint32_t a = 0, b = 0;
+  std::int8_t branch = 0;   ///< on which side of the middle, or of the foot: 1, -1; 0 of two lines
+  bool is_overlap = false;  ///< facing segments on one line
+  std::optional<T> lower, upper;
+};
+
+namespace detail {
+
+/// An event: an end of a feature comes to the other, or circles touch.
+template <class T>
+struct MeetingEvent {
+  T scale;
+  int branch = 0;  ///< 0: of both
+  /// With the branch's sign, above 0 if the branch is on both features after the event, not before.
+  int sense = 0;
+  bool is_tangent = false;
+
+  bool begins(int of_branch) const { return is_tangent || sense * of_branch > 0; }
+};
+
+/// The scales of one branch, from its events; none if it never begins. `from_zero`: a branch that
+/// only ends was there from the first.
+template <class T>
+std::optional<Meeting<T>> meeting_of(const std::vector<MeetingEvent<T>>& events, int branch,
+                                     bool from_zero) {
+  Meeting<T> found;
+  found.branch = static_cast<std::int8_t>(branch);
+  for (const MeetingEvent<T>& event : events) {
+    if (event.branch == -branch && branch != 0) continue;
+    const bool begins = event.begins(branch == 0 ? 1 : branch);
+    auto& bound = begins ? found.lower : found.upper;
+    const int order = bound ? order_of(event.scale, *bound) : 0;
+    if (!bound || (begins ? order > 0 : order < 0)) bound = event.scale;
+  }
+  if (!found.lower && !(from_zero && found.upper)) return std::nullopt;
+  if (found.lower && found.upper && order_of(*found.lower, *found.upper) > 0) return std::nullopt;
+  return found;
+}
+
+/// Whether a segment's or an arc's line or circle has a point on the segment or arc itself.
+template <class T>
+bool is_on(const MovingFeature<T>& feature, const Vector<T>& x) {
+  if (feature.is_arc) return is_in_arc(feature, Vector<T>(x - feature.centre()));
+  const T part = part_along(feature, x);
+  return sign(part) >= 0 && sign(T(part - T(1))) <= 0;
+}
+
+template <class T>
+bool are_equal(const Vector<T>& x, const Vector<T>& y) {
+  return order_of(x.x, y.x) == 0 && order_of(x.y, y.y) == 0;
+}
+
+/// The root; 0 for a number that rounding put below 0.
+template <class T>
+T root_or_zero(const T& value) {
+  return sign(value) <= 0 ? T(0) : root_of(value);
+}
+
+}  // namespace detail
+}  // namespace minkref::inline disc
