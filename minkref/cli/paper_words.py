@@ -31,7 +31,7 @@ def events_in_words(events: dict[str, Any]) -> list[tuple[str, str]]:
         )
     ]
     for what in ("missed", "invented"):
-        event = events[f"first_{what}"]
+        event = events.get(f"first_{what}")
         if event is not None:
             scale = rounded(event["scale"])
             told = f"at {scale}, {event['change']}: {event['a']} and {event['b']}"

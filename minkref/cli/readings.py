@@ -36,6 +36,12 @@ class Choices:
 
 PLANE_CHOICES = Choices(_core.paper_readings(), _core.check_paper_reading)
 FACET_CHOICES = Choices(_core.facet_readings(), _core.check_facet_reading)
+DISC_CHOICES = Choices(_core.appendix_readings(), _core.check_appendix_reading)
+# Sentences of the Appendix on which exact events depend (docs/disc.md, "Pair events").
+SENTENCES = ("rejected", "number", "radical", "line", "parallel")
+DISC_EVENT_CHOICES = Choices(
+    [row for row in DISC_CHOICES.rows if row[0] in SENTENCES], DISC_CHOICES.check
+)
 
 Form = Annotated[
     str | None,
@@ -50,7 +56,7 @@ Reading = Annotated[
     typer.Option(
         "--reading",
         help=f"With --route {ROUTE}: one formula or sentence of the paper as read, whatever --form "
-        f"says; may be repeated. {PLANE_CHOICES.names()}.",
+        f"says; may be repeated. {PLANE_CHOICES.names()}. With a disc: {DISC_CHOICES.names()}.",
         metavar="NAME=VALUE",
     ),
 ]
@@ -87,11 +93,13 @@ def readings_of(
     return readings
 
 
-def refuse_options(route: str, form: str | None, chosen: Sequence[str] | None) -> None:
+def refuse_options(
+    route: str, form: str | None, chosen: Sequence[str] | None, choices: Choices = PLANE_CHOICES
+) -> None:
     """Refuses the options of the route with any other."""
     if route == ROUTE:
         return
-    mend = with_other(f"add --route {ROUTE}", form, chosen, PLANE_CHOICES)
+    mend = with_other(f"add --route {ROUTE}", form, chosen, choices)
     for option, given in (("--form", form), ("--reading", chosen)):
         if given:
             raise Refusal(f"the route {route} has no readings", option, mend)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from minkref.schemas.bench.document import BenchDocument
 from minkref.schemas.cases import GenerateDocument
 from minkref.schemas.certificates import CertifyDocument, CheckDocument
+from minkref.schemas.disc.convolution import DiscConvolutionDocument
 from minkref.schemas.disc.events import DiscEventsDocument
 from minkref.schemas.disc.index import DiscIndexDocument
 from minkref.schemas.disc.pair_events import DiscPairEventsDocument
@@ -50,6 +51,7 @@ DOCUMENTS = {
     "check": CheckDocument,
     "convolution": ConvolutionDocument,
     "convolution_in_space": SpaceConvolutionDocument,
+    "convolution_with_disc": DiscConvolutionDocument,
     "difference": DifferenceDocument,
     "error": ErrorDocument,
     "events": EventsDocument,

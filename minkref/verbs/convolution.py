@@ -12,6 +12,7 @@ from minkref.cli.options import (
     ONE,
     FirstOperand,
     Json,
+    Scale,
     ScaleInPlane,
     ScaleInSpace,
     SecondOperand,
@@ -19,7 +20,7 @@ from minkref.cli.options import (
 )
 from minkref.cli.verb import Verb, command_of
 from minkref.plane.convolution_values import COMPATIBLE
-from minkref.settings import PLANE, SPACE
+from minkref.settings import DISC, PLANE, SPACE
 from minkref.space.scaling import UNIT
 
 EXAMPLES = """Examples:
@@ -36,12 +37,15 @@ minkref convolution P.wkt Q.geojson --scale 541/186 -o - --format json
 
 minkref convolution g1 o1 --compatible closed --json
 
+minkref convolution g1 disc:7/5 --json
+
 minkref convolution gs3 rod --scale 2,1/3,5 -o facets.ply"""
 
 TOLD = """\
 The convolution of P, scaled by S about the origin, and Q: every edge of the one at each
-compatible vertex of the other, with its parents. Exact. Of convex polyhedra: the facets of the
-sum, with theirs."""
+compatible vertex of the other, with its parents. Exact. With a disc: the edges moved outwards by
+the radius, and the arcs about convex vertices. Of convex polyhedra: the facets of the sum, with
+theirs."""
 
 Full = Annotated[
     bool,
@@ -99,6 +103,18 @@ class ConvolutionInPlane:
 
 
 @dataclass(frozen=True)
+class ConvolutionWithDisc:
+    P: FirstOperand
+    Q: SecondOperand
+    scale: Scale = ONE
+    limit: Limit = None
+    output: Output = None
+    form: Format = None
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
 class ConvolutionInSpace:
     P: FirstOperand
     Q: SecondOperand
@@ -115,6 +131,14 @@ command = command_of(
     TOLD,
     {
         PLANE: Verb(ConvolutionInPlane, "minkref.plane.commands.convolution:run"),
+        DISC: Verb(
+            ConvolutionWithDisc,
+            "minkref.disc.commands.convolution:run",
+            why={
+                "--full": "only the reduced convolution is listed",
+                "--compatible": "a disc has no edges in a direction of P's",
+            },
+        ),
         SPACE: Verb(
             ConvolutionInSpace,
             "minkref.space.commands.convolution:run",

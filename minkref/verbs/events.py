@@ -10,7 +10,7 @@ import typer
 from minkref.arithmetic import check_arithmetic
 from minkref.cli.memory import Memory
 from minkref.cli.options import FirstOperand, GreatestScale, Json, LeastScale, SecondOperand
-from minkref.cli.readings import FACET_CHOICES, PLANE_CHOICES
+from minkref.cli.readings import DISC_EVENT_CHOICES, FACET_CHOICES, PLANE_CHOICES
 from minkref.cli.verb import Verb, command_of
 from minkref.errors import Refusal, choice
 from minkref.plane.commands.event_output import FORMATS
@@ -46,7 +46,9 @@ minkref events P.off Q.off --from 1/5 --to 2 --form printed --reading corner=its
 
 minkref events g1 disc --kind topology
 
-minkref events g1 disc --kind pair --to 5"""
+minkref events g1 disc --kind pair --to 5
+
+minkref events g1 disc:3/2 --kind pair --reading radical=printed"""
 
 TOLD = """\
 All scales at which edges of the reduced convolution, or of the full one (--route winding),
@@ -87,7 +89,8 @@ OneReading = Annotated[
         "--reading",
         help="Follow the paper's program, with one formula as read whatever --form says; may "
         f"be repeated. {PLANE_CHOICES.names()}. In space (Sections 5.1 and 5.2): "
-        f"{FACET_CHOICES.names()}.",
+        f"{FACET_CHOICES.names()}. With a disc, of the kind pair: one sentence of the Appendix, "
+        f"exact: {DISC_EVENT_CHOICES.names()}.",
         metavar="NAME=VALUE",
     ),
 ]
@@ -187,6 +190,7 @@ class EventsWithDisc:
     to_scale: GreatestScale = None
     kind: Kind = None
     form: PaperForm = "corrected"
+    reading: OneReading = None
     route: Route = None
     index: IndexFile = None
     limit: Limit = None

@@ -56,6 +56,8 @@ minkref sum g1 disc:7/5 -o offset.svg
 
 minkref sum g1 disc:7/5 --route paper
 
+minkref sum g1 disc:7/5 --route paper-update --arithmetic double --reading line=corrected
+
 minkref sum g1 disc:7/5 --measures --json
 
 minkref sum P.wkt disc:sqrt:2 --scale 3/2 -o offset.wkt --tolerance 1/1000"""
@@ -86,7 +88,8 @@ Route = Annotated[
         help=f"How it is computed: {', '.join(ROUTES)}. Default: {DEFAULT}, or index with "
         f"--index. In space: {', '.join(GENERAL_ROUTES)}, and of convex polyhedra also "
         f"{', '.join(SPACE_ROUTES)}. Default: {SPACE_ROUTES[0]} for these, else "
-        f"{GENERAL_ROUTES[0]}. With a disc: definition (the default), paper or index.",
+        f"{GENERAL_ROUTES[0]}. With a disc: definition (the default), paper, index or "
+        f"{PAPER_UPDATE}.",
     ),
 ]
 Start = Annotated[
@@ -202,6 +205,9 @@ class SumWithDisc:
     scale: Scale = ONE
     route: Route = None
     index: IndexFile = None
+    arithmetic: Arithmetic = "rational"
+    as_read: Form = None
+    reading: Reading = None
     output: Output = None
     form: Format = None
     only_sum: OnlySum = False

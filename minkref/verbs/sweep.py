@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 from minkref.cli.memory import Memory
 from minkref.cli.options import READ_SCALE, FirstOperand, Json, SecondOperand, Triangles
-from minkref.cli.readings import FORMS, PLANE_CHOICES, ROUTE
+from minkref.cli.readings import DISC_CHOICES, FORMS, PLANE_CHOICES, ROUTE
 from minkref.cli.verb import Verb, command_of
 from minkref.plane.commands.scale_index import IndexFile
 from minkref.plane.commands.sweep_folder import FORMATS, INDEX
@@ -35,6 +35,8 @@ minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route paper-update --arithmetic 
 
 minkref sweep glyph1204 disc --from 1/10 --to 2 --steps 20
 
+minkref sweep g1 disc:3/2 --from 1 --to 2 --steps 9 --route paper-update --arithmetic mpfr:53
+
 minkref sweep gs3 rod --scales scalings.txt -o sums --format off
 
 minkref sweep gs3 rod --scales scalings.txt --repair literal --arithmetic mpfr:200"""
@@ -44,7 +46,7 @@ The sums at many scales: everything between the smallest and the largest scale i
 then each sum is read off, or computed from the one before by dynamic update. Exact, in
 canonical form; by the paper's own program (--route paper-update, in space --repair literal)
 what that answers, with the exact sums beside it. With `disc` as second operand scales are radii
-of a disc."""
+of a disc; with `disc:R`, by the paper's own program, they are factors of R."""
 
 FirstScale = Annotated[
     Fraction | None, typer.Option("--from", help="The first scale.", metavar="A"), READ_SCALE
@@ -104,7 +106,8 @@ Reading = Annotated[
     typer.Option(
         "--reading",
         help=f"One formula or sentence of the paper as read, whatever --form says; may be "
-        f"repeated. With --route {ROUTE}: {PLANE_CHOICES.names()}. With --repair literal: "
+        f"repeated. With --route {ROUTE}: {PLANE_CHOICES.names()}; with a disc "
+        f"{DISC_CHOICES.names()}. With --repair literal: "
         f"{SPACE_CHOICES.names()}.",
         metavar="NAME=VALUE",
     ),
@@ -181,6 +184,9 @@ class SweepWithDisc:
     steps: Steps = None
     scales_file: ScalesFile = None
     route: Route = None
+    arithmetic: Arithmetic = "rational"
+    as_read: Form = None
+    reading: Reading = None
     index: IndexFile = None
     output: Output = None
     form: Format = None

@@ -111,6 +111,9 @@ def _kind(request: EventsWithDisc) -> str:
     if request.form != "corrected":
         what = "events of a disc of the kind pair alone have a printed form"
         raise Refusal(what, f"--form {request.form}", "add --kind pair, or leave it out")
+    if request.reading:
+        what = "sentences of the Appendix are of events of the kind pair"
+        raise Refusal(what, "--reading", "add --kind pair, or leave it out")
     if request.route not in (None, "index"):
         what = "events of a disc are found by an index alone"
         raise Refusal(what, "--route", "leave it out")

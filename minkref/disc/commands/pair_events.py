@@ -12,6 +12,7 @@ from typing import Any
 from minkref import _core
 from minkref.certain_digits import between
 from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.readings import DISC_EVENT_CHOICES, readings_of
 from minkref.disc.disc import ANY, check_radii, read_disc, squares_of
 from minkref.errors import Refusal, refusing
 from minkref.exact import text_of_bounds
@@ -31,8 +32,6 @@ from minkref.verbs.events import EventsWithDisc, check_form, check_limit
 FORMATS = ("json", "jsonl")
 CHANGES = ("birth", "death", "touch", "swap", "overlap", "none")
 CONDITIONS = ("end on line", "end on circle", "circle on line", "circles")
-# Sentences of the Appendix that do not hold (docs/disc.md, "Pair events").
-SENTENCES = ("rejected", "number", "radical", "line", "parallel")
 SHOWN = 10  # events that people see
 AT_ONCE = 1000  # rows that are made exact in one call
 Row = dict[str, Any]
@@ -40,10 +39,13 @@ Row = dict[str, Any]
 
 def pair_events(request: EventsWithDisc) -> None:
     watch = Stopwatch()
+    check_form(request.form)
     P, Q, form, output, json = (
         request.P, request.Q, request.form, request.output, request.json,
     )  # fmt: skip
-    limit, radius = request.limit, _check(request)
+    readings = readings_of(form, request.reading, DISC_EVENT_CHOICES)
+    printed = [name for name, values, *_ in DISC_EVENT_CHOICES.rows if readings[name] == values[0]]
+    limit, radius = request.limit, _check(request, bool(printed))
     check_radii(request.from_scale, request.to_scale)
     window = text_of_bounds(request.from_scale, request.to_scale)
     target = target_of(output, request.file_format, FORMATS, "json", json)
@@ -53,7 +55,6 @@ def pair_events(request: EventsWithDisc) -> None:
         if output is not None:
             refuse_overwriting(output, [operand.file])
         squares = squares_of(request.from_scale, request.to_scale)
-        printed = list(SENTENCES) if form == "printed" else []
         is_unit = radius in (None, "1")
         found = refusing(
             operand.name,
@@ -71,6 +72,7 @@ def pair_events(request: EventsWithDisc) -> None:
             to=window[1],
             kind="pair",
             form=form,
+            readings=readings if request.reading else None,
             radius=radius,
             warnings=operand.warnings,
             output=str(output) if output else None,
@@ -80,7 +82,7 @@ def pair_events(request: EventsWithDisc) -> None:
             changes={name: counts["changes"].get(name, 0) for name in CHANGES},
             conditions={name: counts["kinds"].get(name, 0) for name in CONDITIONS},
             count=counts["count"],
-            truth=_truth(counts) if form == "printed" else None,
+            truth=_truth(counts) if printed else None,
         )
         if target is not None and target.form == "jsonl":
             target.write_pieces(dumps(row) + "\n" for row in _rows(found))
@@ -94,18 +96,17 @@ def pair_events(request: EventsWithDisc) -> None:
             _print(head, [] if target is not None else list(_rows(found)))
 
 
-def _check(request: EventsWithDisc) -> str | None:
+def _check(request: EventsWithDisc, is_printed: bool) -> str | None:
     """Refuses what there is not; the radius of the disc at the scale 1, for formulas as printed."""
-    check_form(request.form)
     for option, given in (("--index", request.index), ("--route", request.route)):
         if given is not None:
             what = "pair events of a disc come from no index"
             raise Refusal(what, option, "leave it out")
     check_limit(request.limit)
-    if request.form == "printed":
+    if is_printed:
         return "1" if request.Q == ANY else read_disc(request.Q).radius
     if request.Q != ANY:
-        mend = "name the disc `disc`; its radius matters to --form printed only"
+        mend = "name the disc `disc`; its radius matters to sentences as printed only"
         raise Refusal("events are found for all radii", request.Q, mend)
     return None
 
@@ -168,6 +169,7 @@ def _print(head: dict[str, Any], rows: list[Row]) -> None:
     named = [
         ("pair events", f"{head['P']} + {head['Q']}"),
         ("form", head["form"]),
+        *([("readings", _in_words(head["readings"]))] if head["readings"] else []),
         ("features", f"{head['features']:,} edges and arcs, {head['pairs']:,} pairs"),
         ("events", _numbers(head["count"], head["changes"])),
         ("conditions", _numbers(None, head["conditions"])),
@@ -190,6 +192,10 @@ def _print(head: dict[str, Any], rows: list[Row]) -> None:
         sys.stdout.write(f"... {head['count'] - len(rows):,} more; -o FILE writes all\n")
     for warning in head["warnings"]:
         sys.stderr.write(f"warning: {escaped(warning)}\n")
+
+
+def _in_words(readings: dict[str, str]) -> str:
+    return ", ".join(f"{name}={value}" for name, value in readings.items())
 
 
 def _numbers(total: int | None, parts: dict[str, int]) -> str:

@@ -12,6 +12,8 @@ from minkref import _core
 from minkref.certain_digits import between, root
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import give, print_lines, written_row
+from minkref.cli.paper_words import in_words
+from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.disc.commands.index_file import from_places
 from minkref.disc.commands.indexed_sum import IndexedSum
 from minkref.disc.disc import Disc, is_disc, read_disc
@@ -27,7 +29,8 @@ from minkref.verbs.sum import SumWithDisc
 
 FORMATS = ("json", "svg", "dxf", "wkt", "geojson", "poly")
 WITH_ARCS = ("json", "svg", "dxf")
-DISC_ROUTES = ("definition", "paper", "index")
+EXACT = "rational"
+DISC_ROUTES = ("definition", "paper", "index", PAPER_UPDATE)
 
 
 def run(request: SumWithDisc) -> None:
@@ -36,6 +39,9 @@ def run(request: SumWithDisc) -> None:
         request.P, request.Q, request.scale, request.index, request.output,
     )  # fmt: skip
     route = chosen_route(index, request.route, DISC_ROUTES)
+    if route == PAPER_UPDATE or request.as_read or request.reading or request.arithmetic != EXACT:
+        _run_paper(request, route, watch)
+        return
     if index is not None and factor != 1:
         mend = "leave out the scale, or the index"
         raise Refusal("the index is that of P as it is", f"--scale {factor}", mend)
@@ -79,6 +85,57 @@ def run(request: SumWithDisc) -> None:
         **described(found, canonical),
         tight_passages=[_passage(*row) for row in passages],
         measures=None if terms is None else _measures(*terms),
+        arithmetic=EXACT,
+        readings=None,
+        exact=None,
+        comparison=None,
+    )
+    give(value, request.json, lambda value: _print(value, operand))
+
+
+def _run_paper(request: SumWithDisc, route: str, watch: Stopwatch) -> None:
+    """The answer of the Appendix's own program, with the exact sum beside it."""
+    from minkref.disc.commands.paper_update import disc_readings, sum_by_paper
+
+    P, Q = request.P, request.Q
+    readings = disc_readings(route, request.arithmetic, request.as_read, request.reading)
+    assert readings is not None
+    target = target_of(request.output, request.form, ("json",), "json", request.json)
+    for option, given in (("--tolerance", request.tolerance is not None),
+                          ("--outside", request.outside), ("--measures", request.measures),
+                          ("--only-sum", request.only_sum)):  # fmt: skip
+        if given:
+            raise Refusal("that is of exact sums only", option, "leave it out")
+    if is_disc(P) and is_disc(Q):
+        raise Refusal("the sum of two discs is one", f"{P} and {Q}", "add their radii")
+    unit = read_disc(P if is_disc(P) else Q)
+    disc = unit.scaled(request.scale) if is_disc(P) else unit
+    with memory_wall(request.memory, f"route {route}", f"{P} and {Q}", SIMPLER):
+        operand = read_operand(Q if is_disc(P) else P)
+        if request.output is not None:
+            refuse_overwriting(request.output, [operand.file])
+        other = operand.set if is_disc(P) else operand.set.scaled(str(request.scale))
+        found, canonical = sum_by_paper(operand, other, unit, disc, request.arithmetic, readings)
+        if target is not None and target.write(canonical + "\n", True):
+            return
+    value = document(
+        "sum",
+        watch,
+        P=P if is_disc(P) else operand.name,
+        Q=Q if is_disc(Q) else operand.name,
+        scale=str(request.scale),
+        warnings=operand.warnings,
+        output=str(request.output) if request.output else None,
+        output_exact=None if target is None else True,
+        tolerance=None,
+        radius=disc.radius,
+        squared_radius=str(disc.squared_radius),
+        route=route,
+        tight_passages=None,
+        measures=None,
+        arithmetic=request.arithmetic,
+        readings=readings,
+        **found,
     )
     give(value, request.json, lambda value: _print(value, operand))
 
@@ -194,6 +251,24 @@ def _drawn(found: _core.Offset | IndexedSum) -> _core.Offset:
     return found.static if isinstance(found, IndexedSum) else found
 
 
+def _told(value: dict[str, Any]) -> list[tuple[str, str]]:
+    """What is known of an exact sum, and of an answer of the paper's program."""
+    if value["route"] != PAPER_UPDATE:
+        return [
+            ("area", between(**value["area"])),
+            ("length of the boundary", between(**value["length"])),
+            ("digest", value["digest"]),
+            *passage_rows(value["tight_passages"], "segment"),
+        ]
+    exact = value["exact"]
+    return [
+        ("route, arithmetic", f"{value['route']}, {value['arithmetic']}"),
+        ("digest", value["digest"]),
+        ("exact", in_words(value["comparison"])),
+        ("  components, holes", f"{exact['components']:,}, {exact['holes']:,}"),
+    ]
+
+
 def _print(value: dict[str, Any], operand: Operand) -> None:
     scaled = "" if value["scale"] == "1" else f"{value['scale']} "
     rows = [
@@ -201,10 +276,7 @@ def _print(value: dict[str, Any], operand: Operand) -> None:
         ("radius of the disc", value["radius"]),
         ("components, holes", f"{value['components']:,}, {value['holes']:,}"),
         ("curves", f"{value['curves']:,}"),
-        ("area", between(**value["area"])),
-        ("length of the boundary", between(**value["length"])),
-        ("digest", value["digest"]),
-        *passage_rows(value["tight_passages"], "segment"),
+        *_told(value),
         ("seconds", f"{value['seconds']:.3f}"),
     ]
     print_lines(rows + written_row(value), value)

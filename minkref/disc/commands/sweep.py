@@ -10,27 +10,41 @@ from minkref import _core
 from minkref.certain_digits import between, root
 from minkref.cli.memory import SMALLER, memory_wall
 from minkref.cli.output import plain_table
+from minkref.cli.paper_words import events_in_words, in_words
 from minkref.cli.progress import progress
+from minkref.cli.readings import ROUTE
 from minkref.cli.row_spool import Row, RowSpool
 from minkref.disc.commands.index_file import disc_index_of
 from minkref.disc.commands.sum import enclosed
-from minkref.disc.disc import ANY
+from minkref.disc.disc import ANY, Disc, read_disc
 from minkref.errors import Refusal
 from minkref.exact import digest, exact_scale
 from minkref.output.documents import Stopwatch, document, listing
 from minkref.output.signals import ending_in_order
+from minkref.output.terminal import counted
 from minkref.plane.commands.sweep_folder import sweep_folder
-from minkref.plane.commands.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
+from minkref.plane.commands.sweep_rows import (
+    SHOWN,
+    Setting,
+    first_wrong,
+    print_sweep,
+    sweep_rows,
+    write_index,
+)
 from minkref.plane.operand import read_operand
 from minkref.plane.scales import asked_scales
 from minkref.verbs.sweep import SweepWithDisc
 
 FORMATS = ("json", "svg")
+EXACT = "rational"
 
 
 def run(request: SweepWithDisc) -> None:
     watch = Stopwatch()
     P, Q, output, index_file = request.P, request.Q, request.output, request.index
+    if request.route == ROUTE or request.as_read or request.reading or request.arithmetic != EXACT:
+        _run_paper(request, watch)
+        return
     if Q != ANY or P == ANY:
         mend = "give `minkref sweep P disc`, and the radii by --from, --to and --steps or --scales"
         raise Refusal("the radii of a sweep are not those of an operand", f"{P} {Q}", mend)
@@ -62,6 +76,11 @@ def run(request: SweepWithDisc) -> None:
             warnings=operand.warnings,
             output=str(output) if output else None,
             format=folder.form if folder else None,
+            route="index",
+            arithmetic=EXACT,
+            readings=None,
+            first_wrong=None,
+            events=None,
             preprocessing_seconds=index.seconds,
             statistics={
                 "radii_of_events": len(index),
@@ -74,6 +93,80 @@ def run(request: SweepWithDisc) -> None:
         sys.stdout.writelines(listing(value, "rows", rows))
     else:
         _print(value, rows)
+
+
+def _run_paper(request: SweepWithDisc, watch: Stopwatch) -> None:
+    """The answers of the Appendix's own program, with the exact sums beside them."""
+    from minkref.disc.commands.paper_update import DiscWalk, disc_readings
+    from minkref.verbs.paper_update import decided
+
+    P, Q, output = request.P, request.Q, request.output
+    route = request.route or "index"
+    readings = disc_readings(route, request.arithmetic, request.as_read, request.reading)
+    assert readings is not None
+    if request.index is not None:
+        raise Refusal(f"the route {ROUTE} uses no index", "--index", "leave it out")
+    unit = Disc(Q, Fraction(1)) if Q == ANY else read_disc(Q)
+    scales = asked_scales(
+        request.from_scale, request.to_scale, request.steps, request.scales_file, exact_scale
+    )
+    folder = sweep_folder(output, request.form, ("json",))
+    operand = read_operand(P)
+    if folder is not None:
+        folder.refuse_overwriting([operand.file])
+    wall = memory_wall(request.memory, f"route {ROUTE}", P, SMALLER)
+    with wall, ending_in_order(), progress(len(scales)) as line:
+        line.now("finding all events")
+        first = unit.scaled(scales[0])
+        walk = decided(
+            lambda: DiscWalk(operand, operand.set, unit, first, request.arithmetic, readings)
+        )
+        setting = Setting[Fraction, str](
+            lambda scale: str(scale)[:20], lambda found, kind: found + "\n", lambda *_: True
+        )
+        rows = sweep_rows(scales, walk.row, setting, folder, line)
+        value = document(
+            "sweep",
+            watch,
+            P=operand.name,
+            Q=Q,
+            warnings=operand.warnings,
+            output=str(output) if output else None,
+            format=folder.form if folder else None,
+            route=route,
+            arithmetic=request.arithmetic,
+            readings=readings,
+            first_wrong=first_wrong(rows),
+            events=walk.events(),
+            preprocessing_seconds=walk.seconds,
+            statistics=walk.counts(),
+        )
+        write_index(folder, value, rows)
+    if request.json:
+        sys.stdout.writelines(listing(value, "rows", rows))
+    else:
+        _print_paper(value, rows)
+
+
+def _print_paper(value: dict[str, Any], rows: RowSpool) -> None:
+    headings = ("scale", "components", "holes", "curves", "ms")
+    table = plain_table(*headings, "exact", right=headings, whole=True)
+    for row in rows.first(SHOWN):
+        table.add_row(
+            row["scale"],
+            *(f"{row[name]:,}" for name in ("components", "holes", "curves")),
+            f"{(row['update_seconds'] + row['sum_seconds']) * 1000:.3f}",
+            in_words(row["exact"]),
+        )
+    summary = [
+        ("sweep", f"{value['P']} + {value['Q']}, {counted(len(rows), 'scale')}"),
+        ("route, arithmetic", f"{value['route']}, {value['arithmetic']}"),
+        ("first wrong", value["first_wrong"] or "nowhere"),
+        *events_in_words(value["events"]),
+        ("all events", f"{value['preprocessing_seconds']:.3f} s"),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]
+    print_sweep(table, rows, summary, value)
 
 
 def _row(index: _core.DiscIndex, radius: Fraction) -> tuple[Row, tuple[Fraction, str]]:

@@ -26,7 +26,14 @@ from minkref.plane.commands.convex_walk import COUNTS, ConvexWalk
 from minkref.plane.commands.scale_index import chosen_route, index_of
 from minkref.plane.commands.sum_fields import sum_fields
 from minkref.plane.commands.sweep_folder import FORMATS, sweep_folder
-from minkref.plane.commands.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
+from minkref.plane.commands.sweep_rows import (
+    SHOWN,
+    Setting,
+    first_wrong,
+    print_sweep,
+    sweep_rows,
+    write_index,
+)
 from minkref.plane.operand import Operand, read_operand
 from minkref.plane.scales import asked_scales
 from minkref.plane.scaling import PlaneScale, read_plane_scale, shown_scale, text_of
@@ -91,7 +98,7 @@ def run(request: SweepInPlane) -> None:
             route=route,
             arithmetic=request.arithmetic,
             readings=readings,
-            first_wrong=_first_wrong(rows),
+            first_wrong=first_wrong(rows),
             events=walk.events() if walk is not None else None,
             preprocessing_seconds=sums.seconds,
             statistics=dict(sums.counts()),
@@ -198,14 +205,6 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
         ("seconds", f"{value['seconds']:.3f}"),
     ]
     print_sweep(table, rows, summary, value)
-
-
-def _first_wrong(rows: RowSpool) -> str | None:
-    """The first scale of the sweep at which the paper's program has another structure."""
-    wrong = (
-        row["scale"] for row in rows if row.get("exact") and not row["exact"]["same_structure"]
-    )
-    return next(wrong, None)
 
 
 def _short(number: str) -> str:

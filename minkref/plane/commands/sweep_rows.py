@@ -75,3 +75,11 @@ def print_sweep(
         summary.append(("written", value["output"]))
     sys.stdout.write("\n")
     print_lines(summary, value)
+
+
+def first_wrong(rows: RowSpool) -> str | None:
+    """The first scale of the sweep at which the paper's program has another structure."""
+    wrong = (
+        row["scale"] for row in rows if row.get("exact") and not row["exact"]["same_structure"]
+    )
+    return next(wrong, None)

@@ -119,11 +119,15 @@ class DiscPairEventsDocument(LastingHead, RadiusWindow, Written):
     ]
     kind: Literal["pair"]
     form: Form
+    readings: Annotated[
+        dict[str, str] | None,
+        Meta(description="With --reading: how each sentence of the Appendix is read."),
+    ]
     radius: Annotated[
         RadiusOrRoot | None,
         Meta(
             description="Of the disc at the scale 1, by which printed formulas are written: a "
-            "number, or the root of one; null if corrected."
+            "number, or the root of one; null if no sentence is as printed."
         ),
     ]
     compute_seconds: Amount | None

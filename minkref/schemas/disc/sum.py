@@ -15,10 +15,11 @@ from minkref.schemas.disc.values import (
     RoundedPoint,
 )
 from minkref.schemas.grammar import Either
+from minkref.schemas.plane.values import BesideExact, Readings
 from minkref.schemas.values import Amount, Count, Digest, Fraction, Head, Operands, Written
 from msgspec import Meta
 
-DiscSumRoute = Literal["definition", "paper", "index"]
+DiscSumRoute = Literal["definition", "paper", "index", "paper-update"]
 
 
 class DiscPassage(TypedDict):
@@ -75,6 +76,29 @@ class PairStatistics(TypedDict):
     exact_orders: Count
 
 
+class DiscProgramStatistics(TypedDict):
+    """Of the route `paper-update`: segments and arcs of the convolution, pairs of them that were
+    looked at, meetings of two at some scale, pairs that were left out for NaN; nodes and faces of
+    the arrangement, faces with a collision test."""
+
+    segments: Count
+    arcs: Count
+    pairs: Count
+    meetings: Count
+    undecided: Count
+    nodes: Count
+    faces: Count
+    asked: Count
+
+
+class ExactDiscSum(TypedDict):
+    digest: Digest
+    components: Count
+    holes: Count
+    curves: Count
+    equal: Annotated[bool, Meta(description="The digests are equal, hence the sets.")]
+
+
 class DiscSumDocument(Head, Operands, Written):
     """The document of `minkref sum --json` with a disc."""
 
@@ -102,10 +126,16 @@ class DiscSumDocument(Head, Operands, Written):
             description="Of all rings; parts of one circle or line that follow each other are one."
         ),
     ]
-    area: Annotated[Enclosure, Meta(description="Between two doubles; null beyond these.")]
-    length: Annotated[Enclosure, Meta(description="Of the boundary.")]
+    area: Annotated[
+        Enclosure | None,
+        Meta(
+            description="Between two doubles; null beyond these. This, the length and the tight "
+            "passages are null on the route `paper-update`."
+        ),
+    ]
+    length: Annotated[Enclosure | None, Meta(description="Of the boundary.")]
     tight_passages: Annotated[
-        list[DiscPassage],
+        list[DiscPassage] | None,
         Meta(description="What the closed sum covers and the sum of the interiors does not."),
     ]
     measures: Annotated[
@@ -117,4 +147,12 @@ class DiscSumDocument(Head, Operands, Written):
         ),
     ]
     result: CurvedSet
-    statistics: Either[PairStatistics, DiagramStatistics]
+    statistics: Either[PairStatistics, DiagramStatistics, DiscProgramStatistics]
+    arithmetic: Annotated[
+        str, Meta(description="Of the route `paper-update`; the others are exact.")
+    ]
+    readings: Readings
+    exact: Annotated[
+        ExactDiscSum | None, Meta(description="On the route `paper-update`: what is true.")
+    ]
+    comparison: BesideExact

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
-from minkref.schemas.disc.values import Enclosure, PartsOfTheDiagram, ShapeAndDisc
+from minkref.schemas.disc.values import Enclosure, PartsOfTheDiagram, Radius, RadiusOrRoot
+from minkref.schemas.grammar import Either
+from minkref.schemas.plane.values import BesideExact, Readings
 from minkref.schemas.values import Amount, AnySweep, Count, Digest
 from msgspec import Meta
 
@@ -39,13 +41,71 @@ class DiscSweepRow(TypedDict):
     length: Annotated[Enclosure, Meta(description="Of the boundary.")]
 
 
-class DiscSweepDocument(AnySweep, ShapeAndDisc):
+class DiscProgramCounts(TypedDict):
+    """Of the route `paper-update`: as in `minkref sum`."""
+
+    segments: Count
+    arcs: Count
+    pairs: Count
+    meetings: Count
+    undecided: Count
+
+
+class DiscProgramRow(TypedDict):
+    """An answer of the route `paper-update`."""
+
+    scale: Annotated[Radius, Meta(description="Of the disc.")]
+    radius: RadiusOrRoot
+    digest: Annotated[Digest, Meta(description="SHA-256 of the answer's canonical form.")]
+    components: Count
+    holes: Count
+    curves: Count
+    insertions: Annotated[Count, Meta(description="Of intersections, since the scale before.")]
+    deletions: Count
+    updated: Annotated[Count, Meta(description="Intersections at this scale.")]
+    update_seconds: Amount
+    sum_seconds: Amount
+    exact: BesideExact
+    file: str | None
+    file_exact: bool | None
+
+
+class DiscProgramEvents(TypedDict):
+    """The array of events beside the exact one, by features and branch; right: with half of the
+    digits, and in exact numbers all."""
+
+    right: Count
+    misplaced: Count
+    missed: Count
+    invented: Count
+
+
+class DiscSweepDocument(AnySweep):
     """The document of `minkref sweep --json` with a disc."""
 
     command: Literal["sweep"]
+    P: Annotated[str, Meta(description="The operand as named.")]
+    Q: Annotated[
+        str,
+        Meta(
+            description="The disc; on the route `paper-update` it may have a radius, that at the "
+            "scale 1.",
+            pattern="^disc(:.*)?$",
+        ),
+    ]
+    route: Literal["index", "paper-update"]
+    arithmetic: Annotated[
+        str, Meta(description="Of the route `paper-update`; the other one is exact.")
+    ]
+    readings: Readings
+    events: DiscProgramEvents | None
+    first_wrong: Annotated[
+        Radius | None,
+        Meta(description="Of the route `paper-update`: the first scale with another set."),
+    ]
     format: DiscSweepFormat | None
     preprocessing_seconds: Annotated[
         Amount | None, Meta(description="Of all events and the index.")
     ]
-    statistics: SweepStatistics
-    rows: Annotated[list[DiscSweepRow], Meta(min_length=1)]
+    statistics: Either[SweepStatistics, DiscProgramCounts]
+    rows: Annotated[list[Either[DiscSweepRow, DiscProgramRow]], Meta(min_length=1)]
