@@ -1,6 +1,7 @@
 #include "reference/paper/plane/paper_update.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "reference/number/exact_value.hpp"
@@ -17,13 +18,6 @@
 
 namespace minkref::inline plane {
 namespace {
-
-Rational value_of(const Rational& number) { return number; }
-Rational value_of(const Interval& number) { return exact_value(approximate(number)); }
-template <class T>
-Rational value_of(const T& number) {
-  return exact_value(number);
-}
 
 void refuse_scale(const Rational& scale) {
   if (sign(scale) <= 0) {
@@ -64,26 +58,18 @@ class UpdateIn : public PaperUpdate {
     auto found = find_regions<T>(edges_, convolution_.segments, readings_, zero, threads, memory);
     regions_ = std::move(found.regions);
     counts_ = {edges_.size(), found.pairs, regions_.size(), found.undecided};
-    sort_events();
-    start(arithmetic_(first_scale));
+    walk_.emplace(regions_);
+    walk_->start(arithmetic_(first_scale),
+                 [&](std::uint32_t region, const T& scale) { lists_.insert(region, scale); });
   }
 
   Step move_to(const Rational& to) override {
     const FloatEnvironment standard;
     refuse_scale(to);
     const T scale = arithmetic_(to);
-    Step step;
-    while (next_ < events_.size() && is_due(events_[next_], scale)) {
-      apply(events_[next_], events_[next_].insertion, step);
-      ++next_;
-    }
-    while (next_ > 0 && !is_due(events_[next_ - 1], scale)) {
-      --next_;
-      apply(events_[next_], !events_[next_].insertion, step);
-    }
-    scale_ = scale;
-    step.updated = active_;
-    return step;
+    return walk_->move_to(
+        scale, [&](std::uint32_t region, const T& at) { lists_.insert(region, at); },
+        [&](std::uint32_t region) { lists_.erase(region); });
   }
 
   std::size_t place_intersections() override {
@@ -92,7 +78,7 @@ class UpdateIn : public PaperUpdate {
     for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
       for (const std::uint32_t i : lists_.along(edge)) {
         if (regions_[i].a == edge && !regions_[i].parallel) {
-          places_.push_back(regions_[i].x.at(scale_));
+          places_.push_back(regions_[i].x.at(walk_->scale()));
         }
       }
     }
@@ -113,11 +99,11 @@ class UpdateIn : public PaperUpdate {
     const K kernel;
     Operand<Vector> scaled = P_;
     for (auto& ring : scaled.rings) {
-      for (auto& v : ring) v = Vector(T(v.x() * scale_), T(v.y() * scale_));
+      for (auto& v : ring) v = Vector(T(v.x() * walk_->scale()), T(v.y() * walk_->scale()));
     }
     auto at_scale = convolution_segments<K>(convolution_.edges, scaled, Q_);
-    const ListedIntersections<T> listed(kernel, edges_, regions_, lists_, readings_.order, scale_,
-                                        at_scale);
+    const ListedIntersections<T> listed(kernel, edges_, regions_, lists_, readings_.order,
+                                        walk_->scale(), at_scale);
     const Arrangement<K> arrangement(kernel, listed.vertices, at_scale.segments, listed.contacts);
     const auto inside =
         faces_of_sum(arrangement, connected_, PlainFaceCollision<T>(kernel, scaled, Q_),
@@ -125,7 +111,7 @@ class UpdateIn : public PaperUpdate {
     Canonical form =
         canonicalize(boundary_rings(arrangement, inside, [&](std::uint32_t n) -> Point {
           const Vector& v = arrangement.node(n);
-          return {value_of(v.x()), value_of(v.y())};
+          return {exact_value(v.x()), exact_value(v.y())};
         }));
     for (const auto& edge : edges_)
       ++(edge.is_s() ? sum.statistics.s_edges : sum.statistics.t_edges);
@@ -140,11 +126,11 @@ class UpdateIn : public PaperUpdate {
   std::vector<Event> events() const override {
     const FloatEnvironment standard;
     std::vector<Event> result;
-    result.reserve(events_.size());
-    for (const Critical& event : events_) {
+    result.reserve(walk_->events().size());
+    for (const auto& event : walk_->events()) {
       look_for_interrupt();
       const CriticalRegion<T>& region = regions_[event.region];
-      result.push_back({value_of(scale_of(event)), region.a, region.b, event.insertion});
+      result.push_back({exact_value(walk_->scale_of(event)), region.a, region.b, event.insertion});
     }
     return result;
   }
@@ -152,61 +138,6 @@ class UpdateIn : public PaperUpdate {
   Counts counts() const override { return counts_; }
 
  private:
-  struct Critical {
-    std::uint32_t region;
-    bool insertion;
-  };
-
-  const T& scale_of(const Critical& event) const {
-    const CriticalRegion<T>& region = regions_[event.region];
-    return event.insertion ? *region.lower : *region.upper;
-  }
-
-  /// Whether the walk upwards to a scale crosses the event: regions are closed.
-  bool is_due(const Critical& event, const T& scale) const {
-    const int order = sign(T(scale_of(event) - scale));
-    return event.insertion ? order <= 0 : order < 0;
-  }
-
-  /// Starts the arrangement at the first scale with every region that holds the scale.
-  void start(const T& scale) {
-    scale_ = scale;
-    while (next_ < events_.size() && is_due(events_[next_], scale)) ++next_;
-    for (std::uint32_t i = 0; i < regions_.size(); ++i) {
-      look_for_interrupt();
-      const CriticalRegion<T>& region = regions_[i];
-      if (region.lower && sign(T(*region.lower - scale)) > 0) continue;
-      if (region.upper && sign(T(*region.upper - scale)) < 0) continue;
-      lists_.insert(i, scale);
-      ++active_;
-    }
-  }
-
-  void apply(const Critical& event, bool insertion, Step& step) {
-    if (insertion) {
-      lists_.insert(event.region, scale_of(event));
-      ++step.insertions;
-      ++active_;
-    } else {
-      lists_.erase(event.region);
-      ++step.deletions;
-      --active_;
-    }
-  }
-
-  /// Sorts ascending; at equal scales insertions come first, for regions are closed.
-  void sort_events() {
-    for (std::uint32_t i = 0; i < regions_.size(); ++i) {
-      if (regions_[i].lower) events_.push_back({i, true});
-      if (regions_[i].upper) events_.push_back({i, false});
-    }
-    std::stable_sort(events_.begin(), events_.end(), [&](const Critical& x, const Critical& y) {
-      look_for_interrupt();
-      const int order = sign(T(scale_of(x) - scale_of(y)));
-      return order != 0 ? order < 0 : x.insertion && !y.insertion;
-    });
-  }
-
   const Arithmetic<T> arithmetic_;
   const Readings readings_;
   const bool connected_;
@@ -214,11 +145,8 @@ class UpdateIn : public PaperUpdate {
   const ConvolutionSegments<K> convolution_;
   const std::vector<MovingEdge<Vector>> edges_;
   std::vector<CriticalRegion<T>> regions_;
-  std::vector<Critical> events_;
+  std::optional<EventWalk<T, CriticalRegion<T>>> walk_;
   IntersectionLists<T> lists_;
-  std::size_t next_ = 0;
-  std::uint64_t active_ = 0;
-  T scale_{};
   std::vector<Vector> places_;
   Counts counts_;
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/paper/event_walk.hpp"
 #include "reference/paper/plane/readings.hpp"
 #include "reference/plane/sum.hpp"
 
@@ -28,10 +29,7 @@ class PaperUpdate {
                                            std::uint64_t memory = 0, unsigned threads = 1);
   virtual ~PaperUpdate() = default;
 
-  struct Step {
-    std::uint64_t insertions = 0, deletions = 0;
-    std::uint64_t updated = 0;  ///< intersections at the scale that is reached
-  };
+  using Step = WalkStep;
   /// Steps through the array of events up or down to a scale s > 0 (Sec. 4.2.4). Throws BadInput
   /// for other scales. O(events crossed); with intersections kept in order, times the logarithm and
   /// the length of an edge's list.

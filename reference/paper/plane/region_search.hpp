@@ -9,8 +9,8 @@
 
 #include "reference/build/in_parallel.hpp"
 #include "reference/interrupt.hpp"
-#include "reference/memory.hpp"
 #include "reference/paper/plane/critical_regions.hpp"
+#include "reference/paper/row_control.hpp"
 #include "reference/plane/convolution/convolution_segments.hpp"
 
 namespace minkref::inline plane {
@@ -73,18 +73,6 @@ class RegionRow {
   const T& zero_;
 };
 
-struct RowControl {
-  unsigned count;
-  std::uint64_t memory;
-
-  unsigned threads() const { return count; }
-  void before(unsigned, std::size_t) const {
-    look_for_interrupt_now();
-    if (memory != 0) check_memory(memory, "the list of critical regions");
-  }
-  void stop() const {}
-};
-
 }  // namespace detail
 
 /// The critical regions of all pairs of edges, as read; `segments` are the same edges by their
@@ -97,7 +85,7 @@ RegionList<T> find_regions(const std::vector<MovingEdge<Vector2<T>>>& edges,
                            const T& zero, unsigned threads, std::uint64_t memory) {
   const std::vector<PlacedEdge<T>> placed(edges.begin(), edges.end());
   std::vector<RegionList<T>> rows(edges.size());
-  detail::RowControl control{threads, memory};
+  RowControl control{threads, memory, "the list of critical regions"};
   in_parallel(edges.size(), 4, control, [&](unsigned) {
     return [&, row = detail::RegionRow<T>(edges, placed, segments, readings, zero)](std::size_t a) {
       rows[a] = row.find(static_cast<std::uint32_t>(a));

@@ -10,6 +10,7 @@
 
 #include "reference/paper/space/coplanar_sides.hpp"
 #include "reference/paper/space/facet_readings.hpp"
+#include "reference/paper/space/facet_systems.hpp"
 #include "reference/paper/space/two_facets.hpp"
 #include "reference/plane/critical/scale_solve.hpp"
 #include "reference/space/critical/facet_event.hpp"
@@ -40,13 +41,14 @@ class FacetContacts {
  public:
   using Pair = TwoFacets<T>;
   using Vector = typename Pair::Vector;
-  using Corner = typename Pair::Corner;
   using Facet = typename Pair::Facet;
 
   /// `zero`: the tolerance below which numbers count as zero. All must outlive it.
   FacetContacts(const Facet& first, const Facet& second, const FacetReadings& readings,
                 const T& zero)
-      : pair_(first, second), readings_(readings), zero_(zero) {}
+      : pair_(first, second), readings_(readings), zero_(zero), systems_(pair_, readings_, zero_) {}
+  FacetContacts(const FacetContacts&) = delete;
+  FacetContacts& operator=(const FacetContacts&) = delete;
 
   /// Always keeps the same order, to compare the answers of two arithmetics: each corner, each side
   /// of the first with each side of the second, then the same pairs again for the second scale of
@@ -86,10 +88,8 @@ class FacetContacts {
 
   PaperContact<T> corner_contact(std::size_t which, std::size_t k, bool parallel) const {
     if (readings_.corner == FacetReadings::Corner::lines) return by_lines(which, k, parallel);
-    const auto &own = pair_.named(which, k), &ta = pair_.named(1 - which, 0);
-    const Vector n = pair_.normal(1 - which);
     PaperContact<T> contact{ContactKind::vertex};
-    const auto s = add(contact, level(n.dot(Vector(own.p - ta.p)), n.dot(Vector(ta.q - own.q))));
+    const auto s = add(contact, systems_.corner_on_plane(which, k));
     if (s && pair_.is_inside(1 - which, pair_.corner(which, k, *s), *s)) contact.scale = s;
     return contact;
   }
@@ -97,12 +97,10 @@ class FacetContacts {
   /// x(s) = e_i(s) for the sides before and after the corner (5.1).
   PaperContact<T> by_lines(std::size_t which, std::size_t k, bool parallel) const {
     PaperContact<T> contact{ContactKind::vertex};
-    const Corner& own = pair_.named(which, k);
     for (const std::size_t side : {(k + pair_.size(which) - 1) % pair_.size(which), k}) {
       const auto x = pair_.track(which, side);
       if (!x) continue;
-      const auto s = add(contact, solve(pair_.side(which, side, T(1)), own.p - x->sigma,
-                                        x->x0 - x->sigma - own.q));
+      const auto s = add(contact, systems_.corner_on_track(which, side, k, *x));
       if (s && !contact.scale && pair_.is_inside(1 - which, x->at(*s), *s)) contact.scale = s;
     }
     if (contact.solutions.empty()) {
@@ -120,9 +118,7 @@ class FacetContacts {
           pair_.is_parallel_to_side(k, l) ? Singular::parallel_sides : Singular::side_along_plane;
       return contact;
     }
-    const Vector alpha = x1->sigma - x2->sigma,
-                 beta = Vector(x2->x0 - x2->sigma) - Vector(x1->x0 - x1->sigma);
-    const auto s = add(contact, solve(pair_.normal(0).cross(pair_.normal(1)), alpha, beta));
+    const auto s = add(contact, systems_.points_meet(*x1, *x2));
     if (s) keep_within(contact, k, l, x1->at(*s), *s);
     return contact;
   }
@@ -130,15 +126,9 @@ class FacetContacts {
   /// The determinant of both sides and the way between them is zero: linear in s.
   PaperContact<T> lines_meet(std::size_t k, std::size_t l) const {
     PaperContact<T> contact{ContactKind::edge};
-    const auto &a = pair_.named(0, k), &b = pair_.named(1, l);
-    const Vector u = pair_.side(0, k, T(1)), v = pair_.side(1, l, T(1));
-    const auto volume = [&](const Vector& way) {
-      typename Pair::Matrix columns;
-      columns << u, v, way;
-      return T(columns.determinant());
-    };
-    const auto s = add(contact, level(volume(b.p - a.p), volume(a.q - b.q)));
+    const auto s = add(contact, systems_.lines_meet(k, l));
     if (!s) return contact;
+    const Vector u = pair_.side(0, k, T(1)), v = pair_.side(1, l, T(1));
     const Vector from = pair_.corner(0, k, *s), across = u.cross(v).cross(v);
     const T along = T(u.dot(across));
     if (sign(along) == 0) return contact;  // parallel sides
@@ -187,27 +177,6 @@ class FacetContacts {
     });
   }
 
-  /// s alpha = beta as read, both multiples of `direction`.
-  ScaleSolution<T> solve(const Vector& direction, const Vector& alpha, const Vector& beta) const {
-    switch (readings_.solve) {
-      case Readings::Solve::printed:
-        return solve_by_consistency<T, 3>(alpha, beta);
-      case Readings::Solve::tolerance:
-        return solve_within<T, 3>(alpha, beta, zero_);
-      case Readings::Solve::least_squares:
-        return solve_by_least_squares<T, 3>(alpha, beta);
-      case Readings::Solve::corrected:
-        break;
-    }
-    return solve_along<T, 3>(direction, alpha, beta);
-  }
-
-  /// The scale at which s slope = value.
-  static ScaleSolution<T> level(const T& slope, const T& value) {
-    if (sign(slope) != 0) return {Solution::root, T(value / slope)};
-    return {sign(value) == 0 ? Solution::identity : Solution::inconsistent, T(0)};
-  }
-
   static std::optional<T> add(PaperContact<T>& contact, ScaleSolution<T> solution) {
     contact.solutions.push_back(std::move(solution));
     return positive(contact.solutions.back());
@@ -221,6 +190,7 @@ class FacetContacts {
   const Pair pair_;
   const FacetReadings& readings_;
   const T& zero_;
+  const FacetSystems<T> systems_;
 };
 
 }  // namespace minkref::inline space

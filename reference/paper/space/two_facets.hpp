@@ -32,6 +32,8 @@ class TwoFacets {
 
   std::size_t size(std::size_t which) const { return facets_[which]->size(); }
 
+  const Facet& facet(std::size_t which) const { return *facets_[which]; }
+
   const Corner& named(std::size_t which, std::size_t k) const {
     const Facet& facet = *facets_[which];
     return facet[k % facet.size()];
@@ -85,6 +87,7 @@ class TwoFacets {
   struct Track {
     Vector x0, sigma;
     Vector at(const T& s) const { return x0 + sigma * T(s - T(1)); }
+    static Track none() { return {Vector(T(0), T(0), T(0)), Vector(T(0), T(0), T(0))}; }
   };
   std::optional<Track> track(std::size_t which, std::size_t k) const {
     const auto one = crossing(which, k, T(1)), two = crossing(which, k, T(2));

@@ -6,6 +6,7 @@
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/paper/space/facet_contacts.hpp"
+#include "reference/paper/space/moving_facets_in.hpp"
 #include "reference/paper/trials/misplaced.hpp"
 #include "reference/plane/kernel/arithmetic_name.hpp"
 #include "reference/space/critical/moving_facet.hpp"
@@ -15,25 +16,6 @@ namespace minkref {
 namespace {
 
 constexpr std::size_t most_facets = 3000;
-
-template <class T>
-std::vector<typename FacetContacts<T>::Facet> facets_in(const MovingConvolution& convolution,
-                                                        const Arithmetic<T>& in) {
-  using Contacts = FacetContacts<T>;
-  const auto vector = [&](const IntegerVector& v) {
-    return typename Contacts::Vector(in(Rational(v[0])), in(Rational(v[1])), in(Rational(v[2])));
-  };
-  std::vector<typename Contacts::Facet> facets;
-  for (const MovingFacet& facet : convolution.facets) {
-    auto& corners = facets.emplace_back();
-    for (std::size_t k = 0; k < facet.size; ++k) {
-      const auto& [of_P, of_Q] = facet.names[k];
-      corners.push_back({vector(convolution.P.points[of_P].exact),
-                         vector(convolution.Q.points[of_Q].exact), of_P, of_Q});
-    }
-  }
-  return facets;
-}
 
 /// Whether the answer has this contact's scale at another contact of the facets.
 template <class T>
@@ -104,9 +86,9 @@ FacetContactTrial facet_contact_trial(const Polyhedron& P, const Polyhedron& Q,
   }
   const FacetReadings corrected = corrected_facet_readings();
   const Rational nothing = 0;
-  const auto exact = facets_in<Rational>(convolution, {});
+  const auto exact = facets_in<Rational>(convolution, 1, {});
   with_arithmetic(arithmetic, [&]<class T>(const Arithmetic<T>& in) {
-    const auto facets = facets_in<T>(convolution, in);
+    const auto facets = facets_in<T>(convolution, 1, in);
     const long bits = precision(in);
     const T zero = in(readings.tolerance * Rational(largest(operands.P) + largest(operands.Q)));
     for (std::size_t i = 0; i < facets.size(); ++i) {

@@ -1,0 +1,104 @@
+// The crossings of all pairs of facets at all scales, by several threads; and those at one scale,
+// without events: the measure of the paper's update (Behar & Lien 2012, Sec. 5, 7.2).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "reference/build/in_parallel.hpp"
+#include "reference/paper/row_control.hpp"
+#include "reference/paper/space/crossings.hpp"
+
+namespace minkref::inline space {
+
+template <class T>
+struct CrossingLists {
+  std::vector<Crossing<T>> crossings;  ///< by the first facet, then by the second
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> coplanar;  ///< at all scales; ascending
+  std::uint64_t pairs = 0;                                        ///< that were looked at
+  std::uint64_t undecided = 0;  ///< that were left out: a sign was NaN
+};
+
+/// For each facet all later ones: no filter, for it might leave out just the events that a wrong
+/// formula invents.
+inline std::vector<std::uint32_t> all_later(std::uint32_t facet, std::size_t count) {
+  std::vector<std::uint32_t> later;
+  for (std::uint32_t b = facet + 1; b < count; ++b) later.push_back(b);
+  return later;
+}
+
+/// The crossings of pairs of facets, as read; the same whatever the number of threads. `later(a)`
+/// lists the greater facets that are paired with a, ascending. `zero`: the tolerance below which
+/// numbers count as zero. Throws LimitExceeded beyond `memory` bytes (0: no limit), UndecidedSign
+/// if an interval cannot tell a sign. O(1) for each pair.
+template <class T, class Later>
+CrossingLists<T> find_crossings(const std::vector<typename TwoFacets<T>::Facet>& facets,
+                                Later&& later, const SpaceUpdateReadings& readings, const T& zero,
+                                unsigned threads, std::uint64_t memory) {
+  const auto find = [&](std::uint32_t a) {
+    CrossingLists<T> row;
+    for (const std::uint32_t b : later(a)) {
+      ++row.pairs;
+      try {
+        PairCrossings<T> pair(facets[a], facets[b], readings, zero);
+        const bool coplanar = pair.find([&](Crossing<T> found) {
+          found.first = a;
+          found.second = b;
+          row.crossings.push_back(std::move(found));
+        });
+        if (coplanar) row.coplanar.emplace_back(a, b);
+      } catch (const UndecidedSign&) {
+        if constexpr (std::is_same_v<T, Interval>) throw;
+        ++row.undecided;
+      }
+    }
+    return row;
+  };
+  std::vector<CrossingLists<T>> rows(facets.size());
+  RowControl control{threads, memory, "the list of crossings"};
+  in_parallel(facets.size(), 4, control, [&](unsigned) {
+    return [&](std::size_t a) { rows[a] = find(static_cast<std::uint32_t>(a)); };
+  });
+  CrossingLists<T> all;
+  std::size_t count = 0;
+  for (const CrossingLists<T>& row : rows) count += row.crossings.size();
+  all.crossings.reserve(count);
+  for (CrossingLists<T>& row : rows) {
+    look_for_interrupt();
+    all.pairs += row.pairs;
+    all.undecided += row.undecided;
+    for (Crossing<T>& found : row.crossings) all.crossings.push_back(std::move(found));
+    all.coplanar.insert(all.coplanar.end(), row.coplanar.begin(), row.coplanar.end());
+    row = {};
+  }
+  return all;
+}
+
+/// How many sides pass through other facets at a scale, ends included: for each pair of facets, the
+/// point of each side's line on the other plane by the system of Sec. 5.2, and whether it is on
+/// both. As exact as T. Throws UndecidedSign where T cannot tell. O(N^2).
+template <class T>
+std::size_t crossings_afresh(const std::vector<typename TwoFacets<T>::Facet>& facets,
+                             const T& scale) {
+  std::vector<typename TwoFacets<T>::Vector> points;
+  for (std::size_t a = 0; a < facets.size(); ++a) {
+    look_for_interrupt_now();
+    for (std::size_t b = a + 1; b < facets.size(); ++b) {
+      const TwoFacets<T> pair(facets[a], facets[b]);
+      for (const std::size_t which : {0U, 1U}) {
+        for (std::size_t k = 0; k < pair.size(which); ++k) {
+          auto x = pair.crossing(which, k, scale);
+          if (x && pair.is_between(which, k, *x, scale) && pair.is_inside(1 - which, *x, scale)) {
+            points.push_back(std::move(*x));
+          }
+        }
+      }
+    }
+  }
+  return points.size();
+}
+
+}  // namespace minkref::inline space

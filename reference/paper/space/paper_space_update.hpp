@@ -1,0 +1,109 @@
+// The paper's whole program of Sec. 5: sP + Q for polyhedra followed from one scale to another with
+// one arithmetic, each sentence as read.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/paper/event_walk.hpp"
+#include "reference/paper/space/update_readings.hpp"
+#include "reference/space/polyhedral_set.hpp"
+
+namespace minkref::inline space {
+
+/// The arithmetic's answer at one scale, facet by facet of the reduced convolution.
+struct PaperSpaceSum {
+  using Ring = std::vector<SpacePoint>;
+  /// A facet's part on the boundary: rings in the plane, the part on their left as seen along the
+  /// axis where the facet's normal is longest (mirrored or not); every node of the arrangement on
+  /// them is a corner.
+  struct Exposed {
+    std::uint32_t facet;
+    std::vector<Ring> rings;
+  };
+  /// A cell of the arrangement on a facet, and the answer for it.
+  struct Cell {
+    std::uint32_t facet;
+    SpacePoint inside;  ///< where collision detection was asked, or would have been
+    bool exposed;
+  };
+
+  std::string arithmetic;
+  std::vector<Exposed> exposed;        ///< facets ascending
+  std::vector<Cell> cells;             ///< facets ascending
+  std::optional<PolyhedralSet> set{};  ///< in rational numbers
+  std::uint64_t nodes = 0;             ///< of all facets' arrangements
+  std::uint64_t asked = 0;             ///< cells that collision detection decided
+};
+
+/// The rings of a facet's part as seen along the viewing axis of its plane, the part on their left.
+PolygonSet rings_in_view(const PaperSpaceSum::Exposed& part, const OrientedPlane& plane);
+
+/// The interface of a PaperSpaceUpdate, whatever its arithmetic.
+class PaperSpaceUpdate {
+ public:
+  /// Finds the crossings of all pairs of facets of the reduced convolution and the list of those at
+  /// the first scale. `arithmetic`: "rational", "interval", "double", "mpfr:BITS". Exact with exact
+  /// arithmetic and corrected readings; otherwise the paper's formulas decide the result. Operands
+  /// must have passed `validate`. Throws BadInput for bad scales and arithmetics, and
+  /// ("degenerate-operands") for operands without a volume; LimitExceeded if the crossings take
+  /// more than `memory` bytes (0: no limit), UndecidedSign where "interval" cannot tell a sign. The
+  /// same whatever the number of threads. O(N^2 + k log k) for N facets and k crossings.
+  static std::unique_ptr<PaperSpaceUpdate> make(const Polyhedron& P, const Polyhedron& Q,
+                                                const Rational& first_scale,
+                                                const std::string& arithmetic,
+                                                const SpaceUpdateReadings& readings,
+                                                std::uint64_t memory = 0, unsigned threads = 1);
+  virtual ~PaperSpaceUpdate() = default;
+
+  using Step = WalkStep;
+  /// Steps through the array of events up or down to a scale s > 0 (Sec. 4.2.4, 5). Throws BadInput
+  /// for other scales. O(events crossed).
+  virtual Step move_to(const Rational& scale) = 0;
+
+  /// Gives each crossing on the list its place, x0 + (s - 1) sigma, at the walk's current scale
+  /// ("we update all of the remaining nodes"), and returns their number. O(k).
+  virtual std::size_t place_intersections() = 0;
+
+  /// Does the work that the update saves: finds the crossings of all pairs of facets at a scale s >
+  /// 0 by the system of Sec. 5.2, with the same arithmetic, without the list; returns their number.
+  /// Unlike the list, this number counts the facets' common corners. Throws BadInput for other
+  /// scales, UndecidedSign. O(N^2).
+  virtual std::size_t search_intersections(const Rational& scale) const = 0;
+
+  /// Arrangements on the facets and collision detection (Sec. 3) at the list's current scale. O(N
+  /// c) for c cells, beside the collisions.
+  virtual PaperSpaceSum sum() = 0;
+
+  /// An event of the array: a crossing of two facets begins or ends.
+  struct Event {
+    Rational scale;                       ///< the arithmetic's scale, exactly
+    std::uint32_t first = 0, second = 0;  ///< facets, ascending
+    std::uint32_t crossing = 0;  ///< of the two facets: which of their sides, one number each
+    bool insertion = false;
+  };
+  /// Ascending. O(n).
+  virtual std::vector<Event> events() const = 0;
+
+  struct Counts {
+    std::uint64_t facets = 0, pairs = 0;  ///< pairs that were looked at
+    std::uint64_t crossings = 0;          ///< that exist at some scale
+    std::uint64_t events = 0;
+    std::uint64_t undecided = 0;  ///< pairs left out: a sign was NaN
+  };
+  virtual Counts counts() const = 0;
+
+  /// A facet's plane at a scale, with the sum below. Exact.
+  virtual OrientedPlane plane(std::uint32_t facet, const Rational& scale) const = 0;
+};
+
+/// The exact sum at one scale s > 0, facet by facet: the answer of the program in rational numbers
+/// with all readings corrected, from those pairs of facets alone whose boxes meet there. Throws as
+/// `make` does.
+PaperSpaceSum facet_sum_at(const Polyhedron& P, const Polyhedron& Q, const Rational& scale);
+
+}  // namespace minkref::inline space
