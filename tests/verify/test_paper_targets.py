@@ -40,8 +40,8 @@ def test_with_all_corrected_and_rational_numbers_no_case_of_the_corpus_fails(
     print(f"seed {SEED}")
     assert {outcome.verdict for outcome in said} <= {Verdict.PASS, Verdict.GAVE_UP}
     gave_up = [outcome for outcome in said if outcome.verdict is Verdict.GAVE_UP]
-    assert {outcome.message for outcome in gave_up} <= {"Section 6 is about convex polyhedra"}
-    assert len(said) == FILES > 2 * len(gave_up)
+    assert all("has no volume" in outcome.message for outcome in gave_up), gave_up
+    assert len(said) == FILES > 4 * len(gave_up)
 
 
 @pytest.mark.parametrize("verb", ["update", "pair-events"])
@@ -56,6 +56,15 @@ def test_factors_for_each_axis_are_answered(outcomes: Outcomes, target: str) -> 
     names = [f"axes:0({family}:{SEED}:0)" for family in ("holes", "comb", "spiral", "lattice")]
     said = outcomes(target, *names)
     assert [outcome.verdict for outcome in said] == [Verdict.PASS] * len(names), said
+
+
+@pytest.mark.parametrize("target", [RIGHT, "minkref-paper@mpfr:200,corrected"])
+def test_solids_of_any_shape_are_followed(outcomes: Outcomes, target: str) -> None:
+    """Also with a factor for each axis, and rings of facets in a rounding arithmetic."""
+    families = ("polycube", "l-prism", "cup", "frame", "torus")
+    names = [f"space-{family}:{SEED}:0" for family in families]
+    said = outcomes(target, *names, f"update(space-l-prism:{SEED}:1)")
+    assert {outcome.verdict for outcome in said} <= {Verdict.PASS, Verdict.PASS_WITHIN}, said
 
 
 def test_the_printed_program_in_doubles_is_wrong_with_a_witness(outcomes: Outcomes) -> None:

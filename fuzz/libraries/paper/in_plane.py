@@ -21,8 +21,8 @@ class PlaneProgram:
         self._walk: _core.PaperUpdate | None = None
 
     def at(self, P: str, Q: str, scale: str | list[str]) -> Fields:
-        """The static sum; or the sum by the update, walked from another scale. Sections 3 and 4 know
-        uniform scales: with a factor for each axis P is scaled first, and walked to 1."""
+        """The static sum; or the sum by the update, walked from another scale. Sections 3 and 4
+        know uniform scales: with a factor for each axis P is scaled first, and walked to 1."""
         self._walk = None
         first, second = _core.PolygonSet.from_json(P), _core.PolygonSet.from_json(Q)
         if isinstance(scale, list):

@@ -1,8 +1,11 @@
-"""The paper's repair of convex sums (Section 6), as an adapter asks it."""
+"""The paper's programs in space, as an adapter asks them: the repair of convex sums (Section 6),
+and the update of all others (Section 5)."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 from minkref import _core
@@ -10,36 +13,51 @@ from minkref.errors import Refusal
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.libraries.paper.program_name import ProgramName
 from minkref.fuzz.space.convex_sum import body_of
+from minkref.fuzz.space.exact_sum import core_polyhedron
 
 Fields = dict[str, Any]
 Scaling = tuple[str, str, str]
+Text = tuple[str, str, str]
 ELSEWHERE: tuple[Scaling, ...] = (("1", "1", "1"), ("2", "1", "1/3"))  # as in the plane
+ANOTHER = ("1", "2")  # uniform scales, likewise
 
 
 class SpaceProgram:
-    """The repair, and its state after the last sum."""
+    """The program for a pair, and its state after the last sum."""
 
     def __init__(self, name: ProgramName) -> None:
         self._name = name
-        self._repair: _core.PaperRepair | None = None
-        self._bodies: tuple[_core.ConvexPolyhedron, ...] = ()  # the repair looks at them
+        self._walk: _Repair | _Update | None = None
 
     def at(self, P: Fields, Q: Fields, scale: str | list[str]) -> Fields:
-        """The exact pairs at another scaling, repaired at this one."""
-        first, second = _body(P), _body(Q)
+        first, second = (Polyhedron.from_json(json.dumps(value)) for value in (P, Q))
         to = _scaling(scale)
-        start = next(each for each in ELSEWHERE if each != to)
-        self._bodies = first, second
-        self._repair = _core.PaperRepair(
-            first, second, start, self._name.arithmetic, self._name.repair
-        )
-        return self.update(scale)
+        try:
+            self._walk = _Repair(self._name, body_of(first), body_of(second), to)
+        except _core.BadInput:
+            self._walk = _Update(self._name, first, second, to)
+        return self._walk.move_to(to)
 
     def update(self, scale: str | list[str]) -> Fields:
-        """Repairs on from the last sum's scaling; returns each claimed facet by itself."""
-        if self._repair is None:
+        """Goes on from the last sum's scaling."""
+        if self._walk is None:
             raise ValueError("`update` before any sum")
-        self._repair.update(_scaling(scale))
+        return self._walk.move_to(_scaling(scale))
+
+
+class _Repair:
+    """The exact pairs at another scaling, repaired from scaling to scaling; each claimed facet by
+    itself."""
+
+    def __init__(
+        self, name: ProgramName, P: _core.ConvexPolyhedron, Q: _core.ConvexPolyhedron, to: Scaling
+    ) -> None:
+        start = next(each for each in ELSEWHERE if each != to)
+        self._bodies = P, Q  # the repair looks at them
+        self._repair = _core.PaperRepair(P, Q, start, name.arithmetic, name.repair)
+
+    def move_to(self, to: Scaling) -> Fields:
+        self._repair.update(to)
         claims = self._repair.facets()
         pairs = sorted({pair for _, ring in claims for pair in ring})
         number = {pair: k for k, pair in enumerate(pairs)}
@@ -48,14 +66,71 @@ class SpaceProgram:
         return {"vertices": [list(point) for point in points], "faces": faces}
 
 
-def _body(value: Fields) -> _core.ConvexPolyhedron:
-    """Raises BadInput with one reason for all operands that are not convex, or have no volume."""
-    try:
-        return body_of(Polyhedron.from_json(json.dumps(value)))
-    except _core.BadInput as error:
-        raise Refusal(
-            "Section 6 is about convex polyhedra", "an operand", "", "not-convex"
-        ) from error
+class _Update:
+    """The walk along the events from another uniform scale. Section 5 knows uniform scales: with a
+    factor for each axis P is scaled first, and walked to 1."""
+
+    def __init__(self, name: ProgramName, P: Polyhedron, Q: Polyhedron, to: Scaling) -> None:
+        first, second = core_polyhedron(P), core_polyhedron(Q)
+        self._is_scaled = len(set(to)) > 1
+        if self._is_scaled:
+            first = first.scaled(to)
+        self._to = to
+        start = next(each for each in ANOTHER if each != self._uniform(to))
+        self._walk = _core.PaperSpaceUpdate(first, second, start, name.arithmetic, name.facets)
+        self._operands = first, second
+        self._facets: _core.SpaceEvents | None = None
+
+    def _uniform(self, to: Scaling) -> str:
+        if to == self._to and self._is_scaled:
+            return "1"
+        if self._is_scaled or len(set(to)) > 1:
+            what = "Section 5 is about uniform scales"
+            raise Refusal(what, "an update", "", "scale-not-uniform")
+        return to[0]
+
+    def move_to(self, to: Scaling) -> Fields:
+        self._walk.move_to(self._uniform(to))
+        found = self._walk.sum()
+        exact = found.set()
+        if exact is not None:
+            mesh = exact.mesh()
+            return {"vertices": [list(point) for point in mesh.points()], "faces": mesh.rings()}
+        return _mesh([ring for part in found.facets() for ring in self._turned(*part)])
+
+    def _turned(self, facet: int, rings: list[list[Text]]) -> list[list[Text]]:
+        """The rings, counter-clockwise from outside."""
+        if self._facets is None:
+            self._facets = _core.space_events(*self._operands, "1", "1")
+        _, of_P, of_Q = self._facets.facet(facet)
+        P, Q = (operand.points() for operand in self._operands)
+        corners = [
+            [Fraction(a) + Fraction(b) for a, b in zip(P[p], Q[q], strict=True)]
+            for p, q in zip(of_P, of_Q, strict=True)
+        ]
+        outwards = _area(corners)
+        area = [sum(axis) for axis in zip(*map(_area, rings), strict=True)]
+        if sum(a * b for a, b in zip(outwards, area, strict=True)) >= 0:
+            return rings
+        return [ring[::-1] for ring in rings]
+
+
+def _area(ring: Sequence[Sequence[Any]]) -> list[Fraction]:
+    """Twice the vector of a ring's area."""
+    points = [[Fraction(number) for number in point] for point in ring]
+    vector = [Fraction(0)] * 3
+    for a, b in zip(points, points[1:] + points[:1], strict=True):
+        for k in range(3):
+            i, j = (k + 1) % 3, (k + 2) % 3
+            vector[k] += a[i] * b[j] - a[j] * b[i]
+    return vector
+
+
+def _mesh(rings: list[list[Text]]) -> Fields:
+    points = sorted({point for ring in rings for point in ring})
+    number = {point: k for k, point in enumerate(points)}
+    faces = [[number[point] for point in ring] for ring in rings]
+    return {"vertices": [list(point) for point in points], "faces": faces}
 
 
 def _scaling(scale: str | list[str]) -> Scaling:

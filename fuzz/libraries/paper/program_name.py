@@ -36,8 +36,9 @@ class _Choices:
 
 
 IN_PLANE = _Choices(_core.paper_readings(), _core.check_paper_reading)
-IN_SPACE = _Choices(_core.repair_readings(), _core.check_repair_reading)
-_BOTH = (IN_PLANE, IN_SPACE)
+IN_SPACE = _Choices(_core.space_update_readings(), _core.check_space_update_reading)
+OF_REPAIR = _Choices(_core.repair_readings(), _core.check_repair_reading)
+_ALL = {"readings": IN_PLANE, "facets": IN_SPACE, "repair": OF_REPAIR}
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,8 @@ class ProgramName:
     arithmetic: str
     form: str
     readings: dict[str, str]  # in the plane, Section 4
-    repair: dict[str, str]  # in space, Section 6
+    facets: dict[str, str]  # in space, Section 5
+    repair: dict[str, str]  # in space of convex bodies, Section 6
 
     @property
     def is_static(self) -> bool:
@@ -57,8 +59,7 @@ class ProgramName:
     @property
     def is_exact(self) -> bool:
         """Whether it claims the exact sum: exact numbers, all readings corrected."""
-        right = self.readings == IN_PLANE.all_of(CORRECTED)
-        right = right and self.repair == IN_SPACE.all_of(CORRECTED)
+        right = all(getattr(self, name) == each.all_of(CORRECTED) for name, each in _ALL.items())
         return self.arithmetic == EXACT and (self.is_static or right)
 
     @property
@@ -97,15 +98,13 @@ def read_name(name: str) -> ProgramName:
         raise Refusal(what, name[:60], f"write {PREFIX}@double, or {_spelling()}")
     check_arithmetic(arithmetic, name[:60])
     form = _form([word for word in words if "=" not in word], name)
-    readings, repair = IN_PLANE.all_of(form), IN_SPACE.all_of(form)
+    chosen = {section: choices.all_of(form) for section, choices in _ALL.items()}
     for word in (word for word in words if "=" in word):
         if form == STATIC:
             what = "the static program has no readings"
             raise Refusal(what, name[:60], f"leave out {word[:40]} or {STATIC}")
-        if not _set(IN_PLANE, readings, word, name) and not _set(IN_SPACE, repair, word, name):
-            what = f"there is no reading {word[:40]!r}"
-            raise Refusal(what, name[:60], f"{nearest(word, _every_word())}write {_spelling()}")
-    return ProgramName(argument, arithmetic, form, readings, repair)
+        _set(chosen, word, name)
+    return ProgramName(argument, arithmetic, form, **chosen)
 
 
 def _form(words: list[str], name: str) -> str:
@@ -120,31 +119,46 @@ def _form(words: list[str], name: str) -> str:
     return words[0] if words else PRINTED
 
 
-def _set(choices: _Choices, readings: dict[str, str], word: str, name: str) -> bool:
-    """Sets one reading; False if the section has no such name."""
+def _set(chosen: dict[str, dict[str, str]], word: str, name: str) -> None:
+    """Sets a reading in each section that has it with this value."""
     reading, _, value = word.partition("=")
-    if reading not in readings:
-        return False
-    try:
-        choices.check(reading, value)
-    except _core.BadInput as error:
-        every = next(values for each, values, *_ in choices.rows if each == reading)
+    sections = [section for section, readings in chosen.items() if reading in readings]
+    if not sections:
+        what = f"there is no reading {word[:40]!r}"
+        raise Refusal(what, name[:60], f"{nearest(word, _every_word())}write {_spelling()}")
+    refused = []
+    for section in sections:
+        try:
+            _ALL[section].check(reading, value)
+        except _core.BadInput as error:
+            refused.append(error)
+        else:
+            chosen[section][reading] = value
+    if len(refused) == len(sections):
+        rows = [row for section in sections for row in _ALL[section].rows if row[0] == reading]
+        every = dict.fromkeys(value for _, values, *_ in rows for value in values)
         mend = f"{nearest(word, _every_word())}write {reading}={'|'.join(every)}"
-        raise Refusal(refusal_of(error).what, name[:60], mend) from error
-    readings[reading] = value
-    return True
+        raise Refusal(refusal_of(refused[0]).what, name[:60], mend) from refused[0]
 
 
 def _every_word() -> list[str]:
-    rows = [row for choices in _BOTH for row in choices.rows]
-    return [*FORMS, *(f"{name}={value}" for name, values, *_ in rows for value in values)]
+    return [*FORMS, *(f"{name}={value}" for name, values in _values().items() for value in values)]
 
 
 def _spelling() -> str:
     """How a name is made, with all choices."""
-    rows = [row for choices in _BOTH for row in choices.rows]
-    readings = ", ".join(f"{name}={'|'.join(values)}" for name, values, *_ in rows)
+    readings = ", ".join(f"{name}={'|'.join(values)}" for name, values in _values().items())
     return (
         f"{PREFIX}@ARITHMETIC[,{'|'.join(FORMS)}][,NAME=VALUE...] with rational, interval, double "
         f"or mpfr:BITS, and the readings {readings}"
     )
+
+
+def _values() -> dict[str, list[str]]:
+    """Each reading with the values of all sections that have it."""
+    found: dict[str, list[str]] = {}
+    for choices in _ALL.values():
+        for name, values, *_ in choices.rows:
+            known = found.setdefault(name, [])
+            known += [value for value in values if value not in known]
+    return found
