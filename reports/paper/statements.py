@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 EXACT = "rational"
 FOUR = "rational, interval, double, MPFR"
+ROUNDED_ROOTS = "rational with roots, double, MPFR"
 TWO = "double, MPFR"
 NONE = "-"
 PRINTED, CORRECTED, BOTH = "printed", "corrected", "printed, corrected"
@@ -26,6 +27,7 @@ DISC_PAIRS = "minkref events g1 disc --kind pair"
 CONTACTS, CHECKED = "reference/space/critical", "places of small grids (`oracle/sampled`)"
 MOTION = "reference/motion"
 PAIRS, DIAGRAM = "reference/disc/pairs", "reference/disc/diagram"
+APPENDIX_PROGRAM = "reference/paper/disc"
 CONVEX, LITERAL = "reference/space/convex", "reference/paper/space"
 REPORT, BENCH = "reports/paper", "reports/bench"
 
@@ -285,11 +287,13 @@ SECTION_8 = (
 
 APPENDIX = (
     Statement("Appendix", r"$p(s) = p + (s - 1) r (\perp l)$, with the same centre $c$",
-              (f"{PAIRS}/offset_feature.hpp",), PRINTED, EXACT, DISC_PAIRS, ALGEBRA,
+              (f"{PAIRS}/offset_feature.hpp", f"{APPENDIX_PROGRAM}/moving_feature.hpp"), BOTH,
+              ROUNDED_ROOTS, "minkref convolution g1 disc:7/5", ALGEBRA,
               ("disc-centre", "disc-moving-edges")),
     Statement("Appendix", "the crossing of two segments comes to an end: exactly two events, or "
               "none; those with $0 < t$ or $t > 1$ are rejected",
-              (f"{PAIRS}/pair_contact.hpp", f"{PAIRS}/feature_pair.hpp"), BOTH, EXACT,
+              (f"{PAIRS}/pair_contact.hpp", f"{PAIRS}/feature_pair.hpp",
+               f"{APPENDIX_PROGRAM}/two_segments.hpp"), BOTH, ROUNDED_ROOTS,
               f"{DISC_PAIRS} --form printed", SYMBOLIC,
               ("disc-two-events", "disc-rejected-parameters", "disc-parallel-edges",
                "disc-degree-of-scales")),
@@ -297,13 +301,21 @@ APPENDIX = (
               (f"{PAIRS}/pair_contact.hpp",), PRINTED, EXACT, DISC_PAIRS, SYMBOLIC,
               ("disc-circles-touch",)),
     Statement("Appendix", r"$I(s) = M(s) (\pm \perp (c_1, c_2))$, $M(s) = \sqrt{(s^2 - s_0^2) r} + "
-              r"y_{c_1}$, set equal to ends of arcs", (f"{PAIRS}/feature_pair.hpp",), BOTH, EXACT,
-              "minkref events g1 disc:2 --kind pair --form printed", SYMBOLIC,
+              r"y_{c_1}$, set equal to ends of arcs",
+              (f"{PAIRS}/feature_pair.hpp", f"{APPENDIX_PROGRAM}/two_arcs.hpp"), BOTH,
+              ROUNDED_ROOTS, "minkref sum g1 disc:7/5 --route paper-update --form corrected "
+              "--reading radical=printed", SYMBOLIC,
               ("disc-magnitude", "disc-crossing-of-circles", "disc-ends-of-arcs",
                "disc-events-of-arcs")),
     Statement("Appendix", r"a circle touches the line of a segment at $s_0$, and crosses the line "
-              r"$x_0 = x_c - s_0 r$ after", (f"{PAIRS}/pair_contact.hpp",), BOTH, EXACT,
-              f"{DISC_PAIRS} --form printed", SYMBOLIC, ("disc-tangent-line", "disc-line-moves")),
+              r"$x_0 = x_c - s_0 r$ after",
+              (f"{PAIRS}/pair_contact.hpp", f"{APPENDIX_PROGRAM}/arc_and_segment.hpp"), BOTH,
+              ROUNDED_ROOTS, "minkref sum g1 disc:7/5 --route paper-update --form corrected "
+              "--reading line=printed", SYMBOLIC, ("disc-tangent-line", "disc-line-moves")),
+    Statement("Appendix", "the events are used to update the convolution as in Section 4",
+              (f"{APPENDIX_PROGRAM}/disc_update.hpp",), BOTH, ROUNDED_ROOTS,
+              "minkref sweep g1 disc:3/2 --from 1 --to 3 --steps 3 --route paper-update "
+              "--form corrected", EXACT_SUM, ("disc-kinds-of-events",)),
     Statement("Appendix", "events of two arcs or segments are all events",
               (f"{PAIRS}/pair_events.hpp", f"{DIAGRAM}/diagram_events.hpp"), CORRECTED, EXACT,
               "minkref events g1 disc", SYMBOLIC, ("disc-kinds-of-events", "disc-triple-events")),
