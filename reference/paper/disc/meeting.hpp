@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "reference/paper/disc/moving_feature.hpp"
@@ -34,6 +35,12 @@ struct MeetingEvent {
   bool begins(int of_branch) const { return is_tangent || sense * of_branch > 0; }
 };
 
+/// Throws UndecidedSign for NaN and infinity, which no other scale could be compared with.
+template <class T>
+void require_number(const T& scale) {
+  if constexpr (!std::is_same_v<T, Surd>) sign(T(scale - scale));
+}
+
 /// The scales of one branch, from its events; none if it never begins. `from_zero`: a branch that
 /// only ends was there from the first.
 template <class T>
@@ -42,6 +49,7 @@ std::optional<Meeting<T>> meeting_of(const std::vector<MeetingEvent<T>>& events,
   Meeting<T> found;
   found.branch = static_cast<std::int8_t>(branch);
   for (const MeetingEvent<T>& event : events) {
+    require_number(event.scale);
     if (event.branch == -branch && branch != 0) continue;
     const bool begins = event.begins(branch == 0 ? 1 : branch);
     auto& bound = begins ? found.lower : found.upper;

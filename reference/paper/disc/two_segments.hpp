@@ -63,6 +63,7 @@ class TwoSegments {
   static std::optional<Meeting<T>> between_two(const std::vector<detail::MeetingEvent<T>>& events) {
     std::vector<T> scales;
     for (const auto& event : events) {
+      detail::require_number(event.scale);
       bool is_new = true;
       for (const T& scale : scales) is_new = is_new && order_of(scale, event.scale) != 0;
       if (is_new) scales.push_back(event.scale);
@@ -93,6 +94,7 @@ std::optional<Meeting<T>> parallel_meeting(const MovingFeature<T>& a, const Movi
     return detail::is_on(of, other.corner[0]) || detail::is_on(of, other.corner[1]);
   };
   if (!has_end(a, b) && !has_end(b, a)) return std::nullopt;
+  detail::require_number(scale);
   Meeting<T> found;
   found.is_overlap = true;
   found.lower = found.upper = scale;
