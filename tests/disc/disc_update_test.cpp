@@ -1,5 +1,5 @@
-// The Appendix's program: with all sentences in their right form and exact numbers it gives the
-// exact sum at every radius, and its events are the exact pair events.
+// The Appendix's program, with all sentences corrected and exact numbers: the exact sum at every
+// radius, the exact pair events.
 #include "reference/paper/disc/disc_update.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ DiscUpdate::Options corrected(const std::string& arithmetic = "rational") {
   return {1, arithmetic, corrected_appendix(), 0};
 }
 
-/// Rational squared radii of P's events, in order, and others between and beyond.
+/// Squared radii: rational ones from P's events, alternating with random ones.
 std::vector<Rational> squared_radii(const PolygonSet& P, std::size_t most,
                                     testing::Source& random) {
   std::vector<Rational> of_events, all;
@@ -75,7 +75,7 @@ TEST(DiscUpdate, IsExactForAnyDiscAtScaleOne) {
   }
 }
 
-/// Walls of one distance, turned by a Pythagorean angle: flat ridges, ties, lengths without roots.
+/// Equidistant walls, turned by a Pythagorean angle: flat ridges, ties, rational lengths.
 TEST(DiscUpdate, IsExactForParallelWallsAndTurnedOnes) {
   testing::Source random(4);
   const PolygonSet comb{{{{{0, 0},
@@ -119,13 +119,13 @@ struct OfPair {
   std::vector<DiscPairEvent> exact;
 };
 
-/// The array of a pair: the same radii as the exact search has, and as many points between them.
+/// Compares a pair's array with the exact search: equal radii, equal point counts between radii.
 void expect_events(const OfPair& pair) {
   std::size_t next = 0;
   int points = 0;
   for (const auto& event : pair.found) points += event.insertion ? 0 : 1;
   for (const auto& event : pair.found) points -= event.insertion ? 1 : 0;
-  // So many more end than begin: these were there from the first.
+  // More ends than beginnings: the surplus exists from radius 0 on.
   points = std::max(points, 0);
   for (const DiscPairEvent& exact : pair.exact) {
     ASSERT_EQ(points, exact.before);
@@ -174,9 +174,9 @@ TEST(DiscUpdate, StepsThereAndBack) {
   }
 }
 
-/// In exact numbers `solve` changes nothing. Parallel segments that are left out cost events, but
-/// no sum: other curves meet both segments where the common part ends. Each other sentence as
-/// printed loses a sum.
+/// In exact numbers `solve` changes nothing. Parallel segments left out cost events, no sum:
+/// adjacent curves meet both segments at the ends of the common stretch. Every remaining sentence,
+/// as printed, loses a sum.
 TEST(DiscUpdate, LosesSumsBySentencesAsPrinted) {
   const std::map<std::string, std::pair<std::string, bool>> others{
       {"rejected", {"printed", true}},   {"number", {"printed", true}},

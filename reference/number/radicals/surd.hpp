@@ -1,5 +1,5 @@
-// Exact numbers made of rational numbers by + - * / and square roots, in any order and of any
-// fields: one program text for rounded and for exact numbers.
+// Exact numbers from rational numbers by + - * / and square roots, in any order, from any fields: a
+// single program text for rounded and exact numbers.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,11 @@
 
 namespace minkref {
 
-/// An expression. Sums and products of roots of rational numbers are multiplied out and kept as
-/// terms f √m, so that most equal numbers look equal; other numbers keep their operands.
+/// An expression. Sums and products with rational radicands are multiplied out to terms f √m, so
+/// most equal numbers look equal; all remaining numbers keep their operands.
 ///
-/// A RootNumber (root_number.hpp) lives in one chain of fields and needs both operands there; a
-/// Surd takes any operands, and pays with a wider search where a number is 0.
+/// A RootNumber (root_number.hpp) needs both operands in a chain of fields. A Surd takes any
+/// operands; in return, zero takes more bits to recognise.
 class Surd {
  public:
   Surd() : Surd(Rational(0)) {}
@@ -35,8 +35,8 @@ class Surd {
   Surd& operator*=(const Surd& b) { return *this = *this * b; }
   Surd& operator/=(const Surd& b) { return *this = *this / b; }
 
-  /// Exact: by doubles, then by MPFR, with as many bits as tell the number from 0 if it is not 0
-  /// (surd_bound.hpp). Throws LimitExceeded ("too-many-roots") beyond 2^24 bits.
+  /// Exact: by doubles, then by MPFR, up to a separation bound (surd_node.hpp). Throws
+  /// LimitExceeded ("too-many-roots") beyond 2^24 bits.
   friend int sign(const Surd& a);
 
   /// It holds the number.

@@ -29,14 +29,13 @@ struct Surd::Node {
   }
 };
 
-/// The least bits B such that the number is 0 if it is nearer to 0 than 2^-B.
+/// Returns B such that a number nearer to 0 than 2^-B is 0.
 ///
-/// Theorem (Burnikel, Funke, Mehlhorn, Schirra, Schmitt 2009). The number is U / L for two
-/// algebraic integers of one field. u bounds all conjugates of U, l those of L; the rules for both
-/// are in the code. If the field's degree is D and U is not 0, then the product of U's conjugates
-/// is a whole number other than 0, so |U| >= u^(1 - D), and the number is at least u^(1 - D) / l.
-/// Roots of whole numbers give 2^r to the degree, where r is the rank of the numbers modulo
-/// squares; each other root doubles it.
+/// Theorem (Burnikel, Funke, Mehlhorn, Schirra, Schmitt 2009). The number is U / L with algebraic
+/// integers U and L in a common field, all conjugates at most u and l in size; the code has the
+/// rules for u and l. For a field with degree D and U not 0, the product over U's conjugates is a
+/// whole number, not 0: |U| >= u^(1 - D), hence |U / L| >= u^(1 - D) / l. Roots from whole numbers
+/// contribute the factor 2^r, with their rank r modulo squares; every nested root doubles D.
 double surd_bits(const Surd::Ref& node);
 
 /// The value of an expression, with each shared part evaluated once.

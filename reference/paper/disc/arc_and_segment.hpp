@@ -5,8 +5,8 @@
 
 namespace minkref::inline disc {
 
-/// An arc, and a segment whose edge has the arc's centre at the distance g in front: from s0 =
-/// g / (2 r) on, the circle crosses the segment's line at both sides of the centre's foot.
+/// An arc whose centre lies at distance g before a segment's edge: from s0 = g / (2 r) on, the
+/// circle crosses the segment's line on both sides of the centre's foot.
 template <class T>
 class ArcAndSegment {
  public:
@@ -34,7 +34,7 @@ class ArcAndSegment {
   }
 
   void add_meetings(std::vector<Meeting<T>>& found) const {
-    if (sign(gap_) <= 0) return;  // behind the line it is never met, and on it always
+    if (sign(gap_) <= 0) return;  // never met behind the line; always on the line
     std::vector<detail::MeetingEvent<T>> events;
     const Vector<T>& normal = segment_.way[0];
     const Vector<T> down{T(-normal.x), T(-normal.y)};

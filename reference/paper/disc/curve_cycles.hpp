@@ -1,4 +1,4 @@
-// Cycles of half-edges in an arrangement of segments and arcs, in one arithmetic.
+// Half-edge cycles around segments and arcs, in any arithmetic.
 #pragma once
 
 #include <algorithm>

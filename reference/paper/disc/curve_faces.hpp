@@ -1,5 +1,5 @@
-// Which faces of the convolution's arrangement are in the sum: orientable loops, nesting, collision
-// detection (Behar & Lien 2012, Sec. 3).
+// Faces in the sum, found by orientable loops, nesting and collision detection (Behar & Lien 2012,
+// Sec. 3).
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace minkref::inline disc {
 template <class T>
 class CurveFaces {
  public:
-  /// `is_connected`: whether P has one component; then a face with a curve's ring inside it is in
-  /// the sum. O(n log n) for each part of the arrangement and for each face that is asked.
+  /// `is_connected`: whether P has a single component; then a face with a second cycle belongs to
+  /// the sum. O(n log n) for each connected part and for each collision test.
   CurveFaces(const CurveCycles<T>& cycles, const std::vector<MovingFeature<T>>& features,
              bool is_connected, const Arithmetic<T>& in)
       : cycles_(cycles),
@@ -29,7 +29,7 @@ class CurveFaces {
   }
 
   bool is_inside(std::uint32_t half_edge) const { return inside_[face(half_edge)]; }
-  /// The face on the left, by one of its cycles.
+  /// The left face's number.
   std::uint32_t face(std::uint32_t half_edge) const { return faces_[cycles_.cycle(half_edge)]; }
   std::size_t count() const { return of_face_.size(); }
   std::size_t asked() const { return asked_; }

@@ -1,4 +1,4 @@
-// Horizontal rays through an arrangement of segments and arcs, in one arithmetic.
+// Horizontal rays through segments and arcs, in any arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,7 @@
 
 namespace minkref::inline disc {
 
-/// A height at which no node lies, and the half-edges that rise there, from left to right, with
-/// their places.
+/// A height without nodes, and the rising half-edges met there, from left to right.
 template <class T>
 struct CurveRay {
   struct Hit {
@@ -27,8 +26,8 @@ class CurveRays {
  public:
   CurveRays(const CurveCycles<T>& cycles, const Arithmetic<T>& in) : cycles_(cycles), in_(in) {}
 
-  /// A ray that crosses a piece; none for a piece without a height, or with a height so small that
-  /// no number of the arithmetic is within. O(n log n).
+  /// A ray across a piece; none for a flat piece, or if the arithmetic has no number between its
+  /// ends' heights. O(n log n).
   std::optional<CurveRay<T>> through(std::uint32_t piece) const {
     const CutCurve& own = placed().curves()[piece];
     const T &from = placed().place(own.from).y, &to = placed().place(own.to).y;
@@ -42,7 +41,7 @@ class CurveRays {
     return std::nullopt;
   }
 
-  /// A number strictly between two, as short as may be; none if the arithmetic has none.
+  /// A short number strictly between two numbers; none if the arithmetic has none.
   std::optional<T> between(const T& low, const T& high, int sixty_fourths = 32) const {
     const double part = sixty_fourths / 64.0, a = approximate(low), b = approximate(high);
     const double near = a + (b - a) * part;

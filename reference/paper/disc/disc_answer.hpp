@@ -1,4 +1,4 @@
-// What the Appendix's program answers at one scale: rings of curves.
+// The answer from the Appendix's program at a scale: rings of curves.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,7 @@ struct DiscAnswer {
   std::size_t nodes = 0, faces = 0, asked = 0;  ///< of the arrangement; faces with a collision test
 };
 
-/// The largest distance of corresponding corners; none unless the rings have the same curves, one
-/// by one, as answers to one radius from one frame do if they agree.
+/// The largest distance between corresponding corners; none unless all rings have equal curves.
 std::optional<double> corner_distance(const DiscAnswer& a, const DiscAnswer& b);
 
 }  // namespace minkref::inline disc

@@ -7,8 +7,8 @@
 
 namespace minkref::inline disc {
 
-/// Whether P and the disc about x, with a squared radius, have a point in common: x is in P, or
-/// nearer to an edge than the radius, or as near. As exact as T. O(n).
+/// Whether P meets the disc about x with the squared radius `square`: x is in P, or at most a
+/// radius away from an edge. As exact as T. O(n).
 template <class T>
 bool meets_disc(const std::vector<MovingFeature<T>>& features, const T& square,
                 const Vector<T>& x) {

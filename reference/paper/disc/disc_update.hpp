@@ -1,4 +1,4 @@
-// The Appendix's whole program: P grown by the disc sQ, followed from one scale to another with one
+// The Appendix's whole program: P grown by the disc sQ, followed from scale to scale in any
 // arithmetic, each formula as read (Behar & Lien 2012, Appendix).
 #pragma once
 
@@ -24,10 +24,10 @@ class DiscUpdate {
     std::uint64_t memory = 0;  ///< bytes of the process; 0: no limit
   };
 
-  /// Finds, for all pairs of segments and arcs of the reduced convolution, the scales at which they
-  /// meet, and starts at one squared radius. Exact with exact arithmetic and corrected readings;
-  /// otherwise the paper's formulas decide the result. P is a valid polygon set, a point or a
-  /// segment. Throws BadInput ("bad-radius") for radii that are not above 0,
+  /// Finds the scales at which segments and arcs meet, for all pairs in the reduced convolution,
+  /// and starts at a squared radius. Exact with exact arithmetic and corrected readings; otherwise
+  /// the paper's formulas decide the result. P is a valid polygon set, a point or a segment. Throws
+  /// BadInput ("bad-radius") for radii that are not above 0,
   /// ("unknown-arithmetic"), LimitExceeded beyond `memory`. O(N^2 + k log k) for N features and k
   /// meetings.
   static std::unique_ptr<DiscUpdate> make(const PolygonSet& P, const Rational& squared_radius,
@@ -45,9 +45,9 @@ class DiscUpdate {
   /// Gives each intersection on the list its place, by I(s); returns their number. O(k).
   virtual std::size_t place_intersections() = 0;
 
-  /// Does the work that the update saves: finds the intersections at one radius for all pairs of
-  /// features, with the same arithmetic and the formulas in their right form, without the list;
-  /// returns their number. O(N^2).
+  /// Does the work saved by the update: finds all intersections at a radius from all feature pairs,
+  /// without the list, in the same arithmetic, with corrected formulas; returns their number.
+  /// O(N^2).
   virtual std::size_t search_intersections(const Rational& squared_radius) const = 0;
 
   /// Loops, nesting and collision detection (Sec. 3) where the list stands: the arithmetic's
@@ -63,8 +63,8 @@ class DiscUpdate {
   };
   virtual std::vector<Event> events() const = 0;
 
-  /// How the array agrees with another one, of the same P and r: events of the same two features
-  /// and the same branch whose scales differ by at most 2^-`bits` of the scale are right.
+  /// Compares the array with the exact array for the same P and r. Right events agree in features
+  /// and branch, and differ by at most 2^-`bits` times the scale.
   struct Agreement {
     std::uint64_t right = 0, misplaced = 0, missed = 0, invented = 0;
   };

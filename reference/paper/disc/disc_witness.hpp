@@ -1,4 +1,4 @@
-// Where a program's answer is another set than P ⊕ ρD.
+// A point where a program's answer differs from P ⊕ ρD.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,15 @@
 
 namespace minkref::inline disc {
 
-/// A point that is in one of the two sets only.
+/// A point in the sum or in the answer, not in both.
 struct DiscWitness {
   Point point;
-  bool in_sum;  ///< it is in the sum, and the answer lost it; else the answer added it
+  bool in_sum;  ///< the answer lost the point; otherwise the answer added it
 };
 
-/// Looks for a point that an answer's rings, with corners as the answer has them in doubles, hold
-/// and the sum does not, or the other way round: beside the boundaries of both, and on a grid. The
-/// exact distance from P tells whether the point is in the sum; points at just the radius are left
-/// out. None found does not mean that the sets are equal. O(k (n + k)) for k pieces, n edges.
+/// Looks for a witness beside both boundaries and on a grid. The answer's rings have their corners
+/// rounded to doubles; the exact distance from P decides about the sum. No witness does not prove
+/// equal sets. O(k (n + k)) for k pieces, n edges.
 std::optional<DiscWitness> disc_witness(const PolygonSet& P, const Rational& squared_radius,
                                         const DiscAnswer& answer);
 

@@ -1,5 +1,5 @@
-// For which scales two features of the convolution meet, read off the Appendix of Behar & Lien
-// 2012: what the three kinds of pairs share.
+// Scales at which two convolution features meet (Behar & Lien 2012, Appendix): common to all three
+// kinds of pairs.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace minkref::inline disc {
 
-/// Two features, one of the points where their lines or circles cross, and the scales s > 0 at
-/// which it is on both: closed; without a bound down to 0 or up to infinity.
+/// Two features, a crossing point (branch) of their lines or circles, and the closed range of
+/// scales s > 0 with this point on both features; no bound: down to 0 or up to infinity.
 template <class T>
 struct Meeting {
   std::uint32_t a = 0, b = 0;
@@ -35,14 +35,14 @@ struct MeetingEvent {
   bool begins(int of_branch) const { return is_tangent || sense * of_branch > 0; }
 };
 
-/// Throws UndecidedSign for NaN and infinity, which no other scale could be compared with.
+/// Throws UndecidedSign for NaN and infinity, which cannot be compared.
 template <class T>
 void require_number(const T& scale) {
   if constexpr (!std::is_same_v<T, Surd>) sign(T(scale - scale));
 }
 
-/// The scales of one branch, from its events; none if it never begins. `from_zero`: a branch that
-/// only ends was there from the first.
+/// A branch's scales from its events; none if the branch never begins. `from_zero`: a branch with
+/// an end only exists from scale 0 on.
 template <class T>
 std::optional<Meeting<T>> meeting_of(const std::vector<MeetingEvent<T>>& events, int branch,
                                      bool from_zero) {
@@ -61,7 +61,7 @@ std::optional<Meeting<T>> meeting_of(const std::vector<MeetingEvent<T>>& events,
   return found;
 }
 
-/// Whether a segment's or an arc's line or circle has a point on the segment or arc itself.
+/// Whether a point on a feature's line or circle lies on the feature.
 template <class T>
 bool is_on(const MovingFeature<T>& feature, const Vector<T>& x) {
   if (feature.is_arc) return is_in_arc(feature, Vector<T>(x - feature.centre()));
@@ -74,7 +74,7 @@ bool are_equal(const Vector<T>& x, const Vector<T>& y) {
   return order_of(x.x, y.x) == 0 && order_of(x.y, y.y) == 0;
 }
 
-/// The root; 0 for a number that rounding put below 0.
+/// The root; 0 if rounding made the number negative.
 template <class T>
 T root_or_zero(const T& value) {
   return sign(value) <= 0 ? T(0) : root_of(value);

@@ -65,6 +65,17 @@ Vector<T> unit(const Vector<T>& v) {
   return {T(v.x / length), T(v.y / length)};
 }
 
+/// Whether a normal points from a point on its line to the origin's side. Points that rounding put
+/// together have no normal.
+template <class T>
+bool points_to_origin(const Vector<T>& normal, const Vector<T>& at) {
+  try {
+    return sign(T(dot(normal, at))) < 0;
+  } catch (const UndecidedSign&) {
+    return false;
+  }
+}
+
 /// `r`: the radius at s = 1.
 template <class T>
 MovingFeature<T> moving_feature(const OffsetFeature& feature, const Arithmetic<T>& in, const T& r,
@@ -78,7 +89,7 @@ MovingFeature<T> moving_feature(const OffsetFeature& feature, const Arithmetic<T
   if (feature.is_arc) return result;
   result.along = result.corner[1] - result.corner[0];
   Vector<T> normal = unit<T>({result.along.y, T(-result.along.x)});
-  if (readings.from_origin && sign(T(dot(normal, result.corner[0]))) < 0) {
+  if (readings.from_origin && points_to_origin(normal, result.corner[0])) {
     normal = {T(-normal.x), T(-normal.y)};
   }
   result.way = {normal, normal};

@@ -1,4 +1,4 @@
-// The convolution's curves at one scale, cut at the listed intersections, in one arithmetic.
+// The convolution's curves at a scale, cut at listed intersections, in any arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace minkref::inline disc {
 
-/// A piece between two nodes, and the features that run along it; the first runs from `from`.
+/// A piece between two nodes, with all features along the piece; the first runs from `from`.
 struct CutCurve {
   struct Cover {
     std::uint32_t feature;
@@ -25,8 +25,8 @@ struct CutCurve {
   std::vector<Cover> covers;
 };
 
-/// Nodes with their places, and pieces. As exact as T. An intersection that the list puts on a
-/// curve, but rounding puts before or beyond it, counts as the curve's end.
+/// Nodes with their places, and pieces. As exact as T. A listed intersection beyond a curve's end,
+/// through rounding, counts as the end.
 template <class T>
 class PlacedCurves {
  public:
@@ -59,7 +59,7 @@ class PlacedCurves {
     }
   }
 
-  /// Makes one node of nodes with one place, and cuts the curves there. O(k log k) for k cuts.
+  /// Joins nodes at equal places, and cuts the curves at nodes. O(k log k) for k cuts.
   void finish() {
     join_equal();
     for (std::uint32_t part = 0; part < frame_.parts.size(); ++part) {
@@ -74,7 +74,7 @@ class PlacedCurves {
   const std::vector<CutCurve>& curves() const { return curves_; }
   std::size_t nodes() const { return places_.size(); }
   const Vector<T>& place(std::uint32_t node) const { return places_[node]; }
-  /// The one node that stands for all with its place.
+  /// The representative node at the same place.
   std::uint32_t root(std::uint32_t node) const {
     while (parent_[node] != node) node = parent_[node];
     return node;
@@ -82,7 +82,7 @@ class PlacedCurves {
 
  private:
   static constexpr std::uint32_t none = UINT32_MAX;
-  /// A part, and the node if the place is at the end of one.
+  /// A part, and the part's end node if the place is at an end.
   struct Found {
     std::uint32_t part, end;
   };
@@ -102,7 +102,7 @@ class PlacedCurves {
     return parent_.back();
   }
 
-  /// The place with fewer roots stands for both.
+  /// Keeps the place with fewer roots.
   void join(std::uint32_t a, std::uint32_t b) {
     a = root(a);
     b = root(b);

@@ -7,12 +7,12 @@
 
 namespace minkref::inline disc {
 
-/// Two arcs of one radius about different centres: from s0 on their circles cross at both sides of
-/// the middle, at the distance M(s).
+/// Two arcs about different centres: from s0 on, their circles cross on both sides of the middle,
+/// at distance M(s).
 template <class T>
 class TwoArcs {
  public:
-  /// `is_unit`: whether r is 1.
+  /// `is_unit`: r = 1.
   TwoArcs(const MovingFeature<T>& a, const MovingFeature<T>& b, const T& r, bool is_unit,
           const AppendixReadings& readings)
       : features_{&a, &b}, r_(r), readings_(readings), between_(b.centre() - a.centre()) {

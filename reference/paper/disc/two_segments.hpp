@@ -36,8 +36,8 @@ class TwoSegments {
   }
 
  private:
-  /// Sets the crossing equal to an end: "rejecting solutions for which 0 < t or t > 1", of both
-  /// parameters. An end's own parameter is known.
+  /// Sets the crossing equal to an end: "rejecting solutions for which 0 < t or t > 1". The end's
+  /// own parameter is 0 or 1.
   void add(std::size_t own, std::size_t end, const AppendixReadings& readings,
            std::vector<detail::MeetingEvent<T>>& events) const {
     if (sign(slope_[own]) == 0) return;
@@ -82,7 +82,7 @@ class TwoSegments {
   int turn_ = 0;
 };
 
-/// Parallel segments: those that face each other share a part of a line at one scale, perhaps.
+/// Parallel segments that face each other may share a stretch at a single scale.
 template <class T>
 std::optional<Meeting<T>> parallel_meeting(const MovingFeature<T>& a, const MovingFeature<T>& b,
                                            const T& r) {
