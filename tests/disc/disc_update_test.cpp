@@ -105,7 +105,7 @@ TEST(DiscUpdate, IsExactForParallelWallsAndTurnedOnes) {
 }
 
 TEST(DiscUpdate, IsExactForSetsThatAreAlmostDegenerate) {
-  for (unsigned seed = 0; seed < testing::repetitions(4U); ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(12U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::shaken(random, testing::random_mesh_region(random, 2), 40);
@@ -144,7 +144,7 @@ void expect_events(const OfPair& pair) {
 }
 
 TEST(DiscUpdate, HasTheEventsOfTheExactSearch) {
-  for (unsigned seed = 0; seed < testing::repetitions(20U); ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_region(random, 2);
@@ -219,7 +219,7 @@ TEST(DiscUpdate, RefusesWrongRadiiArithmeticsAndReadings) {
 }
 
 TEST(DiscUpdate, IsExactForRandomRegionsAtEventsAndBetween) {
-  for (unsigned seed = 0; seed < testing::repetitions(30U); ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(90U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_region(random, 2);
@@ -228,7 +228,7 @@ TEST(DiscUpdate, IsExactForRandomRegionsAtEventsAndBetween) {
 }
 
 TEST(DiscUpdate, IsExactForGridsAtEventsAndBetween) {
-  for (unsigned seed = 0; seed < testing::repetitions(30U); ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(90U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_mesh_region(random, 2);

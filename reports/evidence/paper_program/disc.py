@@ -17,7 +17,7 @@ from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.3, 4, 15)
+MINUTES = Minutes(0.4, 2.5, 20)
 
 SEED = 2012
 NAMES = (
