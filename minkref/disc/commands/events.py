@@ -12,6 +12,7 @@ from typing import Any
 from minkref import _core
 from minkref.certain_digits import between
 from minkref.cli.memory import SIMPLER, memory_wall
+from minkref.cli.readings import DISC_EVENT_CHOICES, with_other
 from minkref.disc.commands.index_file import Places, from_places
 from minkref.disc.commands.sum import enclosed
 from minkref.disc.disc import ANY, check_radii, is_disc, squares_of
@@ -113,7 +114,8 @@ def _kind(request: EventsWithDisc) -> str:
         raise Refusal(what, f"--form {request.form}", "add --kind pair, or leave it out")
     if request.reading:
         what = "sentences of the Appendix are of events of the kind pair"
-        raise Refusal(what, "--reading", "add --kind pair, or leave it out")
+        mend = with_other("add --kind pair", None, request.reading, DISC_EVENT_CHOICES)
+        raise Refusal(what, "--reading", mend)
     if request.route not in (None, "index"):
         what = "events of a disc are found by an index alone"
         raise Refusal(what, "--route", "leave it out")

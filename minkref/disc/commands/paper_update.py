@@ -20,6 +20,7 @@ from minkref.plane.operand import Operand
 from minkref.verbs.paper_update import comparison_fields, decided
 
 EXACT = "rational"
+ARITHMETICS = (EXACT, "double")  # and mpfr:BITS; intervals can certify no tie
 CORRECTED = {name: corrected for name, _, corrected, _ in DISC_CHOICES.rows}
 
 
@@ -110,8 +111,8 @@ def disc_readings(
     """How the Appendix's program reads the paper; None for the other routes. Refuses options that
     the route does not have."""
     refuse_options(route, form, chosen, DISC_CHOICES)
-    check_arithmetic(arithmetic)
     if route == ROUTE:
+        check_arithmetic(arithmetic, names=ARITHMETICS)
         return readings_of(form, chosen, DISC_CHOICES)
     if arithmetic != EXACT:
         what = f"the route {route} is exact only"
