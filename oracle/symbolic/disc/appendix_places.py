@@ -30,7 +30,7 @@ def moved_end(points: str, normal: str) -> Point:
 
 
 def distance_from_offset_line(p: Point) -> Any:
-    """Of the line that the edge becomes when it is moved outwards by s r."""
+    """The signed distance from the edge's line, moved outwards by s r."""
     return sp.simplify(OUTWARD.dot(p - sp.Matrix([x, y])) - s * r)
 
 
@@ -44,12 +44,12 @@ def crossing_of_circles(radical: str, middle: str, height: str) -> Point:
     return sp.Matrix([x + a, y]) + way if middle == "added" else way
 
 
-def squares_off_circles(p: Point) -> tuple[Any, Any]:
-    """Of both circles of radius s r: squared distance of the centre less the squared radius."""
+def squares_off_circles(p: Point) -> tuple[Any, ...]:
+    """The squared distance from each centre less the squared radius."""
     return tuple(
         sp.simplify(sp.expand((p[0] - x - k) ** 2 + (p[1] - y) ** 2 - (s * r) ** 2))
         for k in (0, 2 * a)
-    )  # type: ignore[return-value]
+    )
 
 
 def crossing_with_line(line: str) -> Point:
@@ -62,7 +62,7 @@ def crossing_with_line(line: str) -> Point:
 
 
 def off_circle_and_line(p: Point) -> tuple[Any, Any]:
-    """Of the circle of radius s r about (0, -g), and of the line y = -s r."""
+    """The squared distance from (0, -g) less (s r)^2, and the height above the line y = -s r."""
     return sp.simplify(sp.expand(p[0] ** 2 + (p[1] + g) ** 2 - (s * r) ** 2)), sp.simplify(
         p[1] + s * r
     )
