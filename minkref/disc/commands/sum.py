@@ -252,7 +252,7 @@ def _drawn(found: _core.Offset | IndexedSum) -> _core.Offset:
 
 
 def _told(value: dict[str, Any]) -> list[tuple[str, str]]:
-    """What is known of an exact sum, and of an answer of the paper's program."""
+    """Rows for an exact sum, or for an answer from the paper's program."""
     if value["route"] != PAPER_UPDATE:
         return [
             ("area", between(**value["area"])),

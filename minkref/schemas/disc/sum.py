@@ -77,9 +77,9 @@ class PairStatistics(TypedDict):
 
 
 class DiscProgramStatistics(TypedDict):
-    """Of the route `paper-update`: segments and arcs of the convolution, pairs of them that were
-    looked at, meetings of two at some scale, pairs that were left out for NaN; nodes and faces of
-    the arrangement, faces with a collision test."""
+    """Counts on the route `paper-update`: segments and arcs of the convolution, pairs looked at,
+    meetings of two at some scale, pairs left out for NaN; nodes and faces of the arrangement, faces
+    with a collision test."""
 
     segments: Count
     arcs: Count

@@ -42,7 +42,7 @@ class DiscSweepRow(TypedDict):
 
 
 class DiscProgramCounts(TypedDict):
-    """Of the route `paper-update`: as in `minkref sum`."""
+    """Counts on the route `paper-update`, as in `minkref sum`."""
 
     segments: Count
     arcs: Count
