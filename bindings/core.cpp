@@ -9,6 +9,7 @@
 #include <new>
 
 #include "bindings/core_convolution.hpp"
+#include "bindings/core_paper_space_update.hpp"
 #include "bindings/core_paths.hpp"
 #include "reference/error.hpp"
 #include "reference/memory.hpp"
@@ -138,6 +139,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_certify(module);
   minkref::python::bind_space(module);
   minkref::python::bind_polyhedral_set(module);
+  minkref::python::bind_paper_space_update(module);
   minkref::python::bind_space_events(module);
   minkref::python::bind_contacts_as_read(module);
   minkref::python::bind_sum_surface(module);

@@ -42,6 +42,7 @@ SENTENCES = ("rejected", "number", "radical", "line", "parallel")
 DISC_EVENT_CHOICES = Choices(
     [row for row in DISC_CHOICES.rows if row[0] in SENTENCES], DISC_CHOICES.check
 )
+SPACE_CHOICES = Choices(_core.space_update_readings(), _core.check_space_update_reading)
 
 Form = Annotated[
     str | None,
@@ -56,7 +57,8 @@ Reading = Annotated[
     typer.Option(
         "--reading",
         help=f"With --route {ROUTE}: one formula or sentence of the paper as read, whatever --form "
-        f"says; may be repeated. {PLANE_CHOICES.names()}. With a disc: {DISC_CHOICES.names()}.",
+        f"says; may be repeated. {PLANE_CHOICES.names()}. With a disc: {DISC_CHOICES.names()}. In "
+        f"space: {SPACE_CHOICES.names()}.",
         metavar="NAME=VALUE",
     ),
 ]

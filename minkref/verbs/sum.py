@@ -44,6 +44,8 @@ minkref sum g1 g2 --arithmetic mpfr:53
 
 minkref sum g1 g2 --route paper-update --arithmetic mpfr:200 --reading observation=corrected
 
+minkref sum gs3 rod --route paper-update --arithmetic double
+
 minkref sum disc1 cells1815 --index cells.index --scale 7/5
 
 minkref sum gs3 rod --scale 2,1/3,5 -o sum.off
@@ -88,8 +90,8 @@ Route = Annotated[
         help=f"How it is computed: {', '.join(ROUTES)}. Default: {DEFAULT}, or index with "
         f"--index. In space: {', '.join(GENERAL_ROUTES)}, and of convex polyhedra also "
         f"{', '.join(SPACE_ROUTES)}. Default: {SPACE_ROUTES[0]} for these, else "
-        f"{GENERAL_ROUTES[0]}. With a disc: definition (the default), paper, index or "
-        f"{PAPER_UPDATE}.",
+        f"{GENERAL_ROUTES[0]}; of solids also {PAPER_UPDATE}. With a disc: definition (the "
+        f"default), paper, index or {PAPER_UPDATE}.",
     ),
 ]
 Start = Annotated[
@@ -190,6 +192,8 @@ class SumInSpace:
     scale: ScaleInSpace = UNIT
     route: Route = None
     arithmetic: Arithmetic = "rational"
+    as_read: Form = None
+    reading: Reading = None
     output: Output = None
     form: Format = None
     passages: Passages = False

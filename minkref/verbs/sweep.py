@@ -11,6 +11,7 @@ import typer
 from minkref.cli.memory import Memory
 from minkref.cli.options import READ_SCALE, FirstOperand, Json, SecondOperand, Triangles
 from minkref.cli.readings import DISC_CHOICES, FORMS, PLANE_CHOICES, ROUTE
+from minkref.cli.readings import SPACE_CHOICES as UPDATE_CHOICES
 from minkref.cli.verb import Verb, command_of
 from minkref.plane.commands.scale_index import IndexFile
 from minkref.plane.commands.sweep_folder import FORMATS, INDEX
@@ -39,7 +40,9 @@ minkref sweep g1 disc:3/2 --from 1 --to 2 --steps 9 --route paper-update --arith
 
 minkref sweep gs3 rod --scales scalings.txt -o sums --format off
 
-minkref sweep gs3 rod --scales scalings.txt --repair literal --arithmetic mpfr:200"""
+minkref sweep gs3 rod --scales scalings.txt --repair literal --arithmetic mpfr:200
+
+minkref sweep gs3 rod --scales scales.txt --route paper-update --arithmetic double"""
 
 TOLD = """\
 The sums at many scales: everything between the smallest and the largest scale is found once;
@@ -80,7 +83,8 @@ Route = Annotated[
         help="How the sums are computed: read off an index of all scales (index, the "
         "default), each from the one before by dynamic update of the reduced convolution "
         "(dynamic) or of the full one with its winding numbers (winding), or by the paper's own "
-        "program, formula by formula, with the exact sums beside it (paper-update).",
+        "program, formula by formula, with the exact sums beside it (paper-update). In space only "
+        "the last, of solids of any shape; without it convex ones are repaired (--repair).",
     ),
 ]
 Arithmetic = Annotated[
@@ -107,7 +111,7 @@ Reading = Annotated[
         "--reading",
         help=f"One formula or sentence of the paper as read, whatever --form says; may be "
         f"repeated. With --route {ROUTE}: {PLANE_CHOICES.names()}; with a disc "
-        f"{DISC_CHOICES.names()}. With --repair literal: "
+        f"{DISC_CHOICES.names()}; in space {UPDATE_CHOICES.names()}. With --repair literal: "
         f"{SPACE_CHOICES.names()}.",
         metavar="NAME=VALUE",
     ),
@@ -163,6 +167,7 @@ class SweepInSpace:
     P: FirstOperand
     Q: SecondOperand
     scales_file: ScalesFile = None
+    route: Route = None
     arithmetic: Arithmetic = "rational"
     as_read: Form = None
     reading: Reading = None

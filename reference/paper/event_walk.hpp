@@ -13,11 +13,11 @@ namespace minkref {
 /// One way along the array of events.
 struct WalkStep {
   std::uint64_t insertions = 0, deletions = 0;
-  std::uint64_t updated = 0;  ///< intersections at the scale that is reached
+  std::uint64_t updated = 0;  ///< intersections at the scale reached
 };
 
-/// The ends of closed regions of scales, sorted, and a place among them. A Region has the optional
-/// bounds `lower` and `upper`, of T; without a bound it goes down to 0 or up to infinity.
+/// Sorted ends of closed regions of scales, with a current place. A Region has optional bounds
+/// `lower` and `upper`, of T; no bound means down to 0 or up to infinity.
 template <class T, class Region>
 class EventWalk {
  public:

@@ -18,6 +18,7 @@ SWEEP = "minkref sweep g3 g1 --from 1 --to 2 --steps 3 --route paper-update"
 SUM = "minkref sum g3 g1 --scale 7/5 --route paper-update"
 REPAIR = "minkref sweep gs3 rod --scales scalings.txt --repair literal"
 
+SOLID_SUM = "minkref sum solid.off solid.off --scale 3/2 --route paper-update"
 SOLIDS = "minkref events solid.off solid.off --from 1/2 --to 2"
 ROOM = "minkref {} part.wkt room.wkt"
 
@@ -175,6 +176,14 @@ SECTION_5 = (
               (f"{CONTACTS}/parallel_facets.hpp", f"{LITERAL}/coplanar_sides.hpp"), BOTH, FOUR,
               f"{SOLIDS} --form printed --reading coplanar=dropped", SYMBOLIC,
               ("coplanar-faces",)),
+    Statement("5", "the array of events in space, stepped through; all crossings placed",
+              (f"{LITERAL}/paper_space_update.hpp", f"{LITERAL}/crossings.hpp"), BOTH, FOUR,
+              f"{SOLID_SUM} --form corrected --arithmetic double",
+              "the exact sum, a point of a facet where they differ", ("contacts-of-facets",)),
+    Statement("5.1", "intersection points are checked to lie in the face",
+              (f"{LITERAL}/update_readings.hpp",), BOTH, FOUR,
+              f"{SOLID_SUM} --form corrected --reading bounds=checked --arithmetic mpfr:100",
+              "the exact sum, a point of a facet where they differ", ("inside-both",)),
     Statement("Fig. 4", "six contacts of parallel faces, none of a vertex",
               (f"{REPORT}/space_drawn.py",), PRINTED, EXACT, PAPER, CLAIMS, ("parallel-faces",)),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-// The paper's update in space (Sec. 5) in rational numbers, all readings corrected: the exact sum.
+// The paper's update in space (Sec. 5) with rational numbers and corrected readings: the exact sum.
 #include "reference/paper/space/paper_space_update.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::unique_ptr<PaperSpaceUpdate> corrected(const Polyhedron& P, const Polyhedro
   return PaperSpaceUpdate::make(P, Q, first, "rational", corrected_space_update_readings());
 }
 
-/// Some events of the walk, and scales between them.
+/// Random events from the walk, each followed by a scale between events.
 std::vector<Rational> scales_of(const PaperSpaceUpdate& walk, std::size_t most,
                                 std::mt19937& dice) {
   std::vector<Rational> scales;
@@ -42,7 +42,7 @@ std::vector<Rational> scales_of(const PaperSpaceUpdate& walk, std::size_t most,
   return chosen;
 }
 
-/// At scales in random order, half of them events.
+/// Compares sums at random scales, every second scale an event.
 void expect_exact_sums(const Polyhedron& P, const Polyhedron& Q, std::size_t most,
                        std::mt19937& dice, const std::string& name) {
   const auto walk = corrected(P, Q, Rational(1, 2));

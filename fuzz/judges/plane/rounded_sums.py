@@ -20,6 +20,11 @@ def significant_bits(arithmetic: str) -> int | None:
     return None if arithmetic == "rational" else 53
 
 
+def most_places(bits: int) -> int:
+    """The ulps up to which a coordinate counts as the same in numbers of so many bits."""
+    return min(LARGEST, 1 << bits // 2)
+
+
 @dataclass(frozen=True)
 class Comparison:
     """`ulps`: the largest error of a coordinate, in units in the last place of the exact sum's
@@ -65,7 +70,7 @@ def largest_difference(
     """The largest difference between corresponding coordinates, in units in the last place; None if
     the rings do not correspond."""
     unit = _unit(exact, bits)
-    most = unit * min(LARGEST, 2 ** (bits // 2))
+    most = unit * most_places(bits)
     wanted, offered = _rings(exact), _rings(got)
     if len(wanted) != len(offered):
         return None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, TypedDict
 
 from minkref.schemas.grammar import Either
+from minkref.schemas.space.paper_update import SpacePaperAnswer
 from minkref.schemas.space.values import ExposedPlane, PolyhedralSet, Polyhedron, SpaceScaling
 from minkref.schemas.values import (
     Amount,
@@ -20,7 +21,9 @@ from minkref.schemas.values import (
 )
 from msgspec import Meta
 
-SpaceSumRoute = Literal["traversal", "brute-force", "dynamic", "edges", "definition"]
+SpaceSumRoute = Literal[
+    "traversal", "brute-force", "dynamic", "edges", "definition", "paper-update"
+]
 
 
 class Rounding(TypedDict):
@@ -155,6 +158,13 @@ class SpaceSumDocument(Head, InSpace, Operands, Written, SpaceScaling):
         ),
     ]
     route: SpaceSumRoute
+    paper: Annotated[
+        SpacePaperAnswer | None,
+        Meta(
+            description="On the route `paper-update`: what the program answers. All other fields "
+            "are of the exact sum."
+        ),
+    ]
     compute_seconds: Annotated[
         Amount,
         Meta(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, NotRequired
 
 from minkref.schemas.grammar import Either, ruled
+from minkref.schemas.space.paper_update import PaperSweepRow
 from minkref.schemas.space.repair import RepairRow
 from minkref.schemas.space.values import SpaceScaling
 from minkref.schemas.values import Amount, AnySweep, Count, InSpace, Operands
@@ -38,26 +39,49 @@ class SpaceSweepRow(SpaceScaling):
     file_exact: bool | None
 
 
-@ruled(dependentRequired={"repair": ["arithmetic", "readings"]})
+@ruled(
+    dependentRequired={
+        "repair": ["arithmetic", "readings"],
+        "route": [
+            *("arithmetic", "readings", "convolution_facets", "pairs", "crossings", "events"),
+            "undecided_pairs",
+        ],
+    }
+)
 class SpaceSweepDocument(AnySweep, InSpace, Operands):
-    """The document of `minkref sweep --json` for convex polyhedra."""
+    """The document of `minkref sweep --json` for convex polyhedra, and by the paper's own update
+    for solids of any shape."""
 
     command: Literal["sweep"]
     format: SpaceSweepFormat | None
     preprocessing_seconds: Annotated[
-        Amount | None, Meta(description="Of the sum at the first scaling, from scratch.")
+        Amount | None,
+        Meta(
+            description="Of the sum at the first scaling, from scratch; with a route, of the "
+            "search for crossings."
+        ),
     ]
-    rows: Annotated[list[Either[SpaceSweepRow, RepairRow]], Meta(min_length=1)]
+    rows: Annotated[list[Either[SpaceSweepRow, RepairRow, PaperSweepRow]], Meta(min_length=1)]
     repair: NotRequired[
         Annotated[Literal["literal"], Meta(description="Of the paper's own repair only.")]
     ]
-    arithmetic: NotRequired[Annotated[str, Meta(description="Of the paper's own repair only.")]]
+    route: NotRequired[
+        Annotated[Literal["paper-update"], Meta(description="Of the paper's own update only.")]
+    ]
+    convolution_facets: NotRequired[Count]
+    pairs: NotRequired[Count]
+    crossings: NotRequired[Count]
+    events: NotRequired[Count]
+    undecided_pairs: NotRequired[Count]
+    arithmetic: NotRequired[
+        Annotated[str, Meta(description="Of the paper's own repair and update only.")]
+    ]
     readings: NotRequired[
         Annotated[
             dict[str, str],
             Meta(
                 description="How the sentences of the paper are read, by name; of its own repair "
-                "only."
+                "and update only."
             ),
         ]
     ]

@@ -9,11 +9,19 @@ from minkref import _core
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import give, measure, print_lines, written_row
 from minkref.cli.progress import told_of
+from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.errors import Refusal, choice, refusing
 from minkref.output.documents import Stopwatch, document, refuse_overwriting
 from minkref.output.output_target import target_of
 from minkref.plane.commands.scale_index import cores
 from minkref.plane.commands.sweep_folder import SPACE_FORMATS
+from minkref.space.commands.paper_update import (
+    SpaceWalk,
+    answer_rows,
+    asked_readings,
+    refuse_axes,
+    refuse_output,
+)
 from minkref.space.commands.rounding import beyond_doubles, rounding_of, rounding_rows
 from minkref.space.commands.sum_document import of_convex_sum, of_general_sum
 from minkref.space.general_sum import GENERAL_ROUTES, chosen_space_route, general_sum
@@ -23,13 +31,17 @@ from minkref.space.sums import ROUTES, compute
 from minkref.space.tight_passages import NONE, tight_passages
 from minkref.verbs.sum import SumInSpace
 
-ALL_ROUTES = (*ROUTES, *GENERAL_ROUTES)
+ALL_ROUTES = (*ROUTES, *GENERAL_ROUTES, PAPER_UPDATE)
 
 
 def run(request: SumInSpace) -> None:
     watch = Stopwatch()
     P, Q, scaling, output = request.P, request.Q, request.scale, request.output
-    wanted = _checked_route(request.route, request.arithmetic)
+    wanted = _checked_route(request.route)
+    readings = asked_readings(wanted, request.arithmetic, request.as_read, request.reading)
+    if readings is not None:
+        refuse_axes(scaling)
+        refuse_output(output)
     target = target_of(output, request.form, SPACE_FORMATS, "off", request.json)
     if request.triangles and target is None:
         raise Refusal("there is nothing to write", "--triangles", "add -o FILE.off")
@@ -39,7 +51,9 @@ def run(request: SumInSpace) -> None:
         first, second = read_summand(P), read_summand(Q)
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])
-        chosen = chosen_space_route(first, second, wanted, ROUTES)
+        exact_route = None if readings is not None else wanted
+        chosen = chosen_space_route(first, second, exact_route, ROUTES)
+        paper = None if readings is None else _paper(first, second, request, readings)
         mesh, fields = summed(first, second, scaling, chosen)
         tight = _passages(first, second, scaling, chosen, request.passages)
     exact = rounding = None
@@ -64,7 +78,8 @@ def run(request: SumInSpace) -> None:
         output=str(output) if output else None,
         output_exact=exact,
         rounding=rounding,
-        route=chosen,
+        route=chosen if paper is None else PAPER_UPDATE,
+        paper=paper,
         **fields,
         tight_passages=tight,
         passages_complete=tight is not None,
@@ -98,12 +113,21 @@ def _passages(
     return tight_passages(P, Q, scaling) if wanted else None
 
 
-def _checked_route(route: str | None, arithmetic: str) -> str | None:
+def _paper(
+    P: SpaceOperand, Q: SpaceOperand, request: SumInSpace, readings: dict[str, str]
+) -> dict[str, Any]:
+    """What the paper's own program answers."""
+    walk = SpaceWalk(P, Q, request.scale[0], request.arithmetic, readings)
+    return {
+        "arithmetic": request.arithmetic,
+        "readings": readings,
+        **walk.preparation(),
+        **walk.answer(),
+    }
+
+
+def _checked_route(route: str | None) -> str | None:
     """None leaves the choice to the operands."""
-    if arithmetic != "rational":
-        raise Refusal(
-            "sums in space are exact only", f"--arithmetic {arithmetic}", "leave the option out"
-        )
     if route is not None and route not in ALL_ROUTES:
         mend = f"leave it out, or in space: {choice(route, ALL_ROUTES)}"
         raise Refusal(f"there is no route {route!r} in space", "--route", mend)
@@ -111,9 +135,14 @@ def _checked_route(route: str | None, arithmetic: str) -> str | None:
 
 
 def _print(value: dict[str, Any], scaling: str) -> None:
-    rows = [
-        ("sum", f"{scaling} {value['P']} + {value['Q']}"),
-        ("route", f"{value['route']}, exact"),
+    paper = value["paper"]
+    rows = [("sum", f"{scaling} {value['P']} + {value['Q']}")]
+    if paper is not None:
+        rows += [("route, arithmetic", f"{value['route']}, {paper['arithmetic']}")]
+        rows += [*answer_rows(paper), ("exact", "")]
+    else:
+        rows.append(("route", f"{value['route']}, exact"))
+    rows += [
         ("volume", measure(value["volume"])),
         ("vertices, edges, facets",
          f"{value['vertices']:,}, {value['edges']:,}, {value['facets']:,}"),

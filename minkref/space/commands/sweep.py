@@ -20,6 +20,7 @@ from minkref.output.terminal import counted, escaped
 from minkref.plane.commands.sweep_folder import SPACE_FORMATS, sweep_folder
 from minkref.plane.commands.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
 from minkref.space.commands.paper_repair import RepairWalk, print_repair
+from minkref.space.commands.paper_sweep import paper_sweep
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import Scaling, read_scalings, text_of
 from minkref.space.space_sum import SpaceSum
@@ -39,6 +40,9 @@ COUNTS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked
 
 
 def run(request: SweepInSpace) -> None:
+    if request.route is not None:
+        paper_sweep(request)
+        return
     watch = Stopwatch()
     P, Q, output, triangles = request.P, request.Q, request.output, request.triangles
     repair = asked_repair(

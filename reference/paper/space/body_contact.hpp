@@ -20,7 +20,7 @@ class PlacedBody {
   using Vector = typename TwoFacets<T>::Vector;
   using Corners = std::array<Vector, 3>;
 
-  /// `points`: the vertices of `body`, which must outlive it, scaled. O(n log n).
+  /// `points`: scaled vertices. `body` must outlive the object. O(n log n).
   PlacedBody(const SpaceOperand& body, std::vector<Vector> points)
       : body_(body), points_(std::move(points)) {
     std::vector<SpaceBox> boxes;
@@ -48,11 +48,11 @@ class PlacedBody {
     return {points_[a], points_[b], points_[c]};
   }
   const SpaceBoxTree& tree() const { return tree_; }
-  /// One vertex of each connected surface.
+  /// A vertex for each connected surface.
   const std::vector<std::uint32_t>& shell_vertices() const { return body_.shell_vertices; }
   const Vector& point(std::uint32_t v) const { return points_[v]; }
 
-  /// Whether a point off the surface lies inside: the winding number from the triangles above it.
+  /// Whether a point off the surface lies inside: counts the winding number from triangles above.
   /// Ties break as if the point moved by (e, e^2, 0) for a vanishing e.
   bool holds(const Vector& v) const {
     SpaceBox column = box_of(v);
@@ -125,7 +125,7 @@ class BodyContact {
 
   BodyContact(const PlacedBody<T>& P, const PlacedBody<T>& Q) : P_(P), Q_(Q) {}
 
-  /// Closed bodies: triangles meet, or a vertex of a surface lies in the other body.
+  /// Bodies are closed: triangles meet, or a body holds a vertex from each surface.
   bool meets(const Vector& x) const {
     const SpaceBox at = PlacedBody<T>::box_of(x);
     const auto overlap = [&](const SpaceBox& p, const SpaceBox& q) {

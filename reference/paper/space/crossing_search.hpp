@@ -1,5 +1,5 @@
-// The crossings of all pairs of facets at all scales, by several threads; and those at one scale,
-// without events: the measure of the paper's update (Behar & Lien 2012, Sec. 5, 7.2).
+// Crossings for all pairs of facets at all scales, on several threads; and at one scale, without
+// events: a measure for the paper's update (Behar & Lien 2012, Sec. 5, 7.2).
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,7 @@ struct CrossingLists {
   std::uint64_t undecided = 0;  ///< that were left out: a sign was NaN
 };
 
-/// For each facet all later ones: no filter, for it might leave out just the events that a wrong
-/// formula invents.
+/// All later facets: no filter, which might discard just the events that a wrong formula invents.
 inline std::vector<std::uint32_t> all_later(std::uint32_t facet, std::size_t count) {
   std::vector<std::uint32_t> later;
   for (std::uint32_t b = facet + 1; b < count; ++b) later.push_back(b);
@@ -31,19 +30,23 @@ inline std::vector<std::uint32_t> all_later(std::uint32_t facet, std::size_t cou
 }
 
 /// The crossings of pairs of facets, as read; the same whatever the number of threads. `later(a)`
-/// lists the greater facets that are paired with a, ascending. `zero`: the tolerance below which
+/// lists the greater facets that are paired with a, ascending; `directions(a, b)` gives their
+/// PairDirections, for the reading of this name. `zero`: the tolerance below which
 /// numbers count as zero. Throws LimitExceeded beyond `memory` bytes (0: no limit), UndecidedSign
 /// if an interval cannot tell a sign. O(1) for each pair.
-template <class T, class Later>
+template <class T, class Later, class Directions>
 CrossingLists<T> find_crossings(const std::vector<typename TwoFacets<T>::Facet>& facets,
-                                Later&& later, const SpaceUpdateReadings& readings, const T& zero,
+                                Later&& later, Directions&& directions,
+                                const SpaceUpdateReadings& readings, const T& zero,
                                 unsigned threads, std::uint64_t memory) {
+  const bool told = readings.singular == SpaceUpdateReadings::Singular::directions;
   const auto find = [&](std::uint32_t a) {
     CrossingLists<T> row;
     for (const std::uint32_t b : later(a)) {
       ++row.pairs;
       try {
-        PairCrossings<T> pair(facets[a], facets[b], readings, zero);
+        const PairDirections known = told ? directions(a, b) : PairDirections{};
+        PairCrossings<T> pair(facets[a], facets[b], told ? &known : nullptr, readings, zero);
         const bool coplanar = pair.find([&](Crossing<T> found) {
           found.first = a;
           found.second = b;
@@ -77,9 +80,9 @@ CrossingLists<T> find_crossings(const std::vector<typename TwoFacets<T>::Facet>&
   return all;
 }
 
-/// How many sides pass through other facets at a scale, ends included: for each pair of facets, the
-/// point of each side's line on the other plane by the system of Sec. 5.2, and whether it is on
-/// both. As exact as T. Throws UndecidedSign where T cannot tell. O(N^2).
+/// Counts sides that pierce facets at a scale, ends included: for each pair, solves the system from
+/// Sec. 5.2 for each side's line and the second plane, and checks the point against side and facet.
+/// As exact as T. Throws UndecidedSign where T cannot tell. O(N^2).
 template <class T>
 std::size_t crossings_afresh(const std::vector<typename TwoFacets<T>::Facet>& facets,
                              const T& scale) {

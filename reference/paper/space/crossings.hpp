@@ -1,5 +1,5 @@
-// The crossings of two facets of the convolution: where a side of one passes through the other, and
-// at which scales (Behar & Lien 2012, Sec. 5.1, 5.2), each sentence as read.
+// Crossings between two facets of the convolution: a side pierces a facet, between two scales
+// (Behar & Lien 2012, Sec. 5.1, 5.2), each sentence as read.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@
 
 namespace minkref::inline space {
 
-/// A node of the arrangement on two facets, and the scales s > 0 that have it: closed; without a
-/// bound down to 0 or up to infinity.
+/// A node for the arrangements on two facets, with a closed interval of scales s > 0; no bound
+/// means down to 0 or up to infinity.
 template <class T>
 struct Crossing {
-  /// A side of one facet through the other; two facets in one plane at one scale; sides of two
-  /// facets that always share a plane.
+  /// A side piercing the second or the first facet; two facets coplanar at a single scale; two
+  /// sides, for always coplanar facets.
   enum class Kind : std::uint8_t { side_of_first, side_of_second, at_one_scale, in_plane };
 
   bool is_point() const { return kind == Kind::side_of_first || kind == Kind::side_of_second; }
-  /// The facet whose side it is, for a point, and the other one.
+  /// For a point: the facet with the side, and the pierced facet.
   std::uint32_t owner() const { return kind == Kind::side_of_first ? first : second; }
   std::uint32_t other() const { return kind == Kind::side_of_first ? second : first; }
 
@@ -34,6 +34,12 @@ struct Crossing {
   typename TwoFacets<T>::Track x = TwoFacets<T>::Track::none();  ///< x0 + (s - 1) sigma of a point
 };
 
+/// What the directions of two facets tell, the same at all scales.
+struct PairDirections {
+  bool parallel = false, coplanar = false;           ///< the facets; in one plane at all scales
+  std::array<std::array<bool, 4>, 2> along_plane{};  ///< side k of each along the other's plane
+};
+
 namespace detail {
 
 /// slope s + value >= 0: a point is on the inner side of an end or a side.
@@ -42,21 +48,25 @@ struct Condition {
   T slope, value;
 };
 
-/// The scales that the conditions of one point leave, condition by condition.
+/// Narrows the scales for one point, condition by condition.
 template <class T>
 class CrossingBounds {
  public:
   explicit CrossingBounds(SpaceUpdateReadings::Bounds reading)
       : joint_(reading == SpaceUpdateReadings::Bounds::joint) {}
 
-  /// `solution`: the scale at which the condition is zero, as read; `check(s)`: whether the point
-  /// is where the event asks for it. Returns whether scales may be left.
+  /// `solution`: the scale at which the condition is zero, as read; `is_constant`: without a root
+  /// the condition keeps its sign, which an overdetermined system does not tell; `check(s)`:
+  /// whether the point is where the event asks for it. Returns whether scales may be left.
   template <class Check>
-  bool take(const Condition<T>& condition, const ScaleSolution<T>& solution, Check&& check) {
-    at_one_ = at_one_ && sign(T(condition.slope + condition.value)) >= 0;
-    const int rising = sign(condition.slope);
+  bool take(const Condition<T>& condition, const ScaleSolution<T>& solution, bool is_constant,
+            Check&& check) {
+    const int at_one = sign(T(condition.slope + condition.value)), rising = sign(condition.slope);
+    at_one_ = at_one_ && (at_one >= 0 || solution.kind == Solution::identity);
     if (solution.kind != Solution::root) {
-      return !joint_ || rising != 0 || sign(condition.value) >= 0;
+      const bool bounds =
+          joint_ && solution.kind == Solution::inconsistent && (is_constant || rising == 0);
+      return !bounds || at_one >= 0;
     }
     if (rising == 0) return true;
     if (!joint_ && (sign(solution.scale) <= 0 || !check(solution.scale))) return true;
@@ -93,10 +103,12 @@ class PairCrossings {
   using Track = typename Pair::Track;
   using Kind = typename Crossing<T>::Kind;
 
-  /// `zero`: the tolerance below which numbers count as zero. All must outlive it.
-  PairCrossings(const Facet& first, const Facet& second, const SpaceUpdateReadings& readings,
-                const T& zero)
+  /// `directions`, unless null, is taken instead of the arithmetic's determinants. `zero`: the
+  /// tolerance below which numbers count as zero. All must outlive it.
+  PairCrossings(const Facet& first, const Facet& second, const PairDirections* directions,
+                const SpaceUpdateReadings& readings, const T& zero)
       : pair_(first, second),
+        directions_(directions),
         readings_(readings),
         zero_(zero),
         systems_(pair_, readings_.events, zero_) {}
@@ -109,8 +121,8 @@ class PairCrossings {
   template <class Add>
   bool find(Add&& add) {
     const FacetReadings& events = readings_.events;
-    if (pair_.are_parallel()) {
-      if (pair_.are_coplanar()) {
+    if (directions_ ? directions_->parallel : pair_.are_parallel()) {
+      if (directions_ ? directions_->coplanar : pair_.are_coplanar()) {
         if (events.coplanar != FacetReadings::Coplanar::left_out) add_in_plane(add);
         return true;
       }
@@ -131,9 +143,14 @@ class PairCrossings {
   void find_tracks() {
     for (const std::size_t which : {0U, 1U}) {
       for (std::size_t k = 0; k < pair_.size(which); ++k) {
-        tracks_[which][k] = pair_.track(which, k);
+        tracks_[which][k] = track(which, k);
       }
     }
+  }
+
+  std::optional<Track> track(std::size_t which, std::size_t k) const {
+    if (directions_ && directions_->along_plane[which][k]) return std::nullopt;
+    return pair_.track(which, k);
   }
 
   bool ends_at_a_corner(std::size_t which, std::size_t k) const {
@@ -150,7 +167,7 @@ class PairCrossings {
   template <class Add>
   void add_side(std::size_t which, std::size_t k, Add&& add) {
     const bool kept = readings_.events.crossing == FacetReadings::Crossing::points;
-    auto x = kept ? tracks_[which][k] : pair_.track(which, k);
+    auto x = kept ? tracks_[which][k] : track(which, k);
     if (!x) return;  // singular: the side runs along the other plane
     detail::CrossingBounds<T> bounds(readings_.bounds);
     if (!take_ends(which, k, *x, bounds) || !take_sides(which, k, *x, bounds)) return;
@@ -164,7 +181,7 @@ class PairCrossings {
     add(std::move(found));
   }
 
-  /// Vertex events: the point is at an end of its side (5.1).
+  /// Vertex events: the point reaches an end of the side (5.1).
   bool take_ends(std::size_t which, std::size_t k, const Track& x,
                  detail::CrossingBounds<T>& bounds) const {
     const Vector along = pair_.side(which, k, T(1)), base = x.x0 - x.sigma;
@@ -176,7 +193,7 @@ class PairCrossings {
       if (end == 1) inside = {T(-inside.slope), T(-inside.value)};
       const auto solution = by_lines ? systems_.corner_on_track(which, k, k + end, x)
                                      : systems_.corner_on_plane(which, k + end);
-      if (!bounds.take(inside, solution,
+      if (!bounds.take(inside, solution, !by_lines || never_overdetermined(),
                        [&](const T& s) { return pair_.is_inside(1 - which, x.at(s), s); })) {
         return false;
       }
@@ -184,25 +201,32 @@ class PairCrossings {
     return true;
   }
 
-  /// Edge events: the point is on a side of the other facet (5.2).
+  /// Edge events: the point reaches a side of the pierced facet (5.2).
   bool take_sides(std::size_t which, std::size_t k, const Track& x,
                   detail::CrossingBounds<T>& bounds) const {
     const std::size_t other = 1 - which;
     const Vector base = x.x0 - x.sigma;
+    const bool by_lines = readings_.events.crossing == FacetReadings::Crossing::determinant;
     for (std::size_t l = 0; l < pair_.size(other); ++l) {
       const auto& from = pair_.named(other, l);
       const Vector inwards = normals_[other].cross(pair_.side(other, l, T(1)));
       const detail::Condition<T> inside{T(inwards.dot(Vector(x.sigma - from.p))),
                                         T(inwards.dot(Vector(base - from.q)))};
-      if (!bounds.take(inside, side_event(which, k, l, x), [&](const T& s) {
-            return readings_.events.ends == FacetReadings::Ends::lines ||
-                   (pair_.is_between(which, k, x.at(s), s) &&
-                    pair_.is_between(other, l, x.at(s), s));
-          })) {
+      if (!bounds.take(inside, side_event(which, k, l, x),
+                       by_lines || (tracks_[other][l] && never_overdetermined()), [&](const T& s) {
+                         return readings_.events.ends == FacetReadings::Ends::lines ||
+                                (pair_.is_between(which, k, x.at(s), s) &&
+                                 pair_.is_between(other, l, x.at(s), s));
+                       })) {
         return false;
       }
     }
     return true;
+  }
+
+  bool never_overdetermined() const {
+    return readings_.events.solve == Readings::Solve::corrected ||
+           readings_.events.solve == Readings::Solve::least_squares;
   }
 
   ScaleSolution<T> side_event(std::size_t which, std::size_t k, std::size_t l,
@@ -218,15 +242,25 @@ class PairCrossings {
   /// "The scale value when the faces are coplanar", if corners or sides meet there.
   template <class Add>
   void add_at_one_scale(Add&& add) const {
-    const FacetContacts<T> contacts(pair_.facet(0), pair_.facet(1), readings_.events, zero_);
-    for (auto& contact : contacts.all()) {
-      if (!contact.scale) continue;
-      Crossing<T> found;
-      found.kind = Kind::at_one_scale;
-      found.lower = found.upper = std::move(contact.scale);
-      add(std::move(found));
+    if (directions_) {  // the arithmetic would have to see that they are parallel
+      const auto level = systems_.corner_on_plane(0, 0);
+      if (readings_.events.corner == FacetReadings::Corner::lines) return;  // singular
+      if (level.kind == Solution::root && sign(level.scale) > 0) add(at_one_scale(level.scale));
       return;
     }
+    const FacetContacts<T> contacts(pair_.facet(0), pair_.facet(1), readings_.events, zero_);
+    for (const auto& contact : contacts.all()) {
+      if (!contact.scale) continue;
+      add(at_one_scale(*contact.scale));
+      return;
+    }
+  }
+
+  static Crossing<T> at_one_scale(const T& scale) {
+    Crossing<T> found;
+    found.kind = Kind::at_one_scale;
+    found.lower = found.upper = scale;
+    return found;
   }
 
   /// "The logic from the 2D scaling".
@@ -249,6 +283,7 @@ class PairCrossings {
   }
 
   const Pair pair_;
+  const PairDirections* const directions_;
   const SpaceUpdateReadings& readings_;
   const T& zero_;
   const FacetSystems<T> systems_;

@@ -1,4 +1,4 @@
-// Which cells of the facets are on the boundary: collision detection beside them (Sec. 3).
+// Cells on the boundary, by collision detection beside each cell (Sec. 3).
 #pragma once
 
 #include <algorithm>
@@ -20,16 +20,19 @@ class ExposedCells {
  public:
   using Vector = typename PlacedFacets<T>::Vector;
 
-  /// `coplanar_with`: for each facet the facets that always share its plane, ascending. All must
-  /// outlive it.
+  /// `coplanar_with`: for each facet all always coplanar facets, ascending. `denominator`: the
+  /// coordinates' unit. All must outlive the object.
   ExposedCells(const PlacedFacets<T>& placed,
                const std::vector<std::vector<std::uint32_t>>& coplanar_with,
-               const BodyContact<T>& contact)
-      : placed_(placed), coplanar_with_(coplanar_with), contact_(contact) {}
+               const BodyContact<T>& contact, const Integer& denominator)
+      : placed_(placed),
+        coplanar_with_(coplanar_with),
+        contact_(contact),
+        unit_(Integer(1), denominator) {}
 
-  /// Adds a facet's cells, and the rings about those on the boundary. A cell is on the boundary if
-  /// the place above it, halfway to the next facet, is outside the sum; a cell below another facet
-  /// at its border is not, and is not asked about. As exact as T.
+  /// Adds a facet's cells, and rings around exposed cells. A cell counts as exposed if the place
+  /// above, halfway to the next facet, lies outside the sum; a cell that borders on a crossing
+  /// facet from below never does, and needs no test. As exact as T.
   void add(std::uint32_t facet, PaperSpaceSum& sum) const {
     const FacetCells<T> cells(placed_, facet);
     sum.nodes += cells.node_count();
@@ -59,8 +62,8 @@ class ExposedCells {
   }
 
  private:
-  static SpacePoint exact_point(const Vector& x) {
-    return {exact_value(x[0]), exact_value(x[1]), exact_value(x[2])};
+  SpacePoint exact_point(const Vector& x) const {
+    return {exact_value(x[0]) * unit_, exact_value(x[1]) * unit_, exact_value(x[2]) * unit_};
   }
 
   Vector above(std::uint32_t facet, const Vector& x, const Vector& n) const {
@@ -74,6 +77,7 @@ class ExposedCells {
   const PlacedFacets<T>& placed_;
   const std::vector<std::vector<std::uint32_t>>& coplanar_with_;
   const BodyContact<T>& contact_;
+  const Rational unit_;
 };
 
 }  // namespace minkref::inline space

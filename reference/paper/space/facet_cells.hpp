@@ -1,4 +1,4 @@
-// The arrangement within one facet: the cells into which other facets cut it.
+// An arrangement within one facet: cells between the traces.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace minkref::inline space {
 
-/// A facet's border and traces, seen along the axis in which its normal is longest. As exact as T.
+/// A facet's border and traces, seen along the normal's longest axis. As exact as T.
 template <class T>
 class FacetCells {
  public:
@@ -36,15 +36,15 @@ class FacetCells {
   FacetCells& operator=(const FacetCells&) = delete;
 
   std::size_t node_count() const { return arrangement_.node_count(); }
-  /// The cells are the faces from 1 on that lie within the facet.
+  /// Cells: faces from 1 on, within the facet.
   std::size_t face_count() const { return arrangement_.face_count(); }
   const Arrangement<K>& arrangement() const { return arrangement_; }
   const Vector& normal() const { return normal_; }
   /// The axis that the view drops; the other coordinates keep their order.
   std::size_t axis() const { return axis_; }
 
-  /// A point inside a face, in space: beside its longest edge, as far as doubles tell. Nothing if
-  /// rounding left the face no edge with a length.
+  /// A face's inner point, in space: beside the longest edge, as far as doubles tell. Nothing if
+  /// rounding left no edge with a length.
   std::optional<Vector> inner_point(std::uint32_t face) const {
     double longest = 0;
     std::uint32_t edge = Arrangement<K>::none;
@@ -62,7 +62,7 @@ class FacetCells {
         arrangement_, face, edge, [&](std::uint32_t n) { return position(n); }));
   }
 
-  /// The facet's point that the view shows there.
+  /// Lifts a point from the view onto the facet.
   Vector lifted(const Vector2<T>& seen) const {
     const Vector& a = placed_.corner(facet_, 0);
     const Vector2<T> from = this->seen(a);
@@ -76,8 +76,8 @@ class FacetCells {
     return x;
   }
 
-  /// Whether an inner point of a facet that crosses borders on the face, with the face below it.
-  /// Then the face is inside the sum, which lies below each facet.
+  /// Whether the face borders on the inside of a crossing facet, from below. Then the sum, which
+  /// lies below each facet, holds the face inside.
   bool is_below_another(std::uint32_t face) const {
     bool below = false;
     arrangement_.for_each_half_edge(face, [&](std::uint32_t h) {

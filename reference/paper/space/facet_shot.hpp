@@ -9,8 +9,8 @@
 
 namespace minkref::inline space {
 
-/// The least t > 0 for which x + t n lies in a facet, among the facets with use(facet); nothing if
-/// there is none. Facets along the ray count from where the ray enters them. As exact as T. O(N).
+/// The least t > 0 for which a facet with use(facet) holds x + t n; nothing if no facet does. A
+/// facet along the ray counts from the ray's entry. As exact as T. O(N).
 template <class T, class Use>
 std::optional<T> first_hit(const PlacedFacets<T>& placed, const typename TwoFacets<T>::Vector& x,
                            const typename TwoFacets<T>::Vector& n, Use&& use) {

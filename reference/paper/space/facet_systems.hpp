@@ -1,4 +1,4 @@
-// The systems for the scale that Sec. 5.1 and 5.2 set up for two facets, each solved as read.
+// Systems for the scale from Sec. 5.1 and 5.2, each solved as read.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace minkref::inline space {
 
-/// The scales at which a corner or a side of one facet meets the other facet's plane or side.
+/// Scales at which a facet's corner or side meets a second facet's plane or side.
 /// Throws UndecidedSign where T cannot tell.
 template <class T>
 class FacetSystems {

@@ -13,6 +13,7 @@
 #include "reference/paper/space/moving_facets_in.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/kernel/arithmetic_name.hpp"
+#include "reference/space/critical/parallel_facets.hpp"
 
 namespace minkref::inline space {
 namespace {
@@ -73,6 +74,23 @@ std::vector<std::vector<std::uint32_t>> near_facets(
   return near;
 }
 
+PairDirections pair_directions(const MovingConvolution& convolution, std::uint32_t a,
+                               std::uint32_t b) {
+  const MovingFacet* facets[] = {&convolution.facets[a], &convolution.facets[b]};
+  PairDirections found;
+  std::size_t along = 0;
+  for (const std::size_t which : {0U, 1U}) {
+    for (std::size_t k = 0; k < facets[which]->size; ++k) {
+      found.along_plane[which][k] =
+          dot(facets[1 - which]->normal.exact, facets[which]->along[k].exact).is_zero();
+      along += which == 0 && found.along_plane[which][k];
+    }
+  }
+  found.parallel = along == facets[0]->size;
+  found.coplanar = found.parallel && are_coplanar(convolution, *facets[0], *facets[1]);
+  return found;
+}
+
 enum class Pairs : std::uint8_t { all, near_at_first };
 
 template <class T>
@@ -86,18 +104,22 @@ class SpaceUpdateIn : public PaperSpaceUpdate {
       : arithmetic_(arithmetic),
         operands_(space_operands(P, Q, {1, 1, 1})),
         convolution_(operands_.P, operands_.Q),
-        facets_(facets_in(convolution_, operands_.denominator, arithmetic)),
+        facets_(facets_in(convolution_, arithmetic)),
         names_(facets_),
         P_(points_in(operands_.P)),
         Q_(operands_.Q, points_in(operands_.Q)),
         coplanar_with_(facets_.size()) {
-    const T zero = arithmetic(readings.events.tolerance * (largest(P) + largest(Q)));
+    const T zero = arithmetic(readings.events.tolerance * (largest(P) + largest(Q)) *
+                              Rational(operands_.denominator));
     std::vector<std::vector<std::uint32_t>> near;
     if (pairs == Pairs::near_at_first) near = near_facets(facets_, arithmetic(first_scale));
     const auto later = [&](std::uint32_t a) {
       return pairs == Pairs::all ? all_later(a, facets_.size()) : near[a];
     };
-    auto found = find_crossings<T>(facets_, later, readings, zero, threads, memory);
+    const auto directions = [&](std::uint32_t a, std::uint32_t b) {
+      return pair_directions(convolution_, a, b);
+    };
+    auto found = find_crossings<T>(facets_, later, directions, readings, zero, threads, memory);
     crossings_ = std::move(found.crossings);
     coplanar_ = std::move(found.coplanar);
     for (const auto& [a, b] : coplanar_) {
@@ -146,7 +168,7 @@ class SpaceUpdateIn : public PaperSpaceUpdate {
     for (Vector& v : scaled) v *= scale;
     const PlacedBody<T> P(operands_.P, std::move(scaled));
     const BodyContact<T> contact(P, Q_);
-    const ExposedCells<T> cells(placed, coplanar_with_, contact);
+    const ExposedCells<T> cells(placed, coplanar_with_, contact, operands_.denominator);
     for (std::uint32_t facet = 0; facet < facets_.size(); ++facet) cells.add(facet, sum);
     if constexpr (std::is_same_v<T, Rational>) {
       sum.set = united(sum, [&](std::uint32_t facet) { return plane(facet, scale); });
@@ -184,7 +206,7 @@ class SpaceUpdateIn : public PaperSpaceUpdate {
   std::vector<Vector> points_in(const SpaceOperand& body) const {
     std::vector<Vector> points;
     for (const auto& point : body.points) {
-      points.push_back(vector_in(point.exact, operands_.denominator, arithmetic_));
+      points.push_back(vector_in(point.exact, arithmetic_));
     }
     return points;
   }

@@ -18,17 +18,16 @@ namespace minkref::inline space {
 /// The arithmetic's answer at one scale, facet by facet of the reduced convolution.
 struct PaperSpaceSum {
   using Ring = std::vector<SpacePoint>;
-  /// A facet's part on the boundary: rings in the plane, the part on their left as seen along the
-  /// axis where the facet's normal is longest (mirrored or not); every node of the arrangement on
-  /// them is a corner.
+  /// A facet's exposed part: rings with the part on the left, seen along the normal's longest axis
+  /// (mirrored or not). Every arrangement node on a ring counts as a corner.
   struct Exposed {
     std::uint32_t facet;
     std::vector<Ring> rings;
   };
-  /// A cell of the arrangement on a facet, and the answer for it.
+  /// A cell from a facet's arrangement, with the answer.
   struct Cell {
     std::uint32_t facet;
-    SpacePoint inside;  ///< where collision detection was asked, or would have been
+    SpacePoint inside;  ///< below the place for collision detection
     bool exposed;
   };
 
@@ -40,7 +39,7 @@ struct PaperSpaceSum {
   std::uint64_t asked = 0;             ///< cells that collision detection decided
 };
 
-/// The rings of a facet's part as seen along the viewing axis of its plane, the part on their left.
+/// Rings as seen along the plane's viewing axis, with the part on the left.
 PolygonSet rings_in_view(const PaperSpaceSum::Exposed& part, const OrientedPlane& plane);
 
 /// The interface of a PaperSpaceUpdate, whatever its arithmetic.
@@ -69,10 +68,10 @@ class PaperSpaceUpdate {
   /// ("we update all of the remaining nodes"), and returns their number. O(k).
   virtual std::size_t place_intersections() = 0;
 
-  /// Does the work that the update saves: finds the crossings of all pairs of facets at a scale s >
-  /// 0 by the system of Sec. 5.2, with the same arithmetic, without the list; returns their number.
-  /// Unlike the list, this number counts the facets' common corners. Throws BadInput for other
-  /// scales, UndecidedSign. O(N^2).
+  /// Does the work that the update saves: finds all crossings at a scale s > 0 from all pairs of
+  /// facets, with the same arithmetic and the system of Sec. 5.2; returns the number found. Unlike
+  /// the list, the number counts common corners. Throws BadInput for a bad scale, UndecidedSign.
+  /// O(N^2).
   virtual std::size_t search_intersections(const Rational& scale) const = 0;
 
   /// Arrangements on the facets and collision detection (Sec. 3) at the list's current scale. O(N
@@ -101,9 +100,8 @@ class PaperSpaceUpdate {
   virtual OrientedPlane plane(std::uint32_t facet, const Rational& scale) const = 0;
 };
 
-/// The exact sum at one scale s > 0, facet by facet: the answer of the program in rational numbers
-/// with all readings corrected, from those pairs of facets alone whose boxes meet there. Throws as
-/// `make` does.
+/// The exact sum at one scale s > 0, facet by facet: the program's answer with rational numbers and
+/// corrected readings, from pairs of facets with overlapping boxes. Throws as `make` does.
 PaperSpaceSum facet_sum_at(const Polyhedron& P, const Polyhedron& Q, const Rational& scale);
 
 }  // namespace minkref::inline space

@@ -1,4 +1,4 @@
-// The facets at one scale with the nodes of the list on them: what the arrangements are made of.
+// Facets at one scale, with nodes and traces from the list: input for the arrangements.
 #pragma once
 
 #include <algorithm>
@@ -50,11 +50,11 @@ struct FacetNames {
   }
 };
 
-/// What other facets leave on a facet: the segment that one shares with it, between two nodes, or a
-/// side of one in its plane.
+/// A segment on a facet, between two nodes: shared with a crossing facet, or a coplanar facet's
+/// side.
 struct Trace {
   std::uint32_t from, to;
-  std::uint32_t other;  ///< the facet that crosses here; FacetNames::none for a side in the plane
+  std::uint32_t other;  ///< the crossing facet; FacetNames::none for a coplanar side
 };
 
 template <class T>
@@ -63,9 +63,9 @@ class PlacedFacets {
   using Facet = typename TwoFacets<T>::Facet;
   using Vector = typename TwoFacets<T>::Vector;
 
-  /// Places corners, and the crossings on the list by x0 + (s - 1) sigma. The point of a side on a
-  /// facet is one node, whichever facet brings the side; if rounding puts it before or beyond the
-  /// side, it counts as the side's end. `list` holds numbers of `crossings`. O(n log n).
+  /// Places corners, and listed crossings by x0 + (s - 1) sigma. A side and a facet share a single
+  /// node, whichever facet brings the side; a node rounded beyond the side counts as the side's
+  /// end. `list` numbers `crossings`. O(n log n).
   PlacedFacets(const std::vector<Facet>& facets, const FacetNames& names,
                const std::vector<Crossing<T>>& crossings,
                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& coplanar,
@@ -120,7 +120,7 @@ class PlacedFacets {
     return ring;
   }
 
-  /// Whether a point of the facet's plane lies in the facet. As exact as T.
+  /// Whether the facet holds a point on the facet's plane. As exact as T.
   bool holds(std::uint32_t facet, const Vector& x) const {
     const Vector n = normal(facet);
     for (std::size_t k = 0; k < size(facet); ++k) {
@@ -170,7 +170,7 @@ class PlacedFacets {
         {names.corners[k], names.corners[(k + 1) % names.size], FacetNames::none});
   }
 
-  /// Between the outermost of the crossings' points and the corners that both facets have.
+  /// Joins the outermost points among crossings and common corners.
   void add_trace(std::uint32_t a, std::uint32_t b) {
     const auto& of_a = names_.facets[a];
     const auto& of_b = names_.facets[b];
@@ -190,7 +190,7 @@ class PlacedFacets {
     traces[b].push_back({*low, *high, a});
   }
 
-  /// The sides at a corner that lies inside a facet of the same plane.
+  /// Adds the sides at a corner inside a coplanar facet.
   void add_corners_inside(std::uint32_t a, std::uint32_t b) {
     look_for_interrupt();
     for (const auto& [facet, other] : {std::pair{a, b}, {b, a}}) {

@@ -22,13 +22,19 @@ struct SpaceUpdateReadings {
   /// the scales that lie between all of them, as Sec. 4.2.3 does in the plane.
   enum class Bounds : std::uint8_t { checked, joint };
   Bounds bounds = Bounds::checked;
+
+  /// Sec. 5.2: when faces are parallel, and a side runs along a plane. The matrix "will be
+  /// singular": its determinant is zero in the arithmetic, which rounding seldom leaves zero; or
+  /// the directions of the operands' edges and faces, the same at all scales, tell so exactly.
+  enum class Singular : std::uint8_t { determinant, directions };
+  Singular singular = Singular::determinant;
 };
 
 /// All formulas in their right form: over rational numbers the exact sum.
 SpaceUpdateReadings corrected_space_update_readings();
 
 /// Sets one reading by its name and value, as the command line spells both: those of FacetReadings,
-/// and "bounds". Throws BadInput ("unknown-reading") with a list of all choices.
+/// "bounds" and "singular". Throws BadInput ("unknown-reading") with a list of all choices.
 void set_reading(SpaceUpdateReadings& readings, std::string_view name, std::string_view value);
 
 /// The names and values that set_reading takes.

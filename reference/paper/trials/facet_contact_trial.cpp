@@ -86,9 +86,9 @@ FacetContactTrial facet_contact_trial(const Polyhedron& P, const Polyhedron& Q,
   }
   const FacetReadings corrected = corrected_facet_readings();
   const Rational nothing = 0;
-  const auto exact = facets_in<Rational>(convolution, 1, {});
+  const auto exact = facets_in<Rational>(convolution, {});
   with_arithmetic(arithmetic, [&]<class T>(const Arithmetic<T>& in) {
-    const auto facets = facets_in<T>(convolution, 1, in);
+    const auto facets = facets_in<T>(convolution, in);
     const long bits = precision(in);
     const T zero = in(readings.tolerance * Rational(largest(operands.P) + largest(operands.Q)));
     for (std::size_t i = 0; i < facets.size(); ++i) {

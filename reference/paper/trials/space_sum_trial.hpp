@@ -11,8 +11,7 @@ namespace minkref {
 
 /// How an answer differs from the exact sum at its scale.
 struct SpaceSumTrial {
-  /// The same facets are exposed, each with as many rings and corners, and no corner is farther off
-  /// than the limit.
+  /// Equal exposed facets, each with equally many rings and corners, no corner beyond the limit.
   bool same_structure = false;
   Rational error = 0;       ///< of the structure: the largest of a corner's coordinate
   Rational coordinate = 0;  ///< the largest of the exact sum, without its sign
@@ -24,10 +23,10 @@ struct SpaceSumTrial {
   std::optional<Witness> witness{};  ///< where the structure differs, if a point was found
 };
 
-/// Holds an answer of `update` at `scale` against the exact boundary, which has to be that of the
-/// same operands: from `facet_sum_at`, as `truth`, and from an exact route, as `exact`. A point of
-/// a cell is the witness whose answer `exact` refutes. `limit`: the largest error of a corner, in
-/// parts of the largest coordinate. O(n) for n cells, times the corners of their planes.
+/// Compares an answer from `update` at `scale` with the same operands' exact boundary: `truth` from
+/// `facet_sum_at`, `exact` from an exact route. The witness lies inside a cell whose answer `exact`
+/// refutes. `limit`: the largest allowed error of a corner, relative to the largest coordinate.
+/// O(n) for n cells, times the corners per plane.
 SpaceSumTrial space_sum_trial(const PaperSpaceUpdate& update, const Rational& scale,
                               const PaperSpaceSum& answer, const PaperSpaceSum& truth,
                               const PolyhedralSet& exact, const Rational& limit);
