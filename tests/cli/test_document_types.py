@@ -48,9 +48,10 @@ from minkref.schemas.space.view import FrameKinds
 from minkref.schemas.values import Form, Number, Rule
 from minkref.schemas.verify.cases import Reason, Verdict
 from minkref.schemas.verify.document import EveryVerdict
-from minkref.space import facets, general_sum, sums
+from minkref.space import facets
 from minkref.space.commands import event_parts
 from minkref.space.commands import events as space_events
+from minkref.space.commands import sum as space_sum
 from minkref.space.page import general_frames
 from minkref.verbs import check, report
 from minkref.verbs import sum as sum_command
@@ -70,7 +71,7 @@ WORDS: dict[str, tuple[Any, Collection[Any]]] = {
     "routes of path": (PathRoute, scale_ranges.PATH_ROUTES),
     "routes of path in space": (SpacePathRoute, scale_ranges.PATH_ROUTES[:2]),
     "routes of sum": (SumRoute, sum_command.ROUTES),
-    "routes of sum in space": (SpaceSumRoute, (*sums.ROUTES, *general_sum.GENERAL_ROUTES)),
+    "routes of sum in space": (SpaceSumRoute, space_sum.ALL_ROUTES),
     "routes of sum with a disc": (DiscSumRoute, disc_sum.DISC_ROUTES),
     "routes of sweep": (SweepRoute, plane_sweep.ROUTES),
     "routes of view": (ViewRoute, plane_view.ROUTES),

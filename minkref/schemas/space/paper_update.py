@@ -1,4 +1,4 @@
-"""What the paper's own update answers in space, in documents of `sum` and `sweep`."""
+"""Answers from the paper's own update in space, in documents of `sum` and `sweep`."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class SpaceFaults(TypedDict):
 
 
 class SpaceSearch(TypedDict):
-    """What was found once, at all scales."""
+    """Counts from the search at all scales."""
 
     convolution_facets: Count
     pairs: Annotated[Count, Meta(description="Of facets, that were looked at: all.")]
@@ -86,7 +86,7 @@ class SpaceAnswer(TypedDict):
 
 
 class SpacePaperAnswer(SpaceSearch, SpaceAnswer):
-    """What the paper's own program answers; the exact sum is the rest of the document."""
+    """The answer from the paper's own program; all further fields hold the exact sum."""
 
     arithmetic: Annotated[str, Meta(pattern="^(rational|interval|double|mpfr:[0-9]+)$")]
     readings: Annotated[

@@ -14,7 +14,8 @@ from minkref.cli.readings import ROUTE, SPACE_CHOICES, readings_of, refuse_optio
 from minkref.cli.row_spool import Row, RowSpool
 from minkref.errors import Refusal, refusing
 from minkref.exact import in_double_range, rounded
-from minkref.fuzz.judges.plane.rounded_sums import last_place, most_places, significant_bits
+from minkref.fuzz.judges.plane.rounded_sums import last_place, most_places
+from minkref.fuzz.judges.plane.rounded_sums import significant_bits as significant_bits
 from minkref.output.terminal import counted
 from minkref.plane.commands.scale_index import cores
 from minkref.plane.commands.sweep_rows import SHOWN, print_sweep
@@ -52,7 +53,7 @@ class SpaceWalk:
         )
 
     def preparation(self) -> dict[str, Any]:
-        """What the search for events found at all scales."""
+        """Counts from the search for events at all scales."""
         counts = self._update.counts()
         return {
             "convolution_facets": counts["facets"],

@@ -34,7 +34,7 @@ struct Crossing {
   typename TwoFacets<T>::Track x = TwoFacets<T>::Track::none();  ///< x0 + (s - 1) sigma of a point
 };
 
-/// What the directions of two facets tell, the same at all scales.
+/// Facts from two facets' directions, the same at all scales.
 struct PairDirections {
   bool parallel = false, coplanar = false;           ///< the facets; in one plane at all scales
   std::array<std::array<bool, 4>, 2> along_plane{};  ///< side k of each along the other's plane

@@ -7,7 +7,7 @@
 
 #include "reference/interrupt.hpp"
 #include "reference/paper/trials/misplaced.hpp"
-#include "reference/plane/location.hpp"
+#include "reference/space/surface/lifted_regions.hpp"
 
 namespace minkref {
 namespace {
@@ -71,7 +71,7 @@ Rational largest(const PaperSpaceSum& sum) {
   return most;
 }
 
-/// What an answer and the exact set say of a plane.
+/// An answer beside the exact set, for a plane.
 struct PlaneAnswers {
   const PolygonSet* exact = nullptr;
   PolygonSet answered;
