@@ -58,13 +58,13 @@ def test_factors_for_each_axis_are_answered(outcomes: Outcomes, target: str) -> 
     assert [outcome.verdict for outcome in said] == [Verdict.PASS] * len(names), said
 
 
-@pytest.mark.parametrize("target", [RIGHT, "minkref-paper@mpfr:200,corrected"])
-def test_solids_of_any_shape_are_followed(outcomes: Outcomes, target: str) -> None:
-    """Also with a factor for each axis, and rings of facets in a rounding arithmetic."""
+def test_solids_of_any_shape_are_followed(outcomes: Outcomes) -> None:
+    """Facets in a rounding arithmetic bound no set: these are given up."""
     families = ("polycube", "l-prism", "cup", "frame", "torus")
     names = [f"space-{family}:{SEED}:0" for family in families]
-    said = outcomes(target, *names, f"update(space-l-prism:{SEED}:1)")
-    assert {outcome.verdict for outcome in said} <= {Verdict.PASS, Verdict.PASS_WITHIN}, said
+    said = outcomes(RIGHT, *names, f"update(space-l-prism:{SEED}:1)")
+    assert {outcome.verdict for outcome in said} == {Verdict.PASS}, said
+    assert outcomes("minkref-paper@double", names[1])[0].verdict is Verdict.GAVE_UP
 
 
 def test_the_printed_program_in_doubles_is_wrong_with_a_witness(outcomes: Outcomes) -> None:

@@ -4,8 +4,6 @@ and the update of all others (Section 5)."""
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
-from fractions import Fraction
 from typing import Any
 
 from minkref import _core
@@ -13,11 +11,11 @@ from minkref.errors import Refusal
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.libraries.paper.program_name import ProgramName
 from minkref.fuzz.space.convex_sum import body_of
-from minkref.fuzz.space.exact_sum import core_polyhedron
+from minkref.fuzz.space.exact_sum import core_polyhedron, polyhedron_of_planes
+from minkref.oracle.slow.space.exposed import exposed_from_json
 
 Fields = dict[str, Any]
 Scaling = tuple[str, str, str]
-Text = tuple[str, str, str]
 ELSEWHERE: tuple[Scaling, ...] = (("1", "1", "1"), ("2", "1", "1/3"))  # as in the plane
 ANOTHER = ("1", "2")  # uniform scales, likewise
 
@@ -67,8 +65,8 @@ class _Repair:
 
 
 class _Update:
-    """The walk along the events from another uniform scale. Section 5 knows uniform scales: with a
-    factor for each axis P is scaled first, and walked to 1."""
+    """The walk along the events from another uniform scale, in rational numbers. Section 5 knows
+    uniform scales: with a factor for each axis P is scaled first, and walked to 1."""
 
     def __init__(self, name: ProgramName, P: Polyhedron, Q: Polyhedron, to: Scaling) -> None:
         first, second = core_polyhedron(P), core_polyhedron(Q)
@@ -78,8 +76,6 @@ class _Update:
         self._to = to
         start = next(each for each in ANOTHER if each != self._uniform(to))
         self._walk = _core.PaperSpaceUpdate(first, second, start, name.arithmetic, name.facets)
-        self._operands = first, second
-        self._facets: _core.SpaceEvents | None = None
 
     def _uniform(self, to: Scaling) -> str:
         if to == self._to and self._is_scaled:
@@ -93,44 +89,12 @@ class _Update:
         self._walk.move_to(self._uniform(to))
         found = self._walk.sum()
         exact = found.set()
-        if exact is not None:
-            mesh = exact.mesh()
-            return {"vertices": [list(point) for point in mesh.points()], "faces": mesh.rings()}
-        return _mesh([ring for part in found.facets() for ring in self._turned(*part)])
-
-    def _turned(self, facet: int, rings: list[list[Text]]) -> list[list[Text]]:
-        """The rings, counter-clockwise from outside."""
-        if self._facets is None:
-            self._facets = _core.space_events(*self._operands, "1", "1")
-        _, of_P, of_Q = self._facets.facet(facet)
-        P, Q = (operand.points() for operand in self._operands)
-        corners = [
-            [Fraction(a) + Fraction(b) for a, b in zip(P[p], Q[q], strict=True)]
-            for p, q in zip(of_P, of_Q, strict=True)
-        ]
-        outwards = _area(corners)
-        area = [sum(axis) for axis in zip(*map(_area, rings), strict=True)]
-        if sum(a * b for a, b in zip(outwards, area, strict=True)) >= 0:
-            return rings
-        return [ring[::-1] for ring in rings]
-
-
-def _area(ring: Sequence[Sequence[Any]]) -> list[Fraction]:
-    """Twice the vector of a ring's area."""
-    points = [[Fraction(number) for number in point] for point in ring]
-    vector = [Fraction(0)] * 3
-    for a, b in zip(points, points[1:] + points[:1], strict=True):
-        for k in range(3):
-            i, j = (k + 1) % 3, (k + 2) % 3
-            vector[k] += a[i] * b[j] - a[j] * b[i]
-    return vector
-
-
-def _mesh(rings: list[list[Text]]) -> Fields:
-    points = sorted({point for ring in rings for point in ring})
-    number = {point: k for k, point in enumerate(points)}
-    faces = [[number[point] for point in ring] for ring in rings]
-    return {"vertices": [list(point) for point in points], "faces": faces}
+        if exact is None:
+            what = "facets in a rounding arithmetic need not bound a set"
+            raise Refusal(what, "a sum", "", "no-surface")
+        text = json.loads(exact.canonical_json())
+        faces: Fields = json.loads(polyhedron_of_planes(exposed_from_json(text)).to_json())
+        return faces
 
 
 def _scaling(scale: str | list[str]) -> Scaling:
