@@ -77,8 +77,8 @@ def _time(pair: TimedPair, arithmetic: str, findings: Findings) -> None:
         "seconds for the events": round(update.seconds, 1),
         "events crossed": _spread(steps, lambda s: s.events, ""),
         "crossings placed": _spread(steps, lambda s: s.crossings, ""),
-        "update with placing, ms": _spread(steps, lambda s: 1e3 * (s.update + s.placing), ""),
-        "placing, ms": _spread(steps, lambda s: 1e3 * s.placing, ""),
+        "update with placing, µs": _spread(steps, lambda s: 1e6 * (s.update + s.placing), ""),
+        "placing, µs": _spread(steps, lambda s: 1e6 * s.placing, ""),
         "ns for an event": _spread(
             [s for s in steps if s.events], lambda s: 1e9 * s.update / s.events, ""
         ),
