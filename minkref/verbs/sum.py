@@ -44,7 +44,7 @@ minkref sum g1 g2 --arithmetic mpfr:53
 
 minkref sum g1 g2 --route paper-update --arithmetic mpfr:200 --reading observation=corrected
 
-minkref sum gs3 rod --route paper-update --arithmetic double
+minkref sum cup.off plate.off --route paper-update --arithmetic double
 
 minkref sum disc1 cells1815 --index cells.index --scale 7/5
 

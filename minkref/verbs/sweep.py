@@ -42,7 +42,7 @@ minkref sweep gs3 rod --scales scalings.txt -o sums --format off
 
 minkref sweep gs3 rod --scales scalings.txt --repair literal --arithmetic mpfr:200
 
-minkref sweep gs3 rod --scales scales.txt --route paper-update --arithmetic double"""
+minkref sweep cup.off plate.off --scales scales.txt --route paper-update --arithmetic double"""
 
 TOLD = """\
 The sums at many scales: everything between the smallest and the largest scale is found once;

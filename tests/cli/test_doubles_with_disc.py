@@ -84,7 +84,6 @@ def test_a_drawing_beyond_doubles_is_refused(minkref: Minkref, tmp_path: Path) -
         ("path", "disc:1", "g1", "LINESTRING (0 0, 1 1)"),
         ("fit", "disc:1", "g1", "--at", "0,0"),
         ("trap", "disc:1", "g1", "--at", "0,0"),
-        ("convolution", "g1", "disc:1", "-o", "x.svg"),
         ("certify", "g1", "disc:1", "-o", "x.cert.json"),
     ],
 )

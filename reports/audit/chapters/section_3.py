@@ -8,7 +8,6 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.model_catalogue import all_models, or_look_alike
 from minkref.plane.operand import read_operand
 from minkref.reports.audit.chapters import static_methods
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
@@ -400,8 +399,7 @@ def _unbalanced(segments: list[Any]) -> bool:
 def _(shown: Shown) -> None:
     """The full convolutions of random pairs, with holes too, are stepped between random scales, and
     compared with static ones each time: points on the edges, winding numbers and canonical sum are
-    the same. Then the pair events of both convolutions of neuron and disc (the paper's neuron where
-    it is at hand, else a look-alike)."""
+    the same. Then the pair events of both convolutions of a disc and our net of nerve cells."""
     dice = random.Random(SEED)
     moves = 0
     for _ in range(DRAWS // 6):
@@ -413,13 +411,13 @@ def _(shown: Shown) -> None:
             if wrong := sums.difference_from_scratch():
                 raise CheckFailed(text((P.to_json(), Q.to_json(), wrong)))
     shown.true(f"{moves} moves of {DRAWS // 6} pairs: the same as from scratch", moves > 50)
-    disc, neuron = (read_operand(or_look_alike(name, all_models())) for name in ("disc1", "neuron"))
+    disc, cells = (read_operand(name) for name in ("disc1", "cells1815"))
     full, reduced = (
-        _core.pair_events(disc.set, neuron.set, kind="pair", route=route).counts()["count"]
+        _core.pair_events(disc.set, cells.set, kind="pair", route=route).counts()["count"]
         for route in ("winding", "dynamic")
     )
     shown.true(
-        f"{disc.name} and {neuron.name}: {full:,} pair events of the full convolution, "
+        f"{disc.name} and {cells.name}: {full:,} pair events of the full convolution, "
         f"{reduced:,} of the reduced one",
         full > reduced,
     )

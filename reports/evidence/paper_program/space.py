@@ -15,13 +15,13 @@ from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.space.commands.paper_update import limit_of, significant_bits
 
-MINUTES = Minutes(3, 25, 90)
+MINUTES = Minutes(1, 6, 30)
 
 SEED = 2012
 SUMS = Counts(4, 10, 10)  # of each pair, half of them at events
-PAIRS = Counts(8, 100, 300)
+PAIRS = Counts(4, 24, 100)
 MOST_FACETS = 110  # of the convolution: the program looks at all pairs
-BLAMED = Counts(1, 8, 20)
+BLAMED = Counts(1, 2, 8)
 BLAMED_SUMS = 4
 ROUNDING = ("mpfr:24", "double", "mpfr:53", "mpfr:100", "mpfr:200")
 CORRECTED = {name: corrected for name, _, corrected, _ in _core.space_update_readings()}

@@ -31,7 +31,7 @@ from minkref.reports.evidence.framework.places import ROOT
 from minkref.reports.evidence.paper_targets.chosen_cases import plane_cases
 from minkref.reports.paper.judged_runs import EVENTS, Judged, Row, as_text
 
-MINUTES = Minutes(0.2, 1.5, 10)
+MINUTES = Minutes(0.2, 0.6, 2)
 
 CASES = Counts(40, 160, 400)
 MOST_EDGES = Counts(30, 60, 90)

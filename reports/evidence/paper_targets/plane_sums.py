@@ -18,7 +18,7 @@ from minkref.reports.evidence.paper_targets.beside_cgal import Found, Task, tall
 from minkref.reports.evidence.paper_targets.chosen_cases import plane_cases
 from minkref.reports.paper.judged_runs import SUMS
 
-MINUTES = Minutes(0.3, 2, 12)
+MINUTES = Minutes(0.3, 1, 3)
 
 CASES = Counts(24, 80, 200)
 FORMS = {

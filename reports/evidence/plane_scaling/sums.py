@@ -15,7 +15,7 @@ from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.plane_scaling.scaled_pairs import SEED, scaled_pairs
 
-MINUTES = Minutes(0.5, 12, 20)
+MINUTES = Minutes(0.5, 6, 12)
 
 PAIRS = Counts(60, 2_000, 3_000)
 BATCH = 20
