@@ -243,13 +243,7 @@ void bind_paper_disc_update(nb::module_& module) {
   module.def("disc_convolution", disc_convolution, "P"_a, "squared_radius"_a, Released(),
              "The segments and arcs of the reduced convolution with a disc: (parent, points of P "
              "at both ends, outward normals there, the ends as the nearest doubles).");
-  module.def(
-      "check_appendix_reading",
-      [](const std::string& name, const std::string& value) {
-        AppendixReadings readings;
-        set_reading(readings, name, value);
-      },
-      "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
+  bind_reading_check<AppendixReadings>(module, "check_appendix_reading");
   module.def(
       "appendix_readings", [] { return rows_of(appendix_reading_names()); },
       "The choices of a DiscUpdate: name, values (the printed one first), the corrected one, "

@@ -154,13 +154,7 @@ void bind_paper_repair(nb::module_& module) {
            "Of sums of two vertices, as the arithmetic has them.")
       .def("has_exact_pairs", &Repair::has_exact_pairs, Released(),
            "Whether all compatible pairs are those that the exact static route finds.");
-  module.def(
-      "check_repair_reading",
-      [](const std::string& name, const std::string& value) {
-        RepairReadings readings;
-        set_reading(readings, name, value);
-      },
-      "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
+  bind_reading_check<RepairReadings>(module, "check_repair_reading");
   module.def(
       "repair_readings", [] { return rows_of(repair_reading_names()); },
       "The choices of a PaperRepair: name, values (the printed one first), the corrected one, "

@@ -218,13 +218,7 @@ void bind_paper_space_update(nb::module_& module) {
       .def("counts", &SpaceUpdate::counts,
            "Facets, pairs looked at, crossings, events, pairs left out for NaN.")
       .def_ro("seconds", &SpaceUpdate::seconds, "That finding the crossings took.");
-  module.def(
-      "check_space_update_reading",
-      [](const std::string& name, const std::string& value) {
-        SpaceUpdateReadings readings;
-        set_reading(readings, name, value);
-      },
-      "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
+  bind_reading_check<SpaceUpdateReadings>(module, "check_space_update_reading");
   module.def(
       "space_update_readings", [] { return rows_of(space_update_reading_names()); },
       "The choices of a PaperSpaceUpdate: name, values (the printed one first), the corrected one, "

@@ -128,13 +128,7 @@ void bind_paper_update(nb::module_& module) {
       .def("counts", &Update::counts,
            "Edges, pairs looked at, pairs that meet at some scale, pairs left out for NaN.")
       .def_ro("seconds", &Update::seconds, "That finding the regions took.");
-  module.def(
-      "check_paper_reading",
-      [](const std::string& name, const std::string& value) {
-        Readings readings;
-        set_reading(readings, name, value);
-      },
-      "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
+  bind_reading_check<Readings>(module, "check_paper_reading");
   module.def(
       "paper_readings", [] { return rows_of(reading_names()); },
       "The choices of a PaperUpdate: name, values (the printed one first), the corrected one, "

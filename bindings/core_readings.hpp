@@ -1,6 +1,9 @@
 // The readings of the paper, across Python's border.
 #pragma once
 
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
 #include <map>
 #include <string>
 #include <tuple>
@@ -18,6 +21,18 @@ Readings readings_of(const Words& words) {
   Readings readings;
   for (const auto& [name, value] : words) set_reading(readings, name, value);
   return readings;
+}
+
+template <class Readings>
+void bind_reading_check(nanobind::module_& module, const char* check) {
+  module.def(
+      check,
+      [](const std::string& name, const std::string& value) {
+        Readings readings;
+        set_reading(readings, name, value);
+      },
+      nanobind::arg("name"), nanobind::arg("value"),
+      "Raises BadInput where there is no such reading.");
 }
 
 /// Name, values, the corrected value, section of the paper.

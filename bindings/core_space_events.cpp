@@ -173,13 +173,7 @@ void bind_facet_contacts(nb::module_& module) {
              "The paper's way to the events of two facets (Sec. 5.1, 5.2) in an arithmetic, on all "
              "pairs of facets, against the exact events. `readings`: as `facet_readings` lists "
              "them; those left out are the printed ones. Raises BadInput, LimitExceeded.");
-  module.def(
-      "check_facet_reading",
-      [](const std::string& name, const std::string& value) {
-        FacetReadings readings;
-        set_reading(readings, name, value);
-      },
-      "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
+  bind_reading_check<FacetReadings>(module, "check_facet_reading");
   module.def(
       "facet_readings", [] { return python::rows_of(facet_reading_names()); },
       "The choices of the way to events of facets: name, values (the printed one first), the "

@@ -81,6 +81,7 @@ def test_sets_go_to_files_and_pictures(minkref: Minkref, tmp_path: Path) -> None
         (("union", "-", "-"), "standard input is one operand"),
         (("intersection", LEFT, "nothing.wkt"), "no such file"),
         (("difference",), "Missing argument"),
+        (("difference", LEFT), "one set only"),
         (("union", LEFT, "--plot", "--json"), "only one of them"),
         (("union", "gs3", LEFT), "polyhedron"),
     ],

@@ -29,6 +29,8 @@ def _run(operation: str, request: SetRequest) -> None:
     names = request.operands
     if names.count(STANDARD_INPUT) > 1:
         raise Refusal("standard input is one operand", "-", "name files for the others")
+    if operation == "difference" and len(names) < 2:
+        raise Refusal("there is one set only", names[0], "name the sets to take away from it")
     target = target_of(request.output, request.form, FORMS, "wkt", request.json)
     _check_picture(request, target)
     with memory_wall(request.memory, f"the {operation}", " and ".join(names), SIMPLER):
