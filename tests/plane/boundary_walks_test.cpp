@@ -89,4 +89,24 @@ TEST(BoundaryWalks, IslandInALakeInAnIsland) {
 }
 
 }  // namespace
+TEST(BoundaryWalks, ManyHolesBelongToTheirOwnFrames) {
+  PolygonSet frames;
+  for (int x = 0; x < 12; ++x) {
+    for (int y = 0; y < 12; ++y) {
+      const int a = 10 * x + y % 3, b = 10 * y;
+      frames = together(
+          frames, region(rectangle(a, b, a + 7, b + 7), {rectangle(a + 1, b + 1, a + 6, b + 6)}));
+      frames = together(frames, region(rectangle(a + 2, b + 2, a + 5, b + 5),
+                                       {rectangle(a + 3, b + 3, a + 4, b + 4)}));
+    }
+  }
+  const Canonical form = canonicalize(frames);
+  EXPECT_EQ(form.components, 288U);
+  EXPECT_EQ(form.holes, 288U);
+  for (const Polygon& polygon : form.region.polygons) {
+    ASSERT_EQ(polygon.holes.size(), 1U);
+    EXPECT_EQ(polygon.holes[0][0], (polygon.outer[0] + Point{1, 1}));
+  }
+}
+
 }  // namespace minkref::testing::of_boundary_walks

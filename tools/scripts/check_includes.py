@@ -39,6 +39,7 @@ APART = {
     "reference/disc": ("reference/paper/",),
     "reference/space": ("reference/motion/", "reference/paper/"),
     "reference/motion": ("reference/space/", "reference/disc/", "reference/paper/"),
+    "reference/scene": ("reference/space/", "reference/disc/", "reference/paper/"),
     "reference/paper/plane": ("reference/paper/trials/",),
     "reference/paper/space": ("reference/paper/trials/",),
     "reference/plane/moving": ("reference/plane/critical/", *_AFTER_CRITICAL),

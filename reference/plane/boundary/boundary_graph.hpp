@@ -30,15 +30,25 @@ struct Walk {
 
 struct Walks {
   std::vector<Walk> walks;
-  std::size_t components = 0;  ///< connected components of the interior
-  std::size_t holes = 0;       ///< bounded connected components of the complement
+  std::size_t components = 0;          ///< connected components of the interior
+  std::size_t holes = 0;               ///< bounded connected components of the complement
+  std::vector<std::uint32_t> walk_of;  ///< the walk of each edge
 };
 
-/// All walks, each with its component. Exact. O(n log n + h n) for h walks that enclose nothing.
+/// All walks, each with its component. Exact. O(n log n + h k) for h walks that enclose nothing and
+/// k edges beside their first points.
 Walks boundary_walks(const BoundaryGraph& graph);
 
 /// docs/definitions.md, "Canonical form": walks split into simple rings at repeated points,
 /// collinear vertices merged, rings rotated and sorted. Exact.
 Canonical canonical_form(const BoundaryGraph& graph);
+
+/// The canonical form, and for each edge of the graph the number of the polygon that lies on its
+/// left. Exact.
+struct CanonicalParts {
+  Canonical form;
+  std::vector<std::uint32_t> polygon_of;
+};
+CanonicalParts canonical_parts(const BoundaryGraph& graph);
 
 }  // namespace minkref::inline plane

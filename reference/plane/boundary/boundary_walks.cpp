@@ -1,11 +1,14 @@
 // Closed walks along a boundary, each walk's component of the interior, and the set's holes.
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 
+#include "reference/box_tree.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/no_entry.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/plane/kernel/box.hpp"
 #include "reference/plane/point_predicates.hpp"
 
 namespace minkref::inline plane {
@@ -22,7 +25,8 @@ class WalkFinder {
   Walks find() {
     Walks result;
     const Cycles interior = cycles(true);
-    std::vector<std::uint32_t> walk_of(graph_.edges.size());
+    std::vector<std::uint32_t>& walk_of = result.walk_of;
+    walk_of.resize(graph_.edges.size());
     for (std::uint32_t w = 0; w < interior.first.size(); ++w) {
       Walk& walk = result.walks.emplace_back();
       std::uint32_t e = interior.first[w];
@@ -33,7 +37,7 @@ class WalkFinder {
       } while (e != interior.first[w]);
       walk.encloses = !opens_to_the_left(interior, w, true);
     }
-    assign_components(result, interior, walk_of);
+    assign_components(result, interior);
     const Cycles exterior = cycles(false);
     for (std::uint32_t w = 0; w < exterior.first.size(); ++w) {
       result.holes += !opens_to_the_left(exterior, w, false);
@@ -144,8 +148,7 @@ class WalkFinder {
     return false;
   }
 
-  void assign_components(Walks& result, const Cycles& interior,
-                         const std::vector<std::uint32_t>& walk_of) const {
+  void assign_components(Walks& result, const Cycles& interior) {
     std::vector<std::uint32_t> order(result.walks.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -158,25 +161,48 @@ class WalkFinder {
         continue;
       }
       const std::uint32_t edge = nearest_to_the_left(interior.least[w]);
-      walk.component = edge == no_entry ? 0 : result.walks[walk_of[edge]].component;
+      walk.component = edge == no_entry ? 0 : result.walks[result.walk_of[edge]].component;
     }
   }
 
   /// The edge that a ray to the left, just above the point, meets first; edges at the point itself
   /// do not count.
-  std::uint32_t nearest_to_the_left(std::uint32_t p) const {
+  std::uint32_t nearest_to_the_left(std::uint32_t p) {
     std::uint32_t nearest = no_entry;
-    for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) {
+    const auto look_at = [&](std::uint32_t e) {
       look_for_interrupt();
       const auto [from, to] = graph_.edges[e];
-      if (from == p || to == p) continue;
+      if (from == p || to == p) return false;
       // The component lies right of a downward edge.
       if (compare_y(points_[to], points_[p]) > 0 || compare_y(points_[p], points_[from]) >= 0)
-        continue;
-      if (orientation(points_[to], points_[from], points_[p]) >= 0) continue;
+        return false;
+      if (orientation(points_[to], points_[from], points_[p]) >= 0) return false;
       if (nearest == no_entry || is_right_of(e, nearest)) nearest = e;
+      return false;
+    };
+    if (++rays_asked_ < rays_before_a_tree) {
+      for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) look_at(e);
+      return nearest;
     }
+    if (edge_tree_.size() == 0) edge_tree_ = BasicBoxTree<Box>(edge_boxes());
+    const Box at = box_of(p);
+    edge_tree_.query({-std::numeric_limits<double>::infinity(), at.ymin, at.xmax, at.ymax},
+                     look_at);
     return nearest;
+  }
+
+  Box box_of(std::uint32_t p) const {
+    const double x = points_[p].x(), y = points_[p].y();
+    return {below(x), below(y), above(x), above(y)};
+  }
+  std::vector<Box> edge_boxes() const {
+    std::vector<Box> boxes;
+    boxes.reserve(graph_.edges.size());
+    for (const auto& [from, to] : graph_.edges) {
+      boxes.push_back(box_of(from));
+      boxes.back().add(box_of(to));
+    }
+    return boxes;
   }
 
   /// For two downward edges across a common height.
@@ -192,6 +218,9 @@ class WalkFinder {
   std::vector<FilteredPoint> points_;
   std::vector<std::uint32_t> first_ray_;
   std::vector<Ray> rays_;
+  static constexpr unsigned rays_before_a_tree = 17;  ///< fewer cost less than the tree
+  unsigned rays_asked_ = 0;
+  BasicBoxTree<Box> edge_tree_;
 };
 
 }  // namespace

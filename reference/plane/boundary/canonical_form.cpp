@@ -1,5 +1,6 @@
 // From walks to the canonical form: simple rings, collinear vertices merged, everything sorted.
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 #include "reference/interrupt.hpp"
@@ -82,9 +83,10 @@ class RingBuilder {
 
 }  // namespace
 
-Canonical canonical_form(const BoundaryGraph& graph) {
+CanonicalParts canonical_parts(const BoundaryGraph& graph) {
   const Walks walks = boundary_walks(graph);
-  Canonical result;
+  CanonicalParts parts;
+  Canonical& result = parts.form;
   result.components = walks.components;
   result.holes = walks.holes;
   result.region.polygons.resize(walks.components);
@@ -113,10 +115,27 @@ Canonical canonical_form(const BoundaryGraph& graph) {
   const auto less = [](const Ring& a, const Ring& b) { return compare_rings(a, b) < 0; };
   for (Polygon& polygon : result.region.polygons)
     std::sort(polygon.holes.begin(), polygon.holes.end(), less);
-  std::sort(result.region.polygons.begin(), result.region.polygons.end(),
-            [&](const Polygon& a, const Polygon& b) { return less(a.outer, b.outer); });
-  return result;
+  std::vector<std::uint32_t> order(walks.components), place(walks.components);
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return less(result.region.polygons[a].outer, result.region.polygons[b].outer);
+  });
+  std::vector<Polygon> sorted;
+  sorted.reserve(order.size());
+  for (const std::uint32_t component : order) {
+    place[component] = static_cast<std::uint32_t>(sorted.size());
+    sorted.push_back(std::move(result.region.polygons[component]));
+  }
+  result.region.polygons = std::move(sorted);
+  parts.polygon_of.reserve(graph.edges.size());
+  for (const std::uint32_t walk : walks.walk_of) {
+    const std::uint32_t component = walks.walks[walk].component;
+    parts.polygon_of.push_back(component < place.size() ? place[component] : component);
+  }
+  return parts;
 }
+
+Canonical canonical_form(const BoundaryGraph& graph) { return canonical_parts(graph).form; }
 
 std::string canonical_json(const PolygonSet& canonical) {
   std::string text = "{\"polygons\":[";
