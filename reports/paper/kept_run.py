@@ -28,6 +28,7 @@ TIMED = {
     "Section 7.1": "Times of the pre-processing",
     "Fig. 9": "",
     "Fig. 10, Table 2": "",
+    "Fig. 11": "",
 }
 
 
