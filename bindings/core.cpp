@@ -11,6 +11,7 @@
 #include "bindings/core_convolution.hpp"
 #include "bindings/core_paper_space_update.hpp"
 #include "bindings/core_paths.hpp"
+#include "bindings/core_scene.hpp"
 #include "reference/error.hpp"
 #include "reference/memory.hpp"
 #include "reference/plane/convolution/convolution_size.hpp"
@@ -127,6 +128,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_dynamic(module);
   minkref::python::bind_index(module);
   minkref::python::bind_paths(module);
+  minkref::python::bind_scene(module);
   minkref::python::bind_space_paths(module);
   minkref::python::bind_timed_index(module);
   minkref::python::bind_comparison(module);

@@ -1,6 +1,6 @@
 // The whole library by one include: sums, events, indices and updates in the plane, with a disc and
-// in space; paths, fits and traps. A single header below is enough for a single question, and
-// compiles faster.
+// in space; paths, fits and traps; scenes. A single header below is enough for a single question,
+// and compiles faster.
 #pragma once
 
 #include "reference/disc/index/disc_index.hpp"
@@ -17,6 +17,7 @@
 #include "reference/plane/index/scale_index.hpp"
 #include "reference/plane/sum.hpp"
 #include "reference/plane/tight_passages.hpp"
+#include "reference/scene/scene_union.hpp"
 #include "reference/space/convex/dynamic_convex_sum.hpp"
 #include "reference/space/definition/definition_sum.hpp"
 #include "reference/space/edges/edge_sum.hpp"

@@ -35,7 +35,9 @@ _AFTER_CRITICAL = tuple(f"reference/plane/{room}/" for room in ("history", "dyna
 # parts below them.
 APART = {
     "reference/number": ("reference/plane/", "reference/space/"),
-    "reference/plane": ("reference/space/", "reference/motion/", "reference/paper/"),
+    "reference/plane": (
+        "reference/space/", "reference/motion/", "reference/paper/", "reference/scene/",
+    ),
     "reference/disc": ("reference/paper/",),
     "reference/space": ("reference/motion/", "reference/paper/"),
     "reference/motion": ("reference/space/", "reference/disc/", "reference/paper/"),

@@ -1,0 +1,238 @@
+#include "reference/scene/scene_boundary.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+#include <tuple>
+
+#include "reference/interrupt.hpp"
+#include "reference/no_entry.hpp"
+#include "reference/plane/passages/tight_graph.hpp"
+
+namespace minkref::inline scene {
+namespace {
+
+/// Equal points have the same nearest doubles.
+std::uint64_t digest(const FilteredPoint& point) {
+  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
+  const std::uint64_t x = bits(point.x()) * odd;
+  return (std::rotl(x, 29) ^ bits(point.y())) * odd;
+}
+
+bool equal(const FilteredPoint& a, const FilteredPoint& b) {
+  return a.x() == b.x() && a.y() == b.y() && a.exact() == b.exact();
+}
+
+/// Calls visit(sum, edge, stretches) for every edge with any.
+template <class Visit>
+void each_edge(const SceneStretches& stretches, Visit&& visit) {
+  for (std::uint32_t sum = 0; sum < stretches.size(); ++sum) {
+    for (std::uint32_t edge = 0; edge < stretches[sum]->size(); ++edge) {
+      look_for_interrupt();
+      const auto& found = (*stretches[sum])[edge];
+      if (found) visit(sum, edge, *found);
+    }
+  }
+}
+
+auto key(const OwnedStretch& s) { return std::tuple(s.from, s.to, s.sum, s.edge); }
+bool stretch_less(const OwnedStretch& a, const OwnedStretch& b) { return key(a) < key(b); }
+bool same_stretch(const OwnedStretch& a, const OwnedStretch& b) {
+  return a.from == b.from && a.to == b.to;
+}
+
+/// A graph of tight pieces whose contacts are numbers of owners.
+class TightPieces {
+ public:
+  TightPieces(const PlacedSums& sums, const SceneBoundary& boundary, const AddOwners& add_owners)
+      : sums_(sums), boundary_(boundary), add_owners_(add_owners) {}
+
+  void add_pieces(std::uint32_t sum, std::uint32_t edge, const EdgeStretches& found) {
+    for (const EdgeStretches::Piece& piece : found.pieces) {
+      if (!piece.tight) continue;
+      OwnedStretch stretch{number(found, piece.from, sum, edge), number(found, piece.to, sum, edge),
+                           sum, edge};
+      if (stretch.from > stretch.to) std::swap(stretch.from, stretch.to);
+      stretches_.push_back(stretch);
+    }
+  }
+
+  void add_points(std::uint32_t sum, std::uint32_t edge, const EdgeStretches& found) {
+    for (const std::uint32_t k : found.points) {
+      const FilteredPoint& point = found.node(k, *sums_[sum], edge);
+      if (boundary_.numbers.find(point) != no_entry) continue;
+      const std::uint32_t known = numbers_.find(point);
+      if (known != no_entry && known < ends_) continue;
+      const std::uint32_t at = numbers_.number(point);
+      stretches_.push_back({at, at, sum, edge});
+      if (k == 0) stretches_.push_back({at, at, sum, sums_[sum]->sum->edges[edge].before});
+    }
+  }
+  /// No more pieces come: points must not end any.
+  void end_pieces() { ends_ = static_cast<std::uint32_t>(numbers_.points().size()); }
+
+  std::vector<ScenePassage> passages() {
+    std::sort(stretches_.begin(), stretches_.end(), stretch_less);
+    TightGraph graph;
+    for (const FilteredPoint& point : numbers_.points()) graph.points.push_back(point.exact());
+    for (std::size_t i = 0; i < stretches_.size();) {
+      TightGraph::Edge& edge =
+          graph.edges.emplace_back(TightGraph::Edge{stretches_[i].from, stretches_[i].to, {}});
+      std::vector<Owner> own;
+      const OwnedStretch first = stretches_[i];
+      for (; i < stretches_.size() && same_stretch(first, stretches_[i]); ++i) {
+        add_owners_(stretches_[i].sum, stretches_[i].edge, own);
+      }
+      sort_unique(own);
+      for (const Owner& owner : own) {
+        edge.contacts.push_back(name_of(static_cast<std::uint32_t>(owners_.size())));
+        owners_.push_back(owner);
+      }
+    }
+    std::vector<ScenePassage> result;
+    for (TightPassage& passage : passages_along(graph)) {
+      ScenePassage& named = result.emplace_back();
+      named.points = std::move(passage.points);
+      for (const auto& contacts : passage.contacts) {
+        auto& own = named.owners.emplace_back();
+        for (const ConvolutionEdge& contact : contacts) own.push_back(owners_[number_of(contact)]);
+        sort_unique(own);
+      }
+    }
+    return result;
+  }
+
+ private:
+  /// The graph knows contacts as convolution edges, and only whether they are the same.
+  static ConvolutionEdge name_of(std::uint32_t owner) {
+    return {ConvolutionEdge::Kind::S, 1, {0, owner}, {}};
+  }
+  static std::uint32_t number_of(const ConvolutionEdge& name) { return name.edge.index; }
+
+  std::uint32_t number(const EdgeStretches& found, std::uint32_t node, std::uint32_t sum,
+                       std::uint32_t edge) {
+    return numbers_.number(found.node(node, *sums_[sum], edge));
+  }
+
+  const PlacedSums& sums_;
+  const SceneBoundary& boundary_;
+  const AddOwners& add_owners_;
+  PointNumbers numbers_;
+  std::uint32_t ends_ = 0;
+  std::vector<OwnedStretch> stretches_;
+  std::vector<Owner> owners_;
+};
+
+}  // namespace
+
+std::uint32_t PointNumbers::find(const FilteredPoint& point) const {
+  const auto found = first_.find(digest(point));
+  if (found == first_.end()) return no_entry;
+  std::uint32_t at = found->second;
+  while (at != no_entry && !equal(points_[at], point)) at = next_[at];
+  return at;
+}
+
+std::uint32_t PointNumbers::number(const FilteredPoint& point) {
+  const auto own = static_cast<std::uint32_t>(points_.size());
+  const auto [entry, is_new] = first_.emplace(digest(point), own);
+  std::uint32_t at = is_new ? no_entry : entry->second;
+  while (at != no_entry && !equal(points_[at], point)) at = next_[at];
+  if (at != no_entry) return at;
+  points_.push_back(point);
+  next_.push_back(is_new ? no_entry : entry->second);
+  entry->second = own;
+  return own;
+}
+
+SceneBoundary scene_boundary(const PlacedSums& sums, const SceneStretches& stretches) {
+  SceneBoundary boundary;
+  each_edge(stretches, [&](std::uint32_t sum, std::uint32_t edge, const EdgeStretches& found) {
+    for (const EdgeStretches::Piece& piece : found.pieces) {
+      if (piece.tight) continue;
+      const std::uint32_t from = boundary.numbers.number(found.node(piece.from, *sums[sum], edge));
+      const std::uint32_t to = boundary.numbers.number(found.node(piece.to, *sums[sum], edge));
+      boundary.stretches.push_back({from, to, sum, edge});
+    }
+  });
+  std::sort(boundary.stretches.begin(), boundary.stretches.end(), stretch_less);
+  return boundary;
+}
+
+BoundaryGraph SceneBoundary::graph() const {
+  BoundaryGraph graph;
+  for (const FilteredPoint& point : numbers.points()) graph.points.push_back(point.exact());
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    if (i > 0 && same_stretch(stretches[i - 1], stretches[i])) continue;
+    graph.edges.emplace_back(stretches[i].from, stretches[i].to);
+  }
+  return graph;
+}
+
+namespace {
+
+/// Calls take(stretch) for the stretches along a side of the region.
+template <class Take>
+void each_along(const SceneBoundary& boundary, std::uint32_t from, std::uint32_t to, Take&& take) {
+  const auto& points = boundary.numbers.points();
+  const auto& all = boundary.stretches;
+  const int way = compare_xy(points[from], points[to]);
+  for (std::uint32_t at = from; at != to;) {
+    look_for_interrupt();
+    auto leaving =
+        std::lower_bound(all.begin(), all.end(), OwnedStretch{at, 0, 0, 0}, stretch_less);
+    std::uint32_t next = no_entry;
+    for (; leaving != all.end() && leaving->from == at; ++leaving) {
+      if (compare_xy(points[at], points[leaving->to]) != way ||
+          orientation(points[from], points[to], points[leaving->to]) != 0) {
+        continue;
+      }
+      next = leaving->to;
+      take(*leaving);
+    }
+    if (next == no_entry) throw std::logic_error("a side of the union has no stretch");
+    at = next;
+  }
+}
+
+}  // namespace
+
+std::vector<RingOwners> side_owners(const PolygonSet& region, const SceneBoundary& boundary,
+                                    const AddOwners& add_owners) {
+  std::vector<RingOwners> result;
+  const auto add_ring = [&](const Ring& ring) {
+    RingOwners& owners = result.emplace_back(ring.size());
+    std::vector<std::uint32_t> vertices;
+    for (const Point& point : ring) {
+      vertices.push_back(boundary.numbers.find(FilteredPoint(point)));
+      if (vertices.back() == no_entry) throw std::logic_error("a vertex of the union is no node");
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      each_along(boundary, vertices[i], vertices[(i + 1) % ring.size()],
+                 [&](const OwnedStretch& s) { add_owners(s.sum, s.edge, owners[i]); });
+      sort_unique(owners[i]);
+    }
+  };
+  for (const Polygon& polygon : region.polygons) {
+    add_ring(polygon.outer);
+    for (const Ring& hole : polygon.holes) add_ring(hole);
+  }
+  return result;
+}
+
+std::vector<ScenePassage> scene_passages(const PlacedSums& sums, const SceneStretches& stretches,
+                                         const SceneBoundary& boundary,
+                                         const AddOwners& add_owners) {
+  TightPieces pieces(sums, boundary, add_owners);
+  each_edge(stretches, [&](std::uint32_t sum, std::uint32_t edge, const EdgeStretches& found) {
+    pieces.add_pieces(sum, edge, found);
+  });
+  pieces.end_pieces();
+  each_edge(stretches, [&](std::uint32_t sum, std::uint32_t edge, const EdgeStretches& found) {
+    pieces.add_points(sum, edge, found);
+  });
+  return pieces.passages();
+}
+
+}  // namespace minkref::inline scene

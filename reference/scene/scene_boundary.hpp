@@ -1,0 +1,64 @@
+// From stretches to the union: its boundary with owners, and tight passages.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+#include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/scene/edge_stretches.hpp"
+#include "reference/scene/scene.hpp"
+
+namespace minkref::inline scene {
+
+/// Numbers for points; equal points have the same number.
+class PointNumbers {
+ public:
+  std::uint32_t number(const FilteredPoint& point);
+  /// no_entry for a point that has none.
+  std::uint32_t find(const FilteredPoint& point) const;
+  const std::vector<FilteredPoint>& points() const { return points_; }
+
+ private:
+  std::vector<FilteredPoint> points_;
+  std::vector<std::uint32_t> next_;  ///< point with the same digest
+  std::unordered_map<std::uint64_t, std::uint32_t> first_;
+};
+
+/// An edge of a placed sum that has a stretch from a point to another.
+struct OwnedStretch {
+  std::uint32_t from = 0, to = 0;  ///< point numbers
+  std::uint32_t sum = 0, edge = 0;
+};
+
+/// The boundary of the union: each stretch once for each edge that has it.
+struct SceneBoundary {
+  PointNumbers numbers;
+  std::vector<OwnedStretch> stretches;  ///< sorted
+
+  BoundaryGraph graph() const;
+};
+SceneBoundary scene_boundary(const PlacedSums& sums, const SceneStretches& stretches);
+
+/// Appends the owners of an edge of a placed sum.
+using AddOwners =
+    std::function<void(std::uint32_t sum, std::uint32_t edge, std::vector<Owner>& owners)>;
+
+/// Owners of the sides of a region in canonical form, ring by ring: side i runs from vertex i to
+/// the next.
+using RingOwners = std::vector<std::vector<Owner>>;
+std::vector<RingOwners> side_owners(const PolygonSet& region, const SceneBoundary& boundary,
+                                    const AddOwners& add_owners);
+
+/// A maximal piece, as TightPassage.
+struct ScenePassage {
+  std::vector<Point> points;
+  std::vector<std::vector<Owner>> owners;  ///< as TightPassage::contacts
+  friend bool operator==(const ScenePassage&, const ScenePassage&) = default;
+};
+std::vector<ScenePassage> scene_passages(const PlacedSums& sums, const SceneStretches& stretches,
+                                         const SceneBoundary& boundary,
+                                         const AddOwners& add_owners);
+
+}  // namespace minkref::inline scene
