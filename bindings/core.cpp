@@ -129,6 +129,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_index(module);
   minkref::python::bind_paths(module);
   minkref::python::bind_scene(module);
+  minkref::python::bind_scene_questions(module);
   minkref::python::bind_space_paths(module);
   minkref::python::bind_timed_index(module);
   minkref::python::bind_comparison(module);

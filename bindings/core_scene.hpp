@@ -6,5 +6,6 @@
 namespace minkref::python {
 
 void bind_scene(nanobind::module_& module);
+void bind_scene_questions(nanobind::module_& module);
 
 }  // namespace minkref::python

@@ -25,6 +25,11 @@ struct Scene {
   std::vector<Copy> copies;
 };
 
+/// Throws BadInput ("no-shape", "bad-scale").
+void refuse_bad_copy(const Copy& copy, std::size_t shapes);
+/// Throws BadInput ("no-area") where neither the robot nor some shape has an area.
+void refuse_without_area(const PolygonSet& robot, const std::vector<PolygonSet>& shapes);
+
 /// A contact of the robot with a copy: an edge of the convolution of the copy's shape (P) with the
 /// reflected robot (Q).
 struct Owner {

@@ -48,6 +48,8 @@ SceneQuestions::SceneQuestions(Scene scene)
     : scene_(std::move(scene)),
       turned_robot_(half_turned(scene_.robot)),
       robot_box_(box_of(scene_.robot)) {
+  refuse_without_area(scene_.robot, scene_.shapes);
+  for (const Copy& copy : scene_.copies) refuse_bad_copy(copy, scene_.shapes.size());
   for (const PolygonSet& shape : scene_.shapes) {
     look_for_interrupt();
     turned_shapes_.push_back(half_turned(shape));

@@ -34,6 +34,7 @@ struct Growth {
 /// about some copy costs the time to cut its shape into pieces.
 class SceneQuestions {
  public:
+  /// Throws BadInput ("bad-scale", "no-shape", "no-area").
   explicit SceneQuestions(Scene scene);
 
   /// Copies that the robot meets at a place, ascending. The place is free, with contact forbidden,

@@ -26,7 +26,7 @@ SceneState::SceneState(std::shared_ptr<SumStore> store, std::vector<Copy> copies
   const BuildControl control(options, "the union of the sums");
   copies_.reserve(copies.size());
   for (Copy& copy : copies) {
-    store_->refuse_bad_copy(copy);
+    refuse_bad_copy(copy, store_->shapes().size());
     copies_.push_back(std::make_shared<const Copy>(std::move(copy)));
   }
   place_all(control);
@@ -129,7 +129,7 @@ SceneState SceneState::with(std::uint32_t copy, const std::optional<Copy>& now,
                             const BuildOptions& options) const {
   const FloatEnvironment standard;
   const BuildControl control(options, "the union of the sums");
-  if (now) store_->refuse_bad_copy(*now);
+  if (now) refuse_bad_copy(*now, store_->shapes().size());
   SceneState next = *this;
   next.counts_ = {};
   Change change;

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "reference/build/stage.hpp"
-#include "reference/error.hpp"
 
 namespace minkref::inline scene {
 
@@ -15,28 +14,10 @@ SumStore::SumStore(PolygonSet robot, std::vector<PolygonSet> shapes, bool passag
       shapes_(std::move(shapes)),
       passages_(passages),
       convolutions_(shapes_.size()) {
-  const bool thin = robot_.is_point() || robot_.is_segment();
+  refuse_without_area(robot_, shapes_);
   for (std::uint32_t k = 0; k < shapes_.size(); ++k) {
-    const PolygonSet& shape = shapes_[k];
-    if (thin && (shape.is_point() || shape.is_segment())) {
-      throw BadInput("no-area",
-                     "shape " + std::to_string(k) + " has no area, and neither has the robot",
-                     "give one of them an area");
-    }
-    const auto first = std::find(shapes_.begin(), shapes_.end(), shape);
+    const auto first = std::find(shapes_.begin(), shapes_.end(), shapes_[k]);
     same_.push_back(static_cast<std::uint32_t>(first - shapes_.begin()));
-  }
-}
-
-void SumStore::refuse_bad_copy(const Copy& copy) const {
-  if (copy.shape >= shapes_.size()) {
-    throw BadInput("no-shape", "there is no shape " + std::to_string(copy.shape),
-                   "the scene has " + std::to_string(shapes_.size()) + " shapes, counted from 0");
-  }
-  if (sign(copy.scale) <= 0) {
-    throw BadInput("bad-scale",
-                   "the scale " + to_string(copy.scale) + " of a copy is not greater than zero",
-                   "give a scale s > 0");
   }
 }
 
