@@ -10,14 +10,8 @@ from functools import cached_property
 from math import lcm
 from typing import Any
 
-from minkref.fuzz.plane.small_case import (
-    PlaneCase,
-    Point,
-    plain_operand,
-    scaled_operand,
-    smaller_in_plane,
-    vertices_of,
-)
+from minkref.fuzz.plane.small_case import PlaneCase, smaller_in_plane
+from minkref.fuzz.plane.smaller_operands import Point, plain_operand, scaled_operand, vertices_of
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import Protocol
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import Point, scale_factors
@@ -63,12 +64,35 @@ def _first(operand: _core.PolygonSet) -> Point:
     return shape_of(operand)[0][0][0]
 
 
+class Definition(Protocol):
+    """Decides points of a set from the definition of the set, and checks witnesses."""
+
+    def decide(self, point: tuple[str, str]) -> Witness:
+        """Raises WitnessRefuted."""
+
+    def holds(self, witness: Witness) -> bool: ...
+
+
+@dataclass(frozen=True)
+class SumOf:
+    """The sum of a case's operands, or of their boundaries."""
+
+    case: Case
+    boundary: bool = False
+
+    def decide(self, point: tuple[str, str]) -> Witness:
+        return decide(self.case, point, self.boundary)
+
+    def holds(self, witness: Witness) -> bool:
+        return holds(self.case.P_json, self.case.Q_json, self.case.scale, witness)
+
+
 def settle(
-    case: Case, truth: Region, claim: Region, half: Fraction = Fraction(0), boundary: bool = False
+    defined: Definition, truth: Region, claim: Region, half: Fraction = Fraction(0)
 ) -> Settlement:
     """Decides a point that only `truth` has and a point that only `claim` has, if such points
     exist. With `half` only points count whose whole square with this half side lies inside, or
-    outside. `boundary`: compares sums of boundaries."""
+    outside."""
     settled = Settlement()
     least, most = shrunk(truth.set, half), grown(truth.set, half)
     absent, surplus = _core.minus(least, claim.set), _core.minus(claim.set, most)
@@ -77,13 +101,13 @@ def settle(
         if point is None:
             continue
         settled.differ = True
-        witness = decide(case, point, boundary)
+        witness = defined.decide(point)
         agrees = witness.in_truth == (reason is Reason.MISSING)
         if half and agrees:
             witness = replace(witness, tolerance=str(half))
-            if not holds(case.P_json, case.Q_json, case.scale, witness):
+            if not defined.holds(witness):
                 continue  # its square would need too many cells
-        if witness.in_truth == (reason is Reason.MISSING):
+        if agrees:
             settled.claim = settled.claim or witness
             settled.reasons.append(reason)
         else:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 
 from minkref import _core
 from minkref.errors import cut
 from minkref.fuzz.geometry.region import Region
 from minkref.fuzz.plane.boundary_sum import MOST_PAIRS, boundary_sum
 from minkref.fuzz.plane.case import Case
-from minkref.fuzz.plane.comparison import WitnessRefuted, decide, settle, some_point
+from minkref.fuzz.plane.comparison import Definition, SumOf, WitnessRefuted, settle, some_point
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
@@ -60,7 +61,7 @@ def _judge(
             return {
                 name: _refuted(name, answer, *refuted[name], None)
                 if name in refuted
-                else _undecided(name, answer, message)
+                else undecided(name, answer, message)
                 for name, answer in answers.items()
             }
         outcomes = _against(case, answers, truth, refuted, judging)
@@ -85,13 +86,13 @@ def _against(
         try:
             outcome = _one(case, name, answer, expected)
         except WitnessRefuted as error:
-            outcome = _undecided(name, answer, f"{DOUBT}: {error}")
+            outcome = undecided(name, answer, f"{DOUBT}: {error}")
         except _core.LimitExceeded as error:
             if name in TRUTHS:
                 raise
             outcome = too_large(name, answer, error)
         except MemoryError:
-            outcome = _undecided(name, answer, "there is too little memory to judge the answer")
+            outcome = undecided(name, answer, "there is too little memory to judge the answer")
         if isinstance(outcome, Outcome):
             outcomes[name] = outcome
         else:
@@ -105,7 +106,7 @@ def _one(case: Case, name: str, answer: Answer, expected: Region) -> Outcome | W
     """The outcome for one target, or the witness that refutes the expected region."""
     region, declared = answer.region, answer.declaration
     if answer.verdict is Verdict.WRONG:
-        return _rejected(case, name, answer, expected)
+        return rejected(name, answer, some_point(case), expected)
     if region is None:
         return without_answer(name, answer)
     if declared.boundary:
@@ -115,25 +116,36 @@ def _one(case: Case, name: str, answer: Answer, expected: Region) -> Outcome | W
             message = f"the sum of the boundaries is not computed for {what}"
             return Outcome(name, Verdict.SKIPPED, message=message)
         expected = boundary_sum(case)
+    defined = SumOf(case, declared.boundary)
+    found = compared(name, answer, expected, defined, declared.tolerance(case.magnitude))
+    if isinstance(found, Witness) and declared.boundary:
+        return undecided(name, answer, "the sum of the boundaries is in doubt")
+    return found
+
+
+def compared(
+    name: str, answer: Answer, expected: Region, defined: Definition, half: Fraction
+) -> Outcome | Witness:
+    """The outcome for a target whose answer is a set, which may be off by `half` in each
+    coordinate; or the witness that refutes the expected region."""
+    region = answer.region
+    assert region is not None
     if region.digest == expected.digest:
-        return _same_set(case, name, answer, region)
-    half = declared.tolerance(case.magnitude)
-    settled = settle(case, expected, region, half, declared.boundary)
-    if settled.truth is not None and declared.boundary:
-        return _undecided(name, answer, "the sum of the boundaries is in doubt")
+        return _same_set(name, answer, region, defined)
+    settled = settle(defined, expected, region, half)
     if settled.truth is not None:
         return settled.truth
     if half and not settled.differ:
         return Outcome(name, Verdict.PASS_WITHIN, seconds=answer.seconds, digest=region.digest)
     if settled.claim is None:
-        return _undecided(name, answer, "no point tells the results apart")
+        return undecided(name, answer, "no point tells the results apart")
     reasons = settled.reasons
-    if region.overlap is not None and declared.exact:
+    if region.overlap is not None and answer.declaration.exact:
         reasons = [*reasons, Reason.SELF_INTERSECTING]
     return _refuted(name, answer, settled.claim, reasons, expected)
 
 
-def _same_set(case: Case, name: str, answer: Answer, region: Region) -> Outcome:
+def _same_set(name: str, answer: Answer, region: Region, defined: Definition) -> Outcome:
     """The right set of points; the rings of exact results may still be badly made."""
     if not answer.declaration.exact:
         return Outcome(name, Verdict.PASS, seconds=answer.seconds, digest=region.digest)
@@ -142,20 +154,19 @@ def _same_set(case: Case, name: str, answer: Answer, region: Region) -> Outcome:
         (region.overlap, Reason.SELF_INTERSECTING),
     ):
         if point is not None:
-            witness = decide(case, point, answer.declaration.boundary)
-            return _refuted(name, answer, witness, [reason], region)
+            return _refuted(name, answer, defined.decide(point), [reason], region)
     return Outcome(name, Verdict.PASS, seconds=answer.seconds, digest=region.digest)
 
 
-def _rejected(case: Case, name: str, answer: Answer, expected: Region) -> Outcome:
-    """Valid operands called invalid: any decided point shows that they have a sum."""
+def rejected(name: str, answer: Answer, witness: Witness, expected: Region) -> Outcome:
+    """Valid operands called invalid: any decided point shows that there is a right answer."""
     return Outcome(
         name,
         Verdict.WRONG,
         (Reason.REJECTED_VALID,),
         message=cut(answer.message),
         seconds=answer.seconds,
-        witness=some_point(case),
+        witness=witness,
         expected_digest=expected.digest,
     )
 
@@ -193,7 +204,7 @@ def without_answer(name: str, answer: Answer) -> Outcome:
     )
 
 
-def _undecided(name: str, answer: Answer, message: str) -> Outcome:
+def undecided(name: str, answer: Answer, message: str) -> Outcome:
     if answer.region is None:
         return without_answer(name, answer)
     return Outcome(

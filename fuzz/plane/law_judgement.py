@@ -7,7 +7,7 @@ from collections.abc import Callable
 from minkref import _core
 from minkref.fuzz.geometry.region import Region, region_of_polygons
 from minkref.fuzz.plane.case import Case
-from minkref.fuzz.plane.comparison import WitnessRefuted, settle
+from minkref.fuzz.plane.comparison import SumOf, WitnessRefuted, settle
 from minkref.fuzz.plane.exact_shapes import shape_of
 from minkref.fuzz.plane.judgement import too_large
 from minkref.fuzz.plane.laws import LAWS, applies
@@ -51,7 +51,7 @@ def _related(law: str, name: str, case: Case, answer: Answer, said: Region) -> O
     assert got is not None
     if got.digest != said.digest:
         try:
-            settled = settle(case, said, got)
+            settled = settle(SumOf(case), said, got)
         except WitnessRefuted as error:
             return Outcome(name, Verdict.UNDECIDED, message=f"the referee fails: {error}")
         if settled.claim is not None:

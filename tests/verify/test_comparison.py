@@ -11,7 +11,7 @@ from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.geometry.region import region_of_rings
 from minkref.fuzz.plane.case import Case
-from minkref.fuzz.plane.comparison import settle
+from minkref.fuzz.plane.comparison import SumOf, settle
 from minkref.fuzz.plane.judgement import judge
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer
@@ -58,7 +58,7 @@ DIFFERENT = [
 
 @pytest.mark.parametrize(("rings", "reasons"), DIFFERENT, ids=lambda v: str(v)[-30:])
 def test_difference_is_named_and_proven(case: Case, rings: Any, reasons: list[Reason]) -> None:
-    settled = settle(case, region_of_rings(TRUTH), region_of_rings(rings))
+    settled = settle(SumOf(case), region_of_rings(TRUTH), region_of_rings(rings))
     assert settled.truth is None
     assert settled.reasons == reasons
     assert settled.claim is not None
@@ -69,7 +69,7 @@ def test_difference_is_named_and_proven(case: Case, rings: Any, reasons: list[Re
 def test_wrong_reference_is_the_one_that_is_refuted(
     case: Case, rings: Any, reasons: list[Reason]
 ) -> None:
-    settled = settle(case, region_of_rings(rings), region_of_rings(TRUTH))
+    settled = settle(SumOf(case), region_of_rings(rings), region_of_rings(TRUTH))
     assert settled.claim is None
     assert settled.truth is not None
     assert holds(case.P_json, case.Q_json, case.scale, settled.truth)

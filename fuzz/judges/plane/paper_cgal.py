@@ -16,7 +16,7 @@ from minkref.fuzz.judges.beside import (
 from minkref.fuzz.libraries.paper.in_plane import PlaneProgram
 from minkref.fuzz.libraries.paper.program_name import ProgramName
 from minkref.fuzz.plane.case import Case
-from minkref.fuzz.plane.comparison import settle
+from minkref.fuzz.plane.comparison import SumOf, settle
 from minkref.fuzz.targets.answer import answered
 
 
@@ -44,7 +44,7 @@ def beside_in_plane(
     if got.digest == cgal.digest:
         found.note(AGREE, text)
         return
-    settled = settle(case, cgal, got, name.relative * case.magnitude)
+    settled = settle(SumOf(case), cgal, got, name.relative * case.magnitude)
     if settled.truth is not None:
         found.note(THEIRS, text, settled.truth)
     elif settled.claim is not None:
