@@ -96,6 +96,7 @@ class Question(ABC):
 
     cases: ClassVar[type]
     asking: ClassVar[type[Asking]]
+    families: ClassVar[dict[str, str]] = {}  # titles of the generators that a run may choose
 
     @abstractmethod
     def drawn(self, name: CaseName, family: str, seed: int, index: int) -> AnyCase | None:

@@ -12,10 +12,11 @@ from minkref.fuzz.plane.setting import PLANE
 from minkref.fuzz.setting import Question, Setting, ShrinkableQuestion, SmallCase
 from minkref.fuzz.space.setting import SPACE
 from minkref.fuzz.targets.asking import Asking
+from minkref.fuzz.unions.question import UNIONS
 
 SETTINGS: tuple[Setting, ...] = (PLANE, SPACE)
-QUESTIONS: tuple[Question, ...] = (PATHS, REFUSALS)
-SHRINKABLE: tuple[ShrinkableQuestion, ...] = (PATHS,)
+QUESTIONS: tuple[Question, ...] = (PATHS, UNIONS, REFUSALS)
+SHRINKABLE: tuple[ShrinkableQuestion, ...] = (PATHS, UNIONS)
 
 
 def setting_of(dimension: int) -> Setting:

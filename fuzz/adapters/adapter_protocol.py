@@ -14,6 +14,7 @@ from typing import Any, BinaryIO, TextIO
 Set = dict[str, Any]  # {"polygons": ...} or {"vertices": ..., "faces": ...}
 Sum = Callable[[Set, Set], dict[str, Any]]
 Path = Callable[[Set, Set, dict[str, Any]], dict[str, Any]]
+Union = Callable[[list[Set]], dict[str, Any]]
 Verbs = Mapping[str, Path]
 LONGEST_REASON = 4000  # characters
 
@@ -37,12 +38,16 @@ class GaveUp(Exception):
 class Adapter:
     """Answers requests: `hello` is the declaration, `sum_of(sP, Q)` returns a result's members, and
     each function of `verbs`, by verb, a result's members from P, Q and the request: `path`,
-    `update`, or `at` itself for an implementation that scales P by itself."""
+    `update`, or `at` itself for an implementation that scales P by itself. `union_of(sets)` returns
+    the members of a union."""
 
-    def __init__(self, hello: dict[str, Any], sum_of: Sum | None, verbs: Verbs) -> None:
+    def __init__(
+        self, hello: dict[str, Any], sum_of: Sum | None, verbs: Verbs, union_of: Union | None = None
+    ) -> None:
         self.hello = hello
         self.sum_of = sum_of
         self.verbs = verbs
+        self.union_of = union_of
         self.P: Set | None = None
         self.Q: Set | None = None
 
@@ -55,6 +60,8 @@ class Adapter:
             if verb == "load":
                 self.P, self.Q = request.get("P"), request["Q"]
                 return {"status": "result"}
+            if verb == "union" and self.union_of is not None:
+                return {"status": "result", **self.union_of(request["sets"])}
             if isinstance(verb, str) and verb in self.verbs:
                 if self.P is None or self.Q is None:
                     raise ValueError(f"`{verb}` before any `load`")
@@ -103,12 +110,14 @@ def serve(
     given: tuple[BinaryIO, TextIO] | None = None,
     path_of: Path | None = None,
     verbs: Verbs | None = None,
+    union_of: Union | None = None,
 ) -> None:
     """Answers until `stop` or the input's end. `given`: streams that were taken already. `path_of`
-    answers the verb `path`, and `verbs` others, from P, Q and the request."""
+    answers the verb `path`, and `verbs` others, from P, Q and the request; `union_of` the verb
+    `union`, from the sets."""
     requests, answers = given or streams()
     others: Verbs = {} if path_of is None else {"path": path_of}
-    adapter = Adapter(hello, sum_of, {**others, **(verbs or {})})
+    adapter = Adapter(hello, sum_of, {**others, **(verbs or {})}, union_of)
     for line in requests:
         if not line.strip():
             continue

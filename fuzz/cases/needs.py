@@ -13,10 +13,10 @@ Node = tuple[int, int]
 Ring = list[Node]
 
 
-def needs_of_plane(P_json: str, Q_json: str) -> frozenset[str]:
-    """The capabilities (docs/adapter-protocol.md) that two operands ask for."""
+def needs_of_plane(*texts: str) -> frozenset[str]:
+    """The capabilities (docs/adapter-protocol.md) that sets ask for."""
     needs = {"plane"}
-    for text in (P_json, Q_json):
+    for text in texts:
         needs |= _of_polygons(json.loads(text)["polygons"])
     return frozenset(needs)
 

@@ -1,12 +1,18 @@
 """Requests that replace the verb `at` of the adapter protocol: LAW(NAME) with a verb for the law, a
-path, or operands with one invalid."""
+path, sets to unite, or operands with one invalid."""
 
 UPDATE, EVENTS = "update", "events"
 PAIR_EVENTS = "pair-events"  # of edges of the reduced convolution
 PATH, RANGES = "path", "path-ranges"  # the verb `path`: single scales, or all of a window
+UNION = "union"  # of two or more sets
 REJECTS = "rejects-invalid"  # the capability that invalid cases ask for
 
 
 def is_path(text: str) -> bool:
     """Whether a case's text names a path itself."""
     return text.startswith('{"part"')
+
+
+def is_union(text: str) -> bool:
+    """Whether a case's text names sets to unite themselves."""
+    return text.startswith('{"sets"')

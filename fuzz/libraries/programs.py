@@ -14,12 +14,14 @@ Maker = Callable[[Finding, str], Program | None]
 
 def program(finding: Finding, name: str) -> Program | None:
     """Returns the program, its file called `name`; None if none exists (`why_none`)."""
-    maker = _maker(finding.outcome.target)
+    maker = _maker(finding.outcome.target) if finding.case.union is None else None
     return maker(finding, name) if maker else None
 
 
 def why_none(finding: Finding) -> str:
     """A sentence for a finding that has no program."""
+    if finding.case.union is not None:
+        return "No program: only sums have programs so far."
     if _maker(finding.outcome.target):
         return "No program: the library is not called with such operands."
     if finding.outcome.target.startswith("minkref"):

@@ -43,7 +43,7 @@ class ReferenceTarget:
 
     def sum(self, case: AnyCase) -> Answer:
         if not isinstance(case, Case):
-            return skipped("does not declare space, rejects-invalid, or path")
+            return skipped("does not declare space, rejects-invalid, path or union")
         if self.route in UPDATING:
             return self.updated_sum(case, case)
         return self._guarded(

@@ -12,7 +12,7 @@ from minkref.errors import refusing
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, PATH, RANGES, REJECTS, UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, PATH, RANGES, REJECTS, UNION, UPDATE
 from minkref.fuzz.geometry.number_text import number_of
 from minkref.fuzz.plane.asking import PlaneAsking
 from minkref.fuzz.plane.case import Case
@@ -31,7 +31,7 @@ class Plane(Setting):
     target = "minkref:paper"
     asking = PlaneAsking
     families: ClassVar[dict[str, str]] = {name: one.title for name, one in FAMILIES.items()}
-    verbs = (UPDATE, EVENTS, PAIR_EVENTS, REJECTS, PATH, RANGES)
+    verbs = (UPDATE, EVENTS, PAIR_EVENTS, REJECTS, PATH, RANGES, UNION)
     never = frozenset({"non-uniform"})  # no case needs it: other targets get `S P` as P
 
     def holds(self, operands: list[Any]) -> bool:
@@ -69,7 +69,9 @@ class Plane(Setting):
         self, base: AnyCase, name: CaseName, operation: str, number: int | None
     ) -> Case | None:
         if not isinstance(base, Case):
-            raise NoCase("nothing is got from a case of invalid operands, or of a path")
+            raise NoCase(
+                "nothing is got from a case of invalid operands, of a path, or of sets to unite"
+            )
         return derived(base, name, operation, number)
 
     def small_case(self, P: str, Q: str, scale: str) -> PlaneCase:

@@ -25,6 +25,7 @@ DEEPEST_MUTANT = 4
 AXES_PER_ROUND = 4  # families with a factor for each axis
 PROBES_PER_ROUND = 3
 PATHS_PER_ROUND = 3  # per verb
+UNIONS_PER_ROUND = 3  # per family
 GRID_BITS = 24  # for cases on a grid, or in doubles
 CONVEX_FAMILIES = ("space-convex", "space-sphere")  # taken by most targets with updates
 TOUCHING = "passing"  # the family with topology events of the kind `touch`
@@ -65,6 +66,7 @@ class CaseList:
     files: tuple[str, ...] = ()
     invalid: bool = False  # also pairs with one invalid operand
     paths: tuple[str, ...] = ()  # verbs of paths
+    unions: tuple[str, ...] = ()  # families of sets to unite
     doubles: bool = False  # no target takes other numbers: each pair on a grid, too
     spent: float = 0.0  # seconds used by an earlier part of the run
     notes: list[str] = field(default_factory=list)
@@ -125,7 +127,7 @@ class CaseList:
         """Returns the settings that distinguish runs."""
         names = ("seed", "pairs", "seconds", "named", "models", "families", "space", "laws")
         head: dict[str, object] = {name: getattr(self, name) for name in names}
-        more = ("derived", "files", "invalid", "paths", "doubles")
+        more = ("derived", "files", "invalid", "paths", "unions", "doubles")
         return {**head, **{name: getattr(self, name) for name in more}}
 
     def miss(self) -> None:
@@ -138,7 +140,7 @@ class CaseList:
             self._learned.append((number, text, coverage))
 
     def _generated(self) -> Iterator[CaseName | Wait]:
-        if not self.families and not self.space:
+        if not (self.families or self.space or self.unions):
             return
         if not self.derived:
             for index in itertools.count():
@@ -147,6 +149,7 @@ class CaseList:
                 if self.invalid:
                     yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
                 yield from self._paths(index)
+                yield from self._unions(index)
         for index in itertools.count():
             yield from self._round(index)
             yield Wait.FOR_ALL
@@ -166,6 +169,7 @@ class CaseList:
         if self.invalid:
             yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
         yield from self._paths(index)
+        yield from self._unions(index)
         for family in dice.sample(self.families, min(PROBES_PER_ROUND, len(self.families))):
             for probe in sorted(dice.sample(range(9), 3)):
                 text = f"probe:{probe}({texts[family]})"
@@ -197,6 +201,12 @@ class CaseList:
             for k in range(PATHS_PER_ROUND):
                 number = index * PATHS_PER_ROUND + k
                 yield CaseName(f"{verb}{end}:{self.seed}:{number}", "paths")
+
+    def _unions(self, index: int) -> Iterator[CaseName]:
+        for family in self.unions:
+            for k in range(UNIONS_PER_ROUND):
+                number = index * UNIONS_PER_ROUND + k
+                yield CaseName(f"{family}:{self.seed}:{number}", "unions")
 
     def _by_axes(self, index: int, texts: dict[str, str]) -> Iterator[CaseName]:
         """Yields cases of some families with a factor for each axis, and updates to such."""

@@ -17,6 +17,8 @@ pair-events(NAME)         the scales at which two edges of the convolution begin
 invalid:SEED:INDEX        operands of which one is invalid
 path:SEED:INDEX           a part on a path, at given scales (path-grid: on a grid of doubles)
 path-ranges:SEED:INDEX    the same, all valid scales of a window (path-ranges-grid: on a grid)
+union:SEED:INDEX          sets to unite (union-grid: on a grid of 24 bits; union-known: known)
+{"sets":[...]}            such sets themselves
 {"part":...,"obstacles":...,"path":...,"contact":...,"scales":[...]}   such a case itself
 """
 

@@ -7,7 +7,17 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, PATH, RANGES, REJECTS, UPDATE, is_path
+from minkref.fuzz.cases.verbs import (
+    EVENTS,
+    PAIR_EVENTS,
+    PATH,
+    RANGES,
+    REJECTS,
+    UNION,
+    UPDATE,
+    is_path,
+    is_union,
+)
 from minkref.fuzz.invalid.invalid_case import FAMILY as INVALID
 from minkref.fuzz.plane.judgement import REFEREE
 from minkref.fuzz.run.case_list import CaseList, Wait
@@ -113,6 +123,9 @@ def verb_of(text: str) -> str:
     verbs = {f"{verb}(": verb for verb in (UPDATE, EVENTS, PAIR_EVENTS)}
     verbs |= {f"{INVALID}:": REJECTS}
     verbs |= {f"{RANGES}:": RANGES, f"{RANGES}-": RANGES, f"{PATH}:": PATH, f"{PATH}-grid": PATH}
+    verbs |= {f"{UNION}:": UNION, f"{UNION}-": UNION}
+    if is_union(text):
+        return UNION
     if is_path(text):
         return PATH if '"scales"' in text else RANGES
     return next((verb for start, verb in verbs.items() if text.startswith(start)), "at")

@@ -3,7 +3,7 @@ prove."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from minkref.fuzz.run.resting import MOST_TIME_OUTS, RESTS
 from minkref.fuzz.run.runner import Run
@@ -24,7 +24,7 @@ def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
         missing = [
             f"{verb} ({setting.name})"
             for setting in taken
-            for verb in ("at", *(verb for verb in setting.verbs if verb in able))
+            for verb in _verbs(declaration, setting)
             if not done.asked[name, verb, setting.dimension]
         ]
         if missing:
@@ -41,6 +41,13 @@ def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
                 f"{name} declares kinds of input that no case of this run had: {'; '.join(absent)}"
             )
     return notes
+
+
+def _verbs(declaration: Declaration, setting: Setting) -> Iterator[str]:
+    """The verbs that a target declares in a setting."""
+    if declaration.makes_sums:
+        yield "at"
+    yield from (verb for verb in setting.verbs if verb in declaration.capabilities)
 
 
 def _not_met(done: Run, name: str, able: Iterable[str], setting: Setting) -> list[str]:

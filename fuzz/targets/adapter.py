@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from minkref.errors import cut, message_of
 from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.cases.verbs import UNION
 from minkref.fuzz.targets.adapter_process import GAVE_UP, AdapterProcess, Failure
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration
@@ -150,7 +151,7 @@ class ProgramTarget:
 
 
 class AdapterTarget(ProgramTarget):
-    """Asks for updates, events and paths, too."""
+    """Asks for updates, events, paths and unions, too."""
 
     @property
     def most_pairs(self) -> int:
@@ -177,6 +178,26 @@ class AdapterTarget(ProgramTarget):
             return answer
 
         return self._guarded(case, ask, "update")
+
+    def union(self, case: AnyCase, sets: Sequence[str]) -> Answer:
+        """Asks for the union: without `load`, and no state changes."""
+
+        def ask(declaration: Declaration) -> Answer:
+            import time
+
+            since = time.perf_counter()
+            value = self._process.ask(
+                UNION,
+                self.limits.seconds,
+                dimension=case.dimension,
+                sets=[case.exchange.sent(text, declaration) for text in sets],
+            )
+            seconds = time.perf_counter() - since
+            if value["status"] != "result":
+                return self._without_result(case, value, declaration)
+            return self._read(case, value, declaration, seconds)
+
+        return self._guarded(case, ask)
 
     def asked(
         self,

@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref.fuzz.cases.grid import bits_of
+from minkref.fuzz.cases.verbs import PATH, RANGES, UNION
 from minkref.fuzz.geometry.number_text import number_of
 
 # For each capability, the trait of cases needing it.
@@ -31,6 +32,7 @@ CAPABILITIES = {
     "meet, in the plane",
     "path": "whether a part passes along a path, in the plane, at given scales",
     "path-ranges": "all scales at which a part passes along a path, in the plane",
+    "union": "sets to unite, in the plane",
 }
 PLANE = frozenset(
     ("plane", "non-convex", "holes", "components", "touching", "empty", "point", "segment")
@@ -42,6 +44,8 @@ MEMBERS = frozenset(
 ) | {"capabilities"}
 OF_TOLERANCE = frozenset(("absolute", "relative"))
 OF_GRID = frozenset(("bits", "unit", "largest"))
+NO_SUMS = "none"  # `sum` of a target that is asked for no sums
+OTHER_VERBS = frozenset((UNION, PATH, RANGES))
 FREE = "x-"  # members whose names begin so mean nothing to us
 
 
@@ -75,9 +79,13 @@ class Declaration:
     def boundary(self) -> bool:
         return self.sum == "boundary"
 
+    @property
+    def makes_sums(self) -> bool:
+        return self.sum != NO_SUMS
+
     def tolerance(self, magnitude: Fraction) -> Fraction:
         """The half side of the square or cube by which a result may differ. `magnitude` adds the
-        largest absolute coordinates of sP and of Q."""
+        largest absolute coordinates of sP and of Q; for a union, it is the largest of all sets."""
         return Fraction(0) if self.exact else self.absolute + self.relative * magnitude
 
     def rounds(self, numbers: Callable[[], list[Fraction]]) -> str | None:
@@ -94,7 +102,8 @@ class Declaration:
 
     def lacks(self, needs: frozenset[str]) -> list[str]:
         """Returns the case's needs that the target lacks."""
-        return sorted(needs - self.capabilities)
+        sums = set() if self.makes_sums or needs & OTHER_VERBS else {"sums"}
+        return sorted((needs - self.capabilities) | sums)
 
 
 def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
@@ -118,7 +127,7 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
         numbers=_one_of(value, "numbers", ("text", "double")),
         absolute=_number(tolerance, "absolute"),
         relative=_number(tolerance, "relative"),
-        sum=_one_of(value, "sum", ("region", "boundary")),
+        sum=_one_of(value, "sum", ("region", "boundary", NO_SUMS)),
         sets=_one_of(value, "sets", ("regularised", "closed")),
         bits=_bits(value),
         unit=_of_grid(value, "unit"),
@@ -129,6 +138,8 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
         raise DeclarationError("capabilities has neither plane nor space")
     if declared.boundary and "space" in declared.capabilities:
         raise DeclarationError("sum: boundary is for the plane, and capabilities has space")
+    if not declared.makes_sums and not declared.capabilities & OTHER_VERBS:
+        raise DeclarationError("sum: none leaves nothing to ask for without union or path")
     if declared.exact and (declared.absolute or declared.relative):
         raise DeclarationError("exact arithmetic has no tolerance")
     return declared

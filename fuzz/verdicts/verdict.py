@@ -52,7 +52,8 @@ class Reason(StrEnum):
 @dataclass(frozen=True)
 class Witness:
     """A point that a reader can check by hand. Inside: scale p + q = point, p in P, q in Q.
-    Outside: P scaled does not meet the set of all point - q. With a tolerance, the whole square (in
+    Outside: P scaled does not meet the set of all point - q. For a union, the number of a set with
+    the point, or none. With a tolerance, the whole square (in
     space the cube) with this half side around the point lies inside, or outside."""
 
     point: tuple[str, ...]
@@ -64,6 +65,8 @@ class Witness:
     boundary: bool = False  # p and q lie on the boundaries of P and Q, whose sum is meant
     contact: str | None = None  # for a path: the rule; `point` is on the path, point + s p = q
     on_path: tuple[str, str] | None = None  # the segment, and how far along it
+    sets: int | None = None  # for a union: how many sets it unites; p and q are None
+    of_set: int | None = None  # the number of a set with the point, from 1; None if no set has it
     places: int | None = None  # at none of so many, which decide for all, the part collides
 
     def document(self) -> dict[str, Any]:
@@ -80,6 +83,8 @@ class Witness:
         if self.contact is not None:
             on_path = list(self.on_path) if self.on_path else None
             value |= {"contact": self.contact, "on_path": on_path, "places": self.places}
+        if self.sets is not None:
+            value |= {"sets": self.sets, "of_set": self.of_set}
         return value if self.scale is None else {**value, "scale": self.scale}
 
 

@@ -19,13 +19,13 @@ from minkref.cli.target_options import (
     walls_and_limits,
 )
 from minkref.fuzz.all_targets import ALL_TARGETS
-from minkref.fuzz.cases.verbs import PATH, RANGES
+from minkref.fuzz.cases.verbs import PATH, RANGES, UNION
 from minkref.fuzz.isolation.isolation import AUTO, Isolation
 from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.shrink.asker import Asker
 from minkref.fuzz.space.cells import Cell, surface_of
 from minkref.fuzz.targets.answer import PROCESSES
-from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
+from minkref.fuzz.targets.declaration import CAPABILITIES, NO_SUMS, Declaration
 from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
 from minkref.output.documents import Stopwatch, document
 from minkref.output.exits import ExitCode
@@ -61,12 +61,16 @@ class Trying:
     Q: str
     scale: str = "1"
     path: dict[str, Any] | None = None  # a question about one, P being the part
+    others: tuple[str, ...] | None = None  # a question about the union of P, Q and these
 
     @property
     def literal(self) -> str:
         if self.path is not None:
             value = {"part": texts.loads(self.P), "obstacles": texts.loads(self.Q), **self.path}
             return texts.dumps(value, separators=(",", ":"))
+        if self.others is not None:
+            sets = [texts.loads(text) for text in (self.P, self.Q, *self.others)]
+            return texts.dumps({"sets": sets}, separators=(",", ":"))
         value = {"P": texts.loads(self.P), "Q": texts.loads(self.Q), "scale": self.scale}
         return texts.dumps(value, separators=(",", ":"))
 
@@ -96,6 +100,14 @@ ALL_ON_PATHS = [
     Trying("all scales from 1/8 to 8, one of them alone", PART, WALLS, "1",
            {**WAY, "contact": "allowed", "from": "1/8", "to": "8"}),
 ]  # fmt: skip
+
+BESIDE = '{"polygons":[{"outer":[["2","0"],["4","0"],["4","1"],["2","1"]],"holes":[]}]}'
+INSIDE = '{"polygons":[{"outer":[["1","1"],["3","1"],["3","3"],["1","3"]],"holes":[]}]}'
+UNIONS = [
+    Trying("the union of a triangle and a square", TRIANGLE, SQUARE, others=()),
+    Trying("of a triangle and a box that touch at a vertex", TRIANGLE, BESIDE, others=()),
+    Trying("of a frame and two boxes: one fills the hole", FRAME, INSIDE, others=(BESIDE,)),
+]
 
 
 def _solid(*cells: Cell) -> str:
@@ -136,16 +148,17 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Start an adapter, show what it declares and what that leaves out, and ask for four sums: two
-    of convex operands, one of an operand that is not convex, and one with a hole; and for paths, if
-    it declares them. Exits with 1 if a
-    sum is proven wrong, 3 if the adapter breaks, and 2 if it does not start."""
+    of convex operands, one of an operand that is not convex, and one with a hole; and for paths and
+    unions, if it declares them. Exits with 1 if an answer is proven wrong, 3 if the adapter breaks,
+    and 2 if it does not start."""
     watch = Stopwatch()
     walls, limits = walls_and_limits(call_seconds, call_memory, call_processes, isolation, pass_env)
     chosen = [ALL_TARGETS.select_one(target)]
     (entry,), declarations = declarations_of(chosen, ALL_TARGETS, limits)
     declared = declarations[entry.name]
     able = declared.capabilities
-    asked = {"plane": IN_PLANE, "space": IN_SPACE, PATH: ON_PATHS, RANGES: ALL_ON_PATHS}
+    asked = {"plane": IN_PLANE, "space": IN_SPACE} if declared.makes_sums else {}
+    asked |= {PATH: ON_PATHS, RANGES: ALL_ON_PATHS, UNION: UNIONS}
     trials = [trying for word, some in asked.items() if word in able for trying in some]
     with ending_in_order(), Asker(entry.name, ALL_TARGETS, limits) as asker:
         rows = [(trying, asker.ask(trying.literal)[1]) for trying in trials]
@@ -181,6 +194,10 @@ def _declared(declared: Declaration) -> dict[str, Any]:
     }
 
 
+def _sums(word: str) -> str:
+    return "no sums" if word == NO_SUMS else f"sum of the {word}"
+
+
 def _row(trying: Trying, outcome: Outcome | None) -> dict[str, Any]:
     witness = outcome.witness.document() if outcome and outcome.witness else None
     return {
@@ -205,8 +222,7 @@ def _print(
     out.print(
         escaped(
             f"  arithmetic {target['arithmetic']}, numbers as {target['numbers']}, tolerance "
-            f"{tolerance['absolute']} + {tolerance['relative']} of the size, sum of the "
-            f"{target['sum']}"
+            f"{tolerance['absolute']} + {tolerance['relative']} of the size, {_sums(target['sum'])}"
         ),
         soft_wrap=True,
     )

@@ -7,7 +7,7 @@ from typing import Any
 from minkref.cli.options import Json, Schema
 from minkref.cli.output import give, plain_table
 from minkref.degeneracies.catalogue import GROUPS
-from minkref.fuzz.settings import SETTINGS
+from minkref.fuzz.settings import QUESTIONS, SETTINGS
 from minkref.output.documents import Stopwatch, document
 from minkref.output.terminal import console
 
@@ -28,6 +28,11 @@ def command(json: Json = False, schema: Schema = False) -> None:
         {"name": name, "dimension": setting.dimension, "title": title, "command": "verify"}
         for setting in SETTINGS
         for name, title in setting.families.items()
+    ]
+    rows += [
+        {"name": name, "dimension": 2, "title": title, "command": "verify"}
+        for question in QUESTIONS
+        for name, title in question.families.items()
     ]
     rows += [
         {"name": name, "dimension": group.dimension, "title": family.title, "command": "generate"}

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from minkref.errors import Refusal, choice, nearest
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, PATH, RANGES, UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, PATH, RANGES, UNION, UPDATE
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.laws import LAWS
 from minkref.fuzz.run import naming
@@ -16,6 +16,7 @@ from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.settings import SETTINGS
 from minkref.fuzz.space.families import SPACE_FAMILIES
 from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.unions.question import UNIONS
 from minkref.verbs.verify_request import Cases
 
 SUITES = ("fuzz", "corpus", "all")
@@ -31,16 +32,23 @@ def case_list(asked: Cases, declared: Iterable[Declaration]) -> CaseList:
         raise Refusal(what, "--suite", mend)
     for text in named or []:
         refuse_unless_case(text)
+    known = (*FAMILIES, *SPACE_FAMILIES, *UNIONS.families)
     for name in families or []:
-        if name not in FAMILIES and name not in SPACE_FAMILIES:
+        if name not in known:
             raise Refusal(
                 "there is no such family",
                 f"--family {name[:40]}",
-                f"{nearest(name, (*FAMILIES, *SPACE_FAMILIES))}`minkref families` lists them",
+                f"{nearest(name, known)}`minkref families` lists them",
             )
-    able = frozenset(word for kind in declared for word in kind.capabilities)
-    space, plane = "space" in able, "plane" in able
-    wanted = families or [*(FAMILIES if plane else ()), *(SPACE_FAMILIES if space else ())]
+    kinds = list(declared)
+    able = frozenset(word for kind in kinds for word in kind.capabilities)
+    summing = frozenset(word for kind in kinds if kind.makes_sums for word in kind.capabilities)
+    space, plane = "space" in summing, "plane" in summing
+    wanted = families or [
+        *(FAMILIES if plane else ()),
+        *(SPACE_FAMILIES if space else ()),
+        *(UNIONS.families if UNION in able else ()),
+    ]
     fuzz = suite in ("fuzz", "all")
     filed = suite in ("corpus", "all") and not named
     taken = [setting for setting in SETTINGS if setting.name in able]
@@ -59,6 +67,7 @@ def case_list(asked: Cases, declared: Iterable[Declaration]) -> CaseList:
         files.names,
         "rejects-invalid" in able and fuzz and not families,
         tuple(verb for verb in (PATH, RANGES) if verb in able and fuzz and not families),
+        tuple(name for name in wanted if name in UNIONS.families) if fuzz else (),
         "rational" not in able,
     )
     if files.note is not None:

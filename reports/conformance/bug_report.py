@@ -10,6 +10,7 @@ from minkref.output.terminal import escaped
 from minkref.reports.conformance.case_view import CaseView, written
 from minkref.reports.conformance.markdown_text import plain
 from minkref.reports.conformance.path_words import path_argument, path_question
+from minkref.reports.conformance.union_words import union_question
 from minkref.reports.conformance.words import meaning
 
 
@@ -54,6 +55,8 @@ def _input(view: CaseView) -> str:
     texts = [f"{name}: {text}" for name, text in view.operand_texts]
     if scale != "1":
         texts.append(f"scale: {scale}. The sum is that of P, scaled about the origin by it, and Q.")
+    if view.case.union is not None:
+        texts += union_question(view.case.union)
     if view.case.path is not None:
         texts += ["P is the part, Q the obstacles.", *path_question(view.case.path)]
     return "\n".join(texts)

@@ -27,6 +27,7 @@ from minkref.reports.conformance.plane_pictures import (
     meeting_picture,
     operand_pictures,
     placed_picture,
+    set_pictures,
 )
 from minkref.reports.conformance.space_argument import argument_in_space
 from minkref.reports.conformance.space_pictures import (
@@ -34,8 +35,10 @@ from minkref.reports.conformance.space_pictures import (
     space_comparison_pictures,
     space_operand_pictures,
 )
+from minkref.reports.conformance.union_words import named_sets, union_argument, union_question
 
 MOST_TEXT = 6000  # characters of a written-out operand
+MOST_PICTURES = 12  # sets to unite that are drawn one by one
 MOST_ROWS = 60  # rows shown from a vertex or face table
 
 
@@ -89,6 +92,8 @@ class CaseView:
     @property
     def question(self) -> list[str]:
         """The question about the operands, a line each."""
+        if self.case.union:
+            return union_question(self.case.union)
         return path_question(self.case.path) if self.case.path else [f"scale: {self.case.scale}"]
 
     @property
@@ -99,10 +104,13 @@ class CaseView:
             return ""
         has = "has" if witness.in_truth else "does not have"
         wrong = "; the result is wrong there" if self.outcome.got else ""
-        return f"The sum {has} the point x = {point_text(witness.point)}{wrong}."
+        what = "sum" if witness.sets is None else "union"
+        return f"The {what} {has} the point x = {point_text(witness.point)}{wrong}."
 
     @property
     def operand_texts(self) -> list[tuple[str, str]]:
+        if self.case.union:
+            return [(name, written(text)) for name, text in named_sets(self.case.union)]
         return [
             (name, written(text))
             for name, text in (("P", self.case.P), ("Q", self.case.Q))
@@ -141,6 +149,8 @@ def _view(finding: Finding, title: str, name: str, boundary: bool) -> CaseView:
             view.operands = operand_pictures(case.P, case.Q, case.scale)
         elif case.path is not None:
             _fill_path(view, case.P, case.Q)
+        elif case.union is not None:
+            _fill_union(view, case.union)
         elif case.dimension == 3:
             _fill_space(view, case.P, case.Q)
         else:
@@ -161,6 +171,15 @@ def _fill_path(view: CaseView, part: str, obstacles: str) -> None:
     if witness is not None:
         view.argument = path_argument(witness)
         view.meeting = placed_picture(part, obstacles, witness)
+
+
+def _fill_union(view: CaseView, literal: str) -> None:
+    view.operands = set_pictures(named_sets(literal)[:MOST_PICTURES])
+    view.expected = view.case.expected
+    if view.expected is not None:
+        view.panes = comparison_pictures(view.expected, view.outcome)
+    if view.outcome.witness is not None:
+        view.argument = union_argument(view.outcome.witness)
 
 
 def _fill_plane(view: CaseView, P: str, Q: str, boundary: bool) -> None:

@@ -49,6 +49,11 @@ def operand_pictures(P: str, Q: str, scale: str) -> list[Picture]:
     return found
 
 
+def set_pictures(named: Iterable[tuple[str, str]]) -> list[Picture]:
+    """Each set by its name and text, in a picture of its own."""
+    return [_drawn([("first", _exact(text))], name, width=SMALL) for name, text in named]
+
+
 def comparison_pictures(expected: str, outcome: Outcome) -> list[Picture]:
     """Expected, got and difference in one frame, the witness marked; a close-up if the difference
     is small or thin."""

@@ -12,6 +12,7 @@ from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
 from minkref.output.terminal import counted, escaped
 from minkref.reports.conformance.path_words import path_witness_text
+from minkref.reports.conformance.union_words import union_witness_text
 
 LACKING = "does not declare "
 LOG_SHOWN = 400  # characters
@@ -96,7 +97,7 @@ def describe(group: Group) -> list[str]:
 
 def _measures(case: CaseResult) -> str:
     vertices = f"{case.size[0]} vertices"
-    return vertices if case.path else f"scale {case.scale}, {vertices}"
+    return vertices if case.path or case.union else f"scale {case.scale}, {vertices}"
 
 
 def _brief(small: SmallFinding) -> str:
@@ -116,6 +117,8 @@ def witness_text(witness: Witness, scale: str) -> str:
     """One sentence, to be checked by hand."""
     if witness.contact is not None:
         return path_witness_text(witness)
+    if witness.sets is not None:
+        return union_witness_text(witness)
     point = f"({', '.join(witness.point)})"
     at = witness.scale or scale
     what = "the sum of the boundaries" if witness.boundary else "the sum"

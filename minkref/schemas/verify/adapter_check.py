@@ -17,7 +17,7 @@ class CheckedTarget(TypedDict):
     arithmetic: str
     numbers: Literal["text", "double"]
     tolerance: Tolerance
-    sum: Literal["region", "boundary"]
+    sum: Literal["region", "boundary", "none"]
     capabilities: list[str]
 
 

@@ -95,7 +95,8 @@ class Tolerance(TypedDict):
 
 class Witness(TypedDict):
     """Inside: scale p + q = point. Outside: the scaled P does not meet the point less Q. Of a
-    path: point + scale p = q, or at no place that decides does the part collide."""
+    path: point + scale p = q, or at no place that decides does the part collide. For a union: a set
+    has the point, or none has it."""
 
     point: AnyPoint
     in_truth: Annotated[bool, Meta(description="The point lies in the sum.")]
@@ -128,6 +129,13 @@ class Witness(TypedDict):
     ]
     places: NotRequired[
         Annotated[int | None, Meta(description="How many places decide that the part passes.")]
+    ]
+    sets: NotRequired[Annotated[int, Meta(description="For a union: how many sets it unites.")]]
+    of_set: NotRequired[
+        Annotated[
+            int | None,
+            Meta(description="The number of a set with the point, from 1; null if no set has it."),
+        ]
     ]
 
 

@@ -38,7 +38,7 @@ class JudgedTarget(TypedDict):
     version: str | None
     arithmetic: str
     tolerance: Tolerance
-    sum: Literal["region", "boundary"]
+    sum: Literal["region", "boundary", "none"]
     capabilities: list[str]
 
 

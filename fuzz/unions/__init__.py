@@ -1,0 +1,1 @@
+"""Targets asked for unions in the plane, and verdicts."""
