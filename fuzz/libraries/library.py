@@ -26,12 +26,13 @@ class Adapter:
 
 @dataclass(frozen=True)
 class Method:
-    """A sum from a library: its adapter's name and title, and the argument that selects it on the
-    command line."""
+    """A sum from a library: its adapter's name and title, the argument that selects it on the
+    command line, and its program if that is not the library's."""
 
     name: str
     title: str
     argument: str = ""
+    program: str = ""
 
 
 @dataclass(frozen=True)
@@ -61,5 +62,5 @@ class Library:
 
     def adapter(self, method: Method) -> Adapter:
         arguments = (method.argument,) if method.argument else ()
-        of_all = (self.kind, self.program, self.source, self.licence)
+        of_all = (self.kind, method.program or self.program, self.source, self.licence)
         return Adapter(method.name, method.title, *of_all, arguments, self.home)

@@ -1,4 +1,4 @@
-"""CGAL: polyhedra by an adapter; for methods in the plane see the targets `cgal-...`."""
+"""CGAL: polyhedra and unions by adapters; for methods in the plane see the targets `cgal-...`."""
 
 from minkref.fuzz.libraries.library import Library, Method
 
@@ -8,6 +8,7 @@ LIBRARY = Library(
     place=6,
     methods=(
         Method("cgal-nef", "CGAL, minkowski_sum_3 of Nef polyhedra", "nef"),
+        Method("cgal-join", "CGAL, join of polygon sets: unions", "join", "minkref-cgal-join"),
         Method("cgal-hull", "CGAL, convex_hull_3 of the sums of vertices (convex only)", "hull"),
     ),
     kind="cgal",
