@@ -11,11 +11,11 @@ from typing import Any
 from minkref import _core
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import print_lines
+from minkref.cli.plot_option import check_plot, print_plot
 from minkref.errors import Refusal, refusing
-from minkref.exact import digest, in_double_range
 from minkref.output.documents import Stopwatch, as_text, document, refuse_overwriting
-from minkref.output.output_target import Target, target_of
-from minkref.output.terminal import console
+from minkref.output.output_target import target_of
+from minkref.plane.commands.sum_fields import set_fields
 from minkref.plane.operand import Operand, as_written
 from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.verbs.set_request import SetRequest
@@ -32,7 +32,7 @@ def _run(operation: str, request: SetRequest) -> None:
     if operation == "difference" and len(names) < 2:
         raise Refusal("there is one set only", names[0], "name the sets to take away from it")
     target = target_of(request.output, request.form, FORMS, "wkt", request.json)
-    _check_picture(request, target)
+    check_plot(request.plot, request.json, target)
     with memory_wall(request.memory, f"the {operation}", " and ".join(names), SIMPLER):
         operands = [as_written(name) for name in names]
         if request.output is not None:
@@ -48,7 +48,6 @@ def _run(operation: str, request: SetRequest) -> None:
         text = refusing(target.name, lambda: _core.write(region, target.form))
         if target.write(text, _core.writes_exactly(region, target.form)):
             return
-    area = region.area()
     value = document(
         operation,
         watch,
@@ -60,22 +59,14 @@ def _run(operation: str, request: SetRequest) -> None:
         output=None if request.output is None else str(request.output),
         output_exact=None if target is None else _core.writes_exactly(region, target.form),
         compute_seconds=seconds,
-        digest=digest(region.canonical_json()),
-        area=area,
-        area_approximate=in_double_range(area),
-        components=components,
-        holes=holes,
-        vertices=region.vertices,
+        **set_fields(region, components, holes),
         result=json.loads(region.canonical_json()),
     )
     if request.json:
         sys.stdout.write(as_text(value))
         return
     _print(value)
-    if request.plot:
-        from minkref.cli.terminal_picture import terminal_picture
-
-        sys.stdout.write("\n" + terminal_picture(region, console().width))
+    print_plot(request.plot, region)
 
 
 def _whole(operand: Operand) -> tuple[_core.PolygonSet, bool]:
@@ -98,18 +89,6 @@ def _whole(operand: Operand) -> tuple[_core.PolygonSet, bool]:
         refusing(where, partial(part.validate, where))
         parts.append(part)
     return _core.combined("union", parts)[0], True
-
-
-def _check_picture(request: SetRequest, target: Target | None) -> None:
-    if not request.plot:
-        return
-    if request.json or (target is not None and target.is_standard_output):
-        other = "--json" if request.json else "-o -"
-        what = "standard output takes only one of them"
-        raise Refusal(what, f"--plot {other}", "leave out one of the two")
-    from minkref.cli.terminal_picture import check_drawable
-
-    check_drawable()
 
 
 def _print(value: dict[str, Any]) -> None:

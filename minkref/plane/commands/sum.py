@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 from minkref import _core
 from minkref.arithmetic import check_arithmetic
 from minkref.cli.memory import SIMPLER, memory_wall
+from minkref.cli.plot_option import check_plot, print_plot
 from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.cli.readings import readings_of, refuse_options
 from minkref.errors import Refusal, refusing
 from minkref.output.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.output.output_target import Target, target_of
-from minkref.output.terminal import console
 from minkref.plane.commands.scale_index import chosen_route, index_of, refuse_overwriting_index
 from minkref.plane.commands.sum_fields import SUM_FIELDS, sum_fields
 from minkref.plane.commands.sum_table import print_table
@@ -45,7 +45,7 @@ def run(request: SumInPlane) -> None:
         what = f"the route {route} does not go from scale to scale"
         raise Refusal(what, f"--from {request.start}", f"add --route {' or '.join(UPDATING)}")
     target = target_of(output, request.form, OUTPUTS, "wkt", json)
-    _check_pictures(request.plot, request.only_sum, target, json)
+    _check_pictures(request, target)
     instead = f"{SIMPLER}, or the route paper" if route in OR_PAPER else SIMPLER
     with memory_wall(request.memory, f"route {route}", f"{P} and {Q}", instead):
         first, second = read_operand(P), read_operand(Q)
@@ -83,8 +83,7 @@ def run(request: SumInPlane) -> None:
         sys.stdout.write(as_text(value))
         return
     print_table(value)
-    if request.plot:
-        _plot(region)
+    print_plot(request.plot, region)
 
 
 def _refuse_axes(request: SumInPlane, route: str) -> None:
@@ -115,25 +114,10 @@ def _readings(request: SumInPlane, route: str) -> dict[str, str] | None:
     return readings_of(request.as_read, request.reading) if route == PAPER_UPDATE else None
 
 
-def _check_pictures(plot: bool, only_sum: bool, target: Target | None, json: bool) -> None:
-    if only_sum and (target is None or target.form != "svg"):
+def _check_pictures(request: SumInPlane, target: Target | None) -> None:
+    if request.only_sum and (target is None or target.form != "svg"):
         raise Refusal("no picture is written", "--only-sum", "add -o FILE.svg")
-    if not plot:
-        return
-    if json or (target is not None and target.is_standard_output):
-        other = "--json" if json else "-o -"
-        what = "standard output takes only one of them"
-        raise Refusal(what, f"--plot {other}", "leave out one of the two")
-    from minkref.cli.terminal_picture import check_drawable
-
-    check_drawable()
-
-
-def _plot(region: _core.PolygonSet | None) -> None:
-    from minkref.cli.terminal_picture import terminal_picture
-
-    if region is not None:
-        sys.stdout.write("\n" + terminal_picture(region, console().width))
+    check_plot(request.plot, request.json, target)
 
 
 def _written(

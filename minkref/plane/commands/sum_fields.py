@@ -1,4 +1,4 @@
-"""The fields of a sum in every document."""
+"""The fields of a sum or another set in every document."""
 
 from __future__ import annotations
 
@@ -12,13 +12,18 @@ SUM_FIELDS = ("digest", "area", "area_approximate", "components", "holes", "vert
 
 def sum_fields(answer: _core.Sum) -> dict[str, Any]:
     """The fields SUM_FIELDS, exact but for `area_approximate`."""
-    area = answer.region.area()
+    return set_fields(answer.region, answer.components, answer.holes)
+
+
+def set_fields(region: _core.PolygonSet, components: int, holes: int) -> dict[str, Any]:
+    """The fields SUM_FIELDS of a set in canonical form."""
+    area = region.area()
     values = (
-        digest(answer.region.canonical_json()),
+        digest(region.canonical_json()),
         area,
         in_double_range(area),
-        answer.components,
-        answer.holes,
-        answer.region.vertices,
+        components,
+        holes,
+        region.vertices,
     )
     return dict(zip(SUM_FIELDS, values, strict=True))

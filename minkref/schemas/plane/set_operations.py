@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
-from minkref.schemas.plane.values import AreaApproximate, PolygonSet
-from minkref.schemas.values import Amount, Count, Digest, FileIsExact, Head, Number, Written
+from minkref.schemas.plane.values import SetResult
+from minkref.schemas.values import Count, Head, Written
 from msgspec import Meta
 
 
@@ -17,19 +17,12 @@ class CombinedOperand(TypedDict):
     ]
 
 
-class CombinedSets(Head, Written):
+class CombinedOperands(TypedDict):
     operands: list[CombinedOperand]
-    output_exact: FileIsExact
-    compute_seconds: Annotated[
-        Amount, Meta(description="Of the operation, without reading, area and digest.")
-    ]
-    digest: Annotated[Digest, Meta(description="SHA-256 of the canonical JSON.")]
-    area: Annotated[Number, Meta(description="Exact.")]
-    area_approximate: AreaApproximate
-    components: Annotated[Count, Meta(description="Connected components of the interior.")]
-    holes: Annotated[Count, Meta(description="Bounded connected components of the complement.")]
-    vertices: Annotated[Count, Meta(description="Of the canonical form, over all rings.")]
-    result: Annotated[PolygonSet, Meta(description="The set in canonical form.")]
+
+
+class CombinedSets(Head, Written, CombinedOperands, SetResult):
+    """A combination of sets."""
 
 
 class UnionDocument(CombinedSets):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
-from minkref.schemas.values import Count, Number, Pair, Point
+from minkref.schemas.values import Amount, Count, Digest, FileIsExact, Number, Pair, Point
 from msgspec import Meta
 
 EdgeKind = Literal["S", "T"]
@@ -81,6 +81,22 @@ class PolygonSet(TypedDict):
     """A polygon set: outer rings counter-clockwise, holes clockwise."""
 
     polygons: list[Polygon]
+
+
+class SetResult(TypedDict):
+    """A set that was computed, in canonical form, with what is told of it."""
+
+    output_exact: FileIsExact
+    compute_seconds: Annotated[
+        Amount, Meta(description="Of the operation, without reading, area and digest.")
+    ]
+    digest: Annotated[Digest, Meta(description="SHA-256 of the canonical JSON.")]
+    area: Annotated[Number, Meta(description="Exact.")]
+    area_approximate: AreaApproximate
+    components: Annotated[Count, Meta(description="Connected components of the interior.")]
+    holes: Annotated[Count, Meta(description="Bounded connected components of the complement.")]
+    vertices: Annotated[Count, Meta(description="Of the canonical form, over all rings.")]
+    result: Annotated[PolygonSet, Meta(description="The set in canonical form.")]
 
 
 class TightPassage(TypedDict):
