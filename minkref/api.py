@@ -67,6 +67,11 @@ from minkref.plane.event_values import Events as Events
 from minkref.plane.event_values import events as events
 from minkref.plane.operand import is_utf8, read_set
 from minkref.plane.parents import passages_of
+from minkref.scene.scene_input import Copy as Copy
+from minkref.scene.scene_values import Owner as Owner
+from minkref.scene.scene_values import Scene as Scene
+from minkref.scene.scene_values import ScenePassage as ScenePassage
+from minkref.scene.scene_values import read_scene as read_scene
 
 BadInput = _core.BadInput
 ConvexPolyhedron = _core.ConvexPolyhedron

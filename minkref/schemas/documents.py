@@ -33,6 +33,8 @@ from minkref.schemas.plane.sweep import SweepDocument
 from minkref.schemas.plane.values import Ring
 from minkref.schemas.plane.view import ViewDocument
 from minkref.schemas.report import ReportDocument
+from minkref.schemas.scene.file import SceneFileText
+from minkref.schemas.scene.scene import SceneDocument
 from minkref.schemas.space.convolution import SpaceConvolutionDocument
 from minkref.schemas.space.events import SpaceEventsDocument
 from minkref.schemas.space.sum import SpaceSumDocument
@@ -71,6 +73,8 @@ DOCUMENTS = {
     "path": PathDocument,
     "path_in_space": SpacePathDocument,
     "report": ReportDocument,
+    "scene": SceneDocument,
+    "scene_file": SceneFileText,
     "shrink": ShrinkDocument,
     "sum": SumDocument,
     "sum_in_space": SpaceSumDocument,

@@ -83,7 +83,7 @@ STANDARD_LIBRARY_ONLY = ("oracle/slow", "oracle/places", "oracle/checker")
 # holds the package's own basics: values, operands and streams; the package's interface stands above
 # everything it offers.
 API = ("minkref/api", "minkref/api.py", "minkref/__init__.py")
-SETTINGS = ("plane", "disc", "space", "motion")
+SETTINGS = ("plane", "disc", "space", "motion", "scene")
 COMMANDS = (
     "minkref/verbs", "minkref/cli", "minkref/page", "minkref/schemas",
     *(f"minkref/{setting}/{room}" for setting in SETTINGS for room in ("commands", "page")),

@@ -1,0 +1,1 @@
+"""Scenes, placed and scaled copies of shapes around a robot: values and files."""
