@@ -213,6 +213,29 @@ CALLS |= {
         (*NUMBERS, type(None)),
     ),
 }
+scene = minkref.Scene(SQUARE, [SQUARE], [minkref.Copy(0)])
+CALLS |= {
+    "Copy shape": (minkref.Copy, (str, int)),
+    "Copy scale": (lambda x: minkref.Copy(0, x), NUMBERS),
+    "Copy place": (lambda x: minkref.Copy(0, 1, x), (list, tuple)),
+    "Scene robot": (lambda x: minkref.Scene(x, [SQUARE]), (minkref.PolygonSet,)),
+    "Scene shapes": (lambda x: minkref.Scene(SQUARE, [x]), (minkref.PolygonSet,)),
+    "Scene copies": (lambda x: minkref.Scene(SQUARE, [SQUARE], [x]), (minkref.Copy,)),
+    "Scene passages": (lambda x: minkref.Scene(SQUARE, [], passages=x), (bool,)),
+    "Scene threads": (lambda x: minkref.Scene(SQUARE, [], threads=x), (int,)),
+    "of_arrays numbers": (
+        lambda x: minkref.Scene.of_arrays(SQUARE, [SQUARE], x, [1], [(0, 0)]),
+        (list, dict),
+    ),
+    "change copy": (scene.change, (int,)),
+    "change scale": (lambda x: scene.change(0, x), (*NUMBERS, type(None))),
+    "change place": (lambda x: scene.change(0, place=x), (list, tuple, type(None))),
+    "add shape": (scene.add, (str, int)),
+    "add scale": (lambda x: scene.add(0, x), NUMBERS),
+    "remove copy": (scene.remove, (int,)),
+    "sum_of copy": (scene.sum_of, (int,)),
+    "read_scene path": (minkref.read_scene, (str, bytes, Path)),
+}
 REFUSED = (minkref.BadInput, minkref.Refusal)
 
 
@@ -237,7 +260,8 @@ def test_a_wrong_type_is_refused_in_plain_words(name: str) -> None:
         assert "\n" not in said and "_core" not in said and "nanobind" not in said, said
         assert type(value).__name__ in said, said
         assert (
-            name.startswith(("read_file", "read_mesh", "open_index")) or name.split()[1] in said
+            name.startswith(("read_file", "read_mesh", "read_scene", "open_index"))
+            or name.split()[1] in said
         ), said
     minkref.set_memory_limit(None)
 

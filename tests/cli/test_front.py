@@ -30,6 +30,7 @@ COMMANDS = (
     "fit",
     "trap",
     "hold",
+    "scene",
     "view",
     "verify",
     "certify",

@@ -28,6 +28,11 @@ for function in (right, nothing):
 """
 #: A path as a word.
 WAY = '{"type":"LineString","coordinates":[[-60,55],[60,55]]}'
+#: A scene as a word.
+SCENE = (
+    '{"schema":"scene-v1","robot":"g2","shapes":{"letter":"g1"},"copies":['
+    '{"shape":"letter","scale":"1/2","place":[0,0]},{"shape":"letter","scale":2,"place":[99,0]}]}'
+)
 FEW = ("--pairs", "5", "--no-models", "--family", "random")
 
 
@@ -65,6 +70,7 @@ STEPS = (
     step("union g1 g2 -o both.wkt", files=("both.wkt",)),
     step("intersection g1 g2 --plot", "\u286a"),
     step("difference g1 g2 --json", '"digest"'),
+    step(f"scene {SCENE} --passages -o scene.wkt", "tight passages", files=("scene.wkt",)),
     step("index g1 g2 --from 1/2 --to 2 -o pair.index", files=("pair.index",)),
     step("sum g1 g2 --index pair.index --scale 7/5"),
     step("sweep g1 g2 --from 1/2 --to 2 --steps 5 -o sums", files=("sums/index.json",)),
