@@ -47,13 +47,14 @@ void ContactEdge::set(const FilteredPoint& from, const FilteredPoint& to, const 
   way_ = by_x_ ? compare_x(to, from) : compare_y(to, from);
 }
 
+int ContactEdge::order(const FilteredPoint& a, const FilteredPoint& b) const {
+  return way_ * (by_x_ ? compare_x(a, b) : compare_y(a, b));
+}
+
 ContactEdge::Part ContactEdge::part(const FilteredPoint& on_line) const {
-  const auto compare = [&](const FilteredPoint& other) {
-    return way_ * (by_x_ ? compare_x(on_line, other) : compare_y(on_line, other));
-  };
-  const int after_start = compare(*from_);
+  const int after_start = order(on_line, *from_);
   if (after_start <= 0) return after_start == 0 ? at_start : ahead;
-  const int after_end = compare(*to_);
+  const int after_end = order(on_line, *to_);
   return after_end < 0 ? inside : after_end == 0 ? at_end : behind;
 }
 
@@ -101,6 +102,7 @@ void ContactEdge::meet_along(const SumEdge& other, EndContacts& ends,
                              std::vector<EdgeContact>& contacts) const {
   const Part p = part(other.start()), q = part(other.end());
   const Part low = std::min(p, q), high = std::max(p, q);
+  const bool same_way = p == q ? order(other.start(), other.end()) < 0 : p < q;
   ends.start = ends.start || (low <= at_start && high >= at_start);
   ends.end = ends.end || (low <= at_end && high >= at_end);
   if (other.sum.is_point(other.edge)) {
@@ -110,8 +112,8 @@ void ContactEdge::meet_along(const SumEdge& other, EndContacts& ends,
   const bool shares = low <= inside && high >= inside;
   if (!shares) return;
   if (low <= at_start) ++ends.along;
-  if (p == inside) touch_end(other, true, 0, p == low ? 1 : -1, contacts);
-  if (q == inside) touch_end(other, false, 0, q == low ? 1 : -1, contacts);
+  if (p == inside) touch_end(other, true, 0, same_way ? 1 : -1, contacts);
+  if (q == inside) touch_end(other, false, 0, same_way ? -1 : 1, contacts);
 }
 
 void ContactEdge::meet_at_vertex(const SumEdge& other, bool starts, int side, EndContacts& ends,

@@ -59,6 +59,8 @@ class ContactEdge {
   /// Where a point of the line lies: before the edge, at its start, inside, at its end, behind.
   enum Part : std::int8_t { ahead = -2, at_start = -1, inside = 0, at_end = 1, behind = 2 };
   Part part(const FilteredPoint& on_line) const;
+  /// The order of two points of the line.
+  int order(const FilteredPoint& a, const FilteredPoint& b) const;
   void meet_along(const SumEdge& other, EndContacts& ends,
                   std::vector<EdgeContact>& contacts) const;
   void meet_at_vertex(const SumEdge& other, bool starts, int side, EndContacts& ends,
