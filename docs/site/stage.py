@@ -30,6 +30,7 @@ GUIDE = (
     "command-line",
     "scale-index",
     "paths",
+    "scenes",
     "disc",
     "space-sums",
     "convex-polyhedra",

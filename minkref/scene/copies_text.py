@@ -31,7 +31,7 @@ def copies_of_json(value: Any, shapes: Sequence[str], source: str) -> list[CopyR
     if not isinstance(value, list):
         mend = "give a list of copies, or the name of a CSV file"
         raise Refusal(
-            f"these are no copies: {shown(value)}", f"{source}, copies", mend, "bad-scene"
+            f"these are no copies: {shown(value)}", f"{source}, copies", mend, "wrong-type"
         )
     numbers = _numbers(shapes)
     rows = []
@@ -40,11 +40,11 @@ def copies_of_json(value: Any, shapes: Sequence[str], source: str) -> list[CopyR
         copy = check_members(each, where, ("shape", "scale", "place"))
         place = copy["place"]
         if not isinstance(place, list) or len(place) != 2:
-            raise Refusal("a place has two coordinates", f"{where}, place", PLACE, "bad-scene")
+            raise Refusal("a place has two coordinates", f"{where}, place", PLACE, "wrong-type")
         shape = copy["shape"]
         if not isinstance(shape, str) or isinstance(shape, Numeral):
             what = f"a shape is named by a string, not by {shown(shape)}"
-            raise Refusal(what, f"{where}, shape", choice("", shapes), "bad-scene")
+            raise Refusal(what, f"{where}, shape", choice("", shapes), "wrong-type")
         words = [_word(copy["scale"], f"{where}, scale")]
         words += [_word(x, f"{where}, place, {axis}") for x, axis in zip(place, "xy", strict=True)]
         rows.append(_row(numbers, shapes, shape, words, where, ("scale", "place, x", "place, y")))

@@ -22,7 +22,7 @@ def exact_json(text: str, source: str) -> Any:
             names = [name for name, _ in pairs]
             twice = next(name for name in names if names.count(name) > 1)
             what = f"an object has the member {shown(twice)} twice"
-            raise Refusal(what, source, "give each member another name", "repeated-member")
+            raise Refusal(what, source, "give each member another name", "duplicate-member")
         return found
 
     try:
@@ -37,7 +37,7 @@ def exact_json(text: str, source: str) -> Any:
         raise
     except (ValueError, RecursionError) as error:
         what = f"this is not JSON: {error}"
-        raise Refusal(what, source, "correct it", "bad-json") from error
+        raise Refusal(what, source, "correct it", "syntax") from error
 
 
 def shown(value: Any) -> str:
@@ -53,7 +53,7 @@ def check_members(
     known = (*needed, *others)
     if not isinstance(value, dict):
         what = f"this is not an object: {shown(value)}"
-        raise Refusal(what, where, f"give an object with {', '.join(needed)}", "bad-scene")
+        raise Refusal(what, where, f"give an object with {', '.join(needed)}", "wrong-type")
     for name in value:
         if name not in known:
             mend = f"{nearest(name, known)}choose from {', '.join(known)}"

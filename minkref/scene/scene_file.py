@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -55,12 +54,13 @@ def read_scene_file(name: str, copies: Path | None = None) -> SceneFile:
     if not isinstance(named, dict):
         mend = 'give an object, for example {"box": "POLYGON ((0 0, 1 0, 0 1, 0 0))"}'
         raise Refusal(
-            f"these are no shapes: {shown(named)}", f"{source}, shapes", mend, "bad-scene"
+            f"these are no shapes: {shown(named)}", f"{source}, shapes", mend, "wrong-type"
         )
     shapes = {
         key: _operand(each, f"{source}, shape {shown(key)}", folder, files)
         for key, each in named.items()
     }
+    _refuse_two_without_area(source, robot, shapes)
     listed: Any = copies if copies is not None else value["copies"]
     if isinstance(listed, str) and not isinstance(listed, Numeral):
         listed = Path(os.path.join(folder, listed))
@@ -69,7 +69,6 @@ def read_scene_file(name: str, copies: Path | None = None) -> SceneFile:
         files.append(listed)
     else:
         rows = copies_of_json(listed, list(shapes), source)
-    _refuse_two_without_area(source, robot, shapes, rows)
     return SceneFile(source, robot, shapes, rows, files)
 
 
@@ -94,7 +93,7 @@ def _operand(value: Any, where: str, folder: str, files: list[Path]) -> Operand:
     if isinstance(value, dict):
         text, form = json.dumps(check_members(value, where, ("polygons",))), "json"
     elif not isinstance(value, str) or isinstance(value, Numeral) or not value:
-        raise Refusal(f"this is no set: {shown(value)}", where, SET, "bad-scene")
+        raise Refusal(f"this is no set: {shown(value)}", where, SET, "wrong-type")
     elif not is_inline(value):
         found = _named(value, where, folder)
         files.append(found.file)
@@ -118,15 +117,12 @@ def _named(name: str, where: str, folder: str) -> Operand:
     return Operand(name, found.source, found.set, found.warnings)
 
 
-def _refuse_two_without_area(
-    source: str, robot: Operand, shapes: dict[str, Operand], rows: Sequence[CopyRow]
-) -> None:
-    """Refuse a copy without area beside a robot without area."""
+def _refuse_two_without_area(source: str, robot: Operand, shapes: dict[str, Operand]) -> None:
+    """Refuse a shape without area beside a robot without area."""
     if robot.set.is_region:
         return
-    names = list(shapes)
-    for k, row in enumerate(rows):
-        if not shapes[names[row.shape]].set.is_region:
-            what = f"neither the robot nor the shape {shown(names[row.shape])} has an area"
-            mend = "give the robot or the shape an area, or leave the copy out"
-            raise Refusal(what, f"{source}, copy {k}", mend, "no-area")
+    for name, operand in shapes.items():
+        if not operand.set.is_region:
+            what = "neither the robot nor this shape has an area"
+            mend = "give one of them an area, or leave the shape out"
+            raise Refusal(what, f"{source}, shape {shown(name)}", mend, "no-area")

@@ -59,9 +59,9 @@ class Scene:
     `shapes`: a mapping by name, or a sequence. The union of the sums of all copies and the robot
     turned by 180 degrees is found at once, on `threads`; with `passages` also its tight passages,
     kept through changes. Every set is validated first. Robot and shape cannot both lack an area.
-    Cost: an index of each shape's sums; then the edges of all sums, each with the sums near it.
-    Raises BadInput; LimitExceeded if memory does not suffice. Behar & Lien 2012, Sec. 8.1;
-    docs/scenes.md."""
+    Cost: each shape's sum once for each of its scales; then the edges of all sums, each with the
+    sums near it. Raises BadInput; LimitExceeded if memory does not suffice. Behar & Lien 2012, Sec.
+    8.1; docs/scenes.md."""
 
     def __init__(
         self,

@@ -67,7 +67,7 @@ def test_the_table_tells_copies_set_and_passages(minkref: Minkref, scene: Path) 
 
 
 def test_copies_may_stand_in_a_csv_file(minkref: Minkref, scene: Path, tmp_path: Path) -> None:
-    """Named by the scene, relative to it, or by the command; in any order of columns."""
+    """The scene or the command names the file; columns have any order."""
     expected = minkref("scene", scene, "--json").json["digest"]
     (tmp_path / "copies.csv").write_text("\ufeff" + CSV, encoding="utf-8")
     turned = "y, X,scale,SHAPE\n0,0,1,box\n0,2,1,box\n0.5,1.5,1/2,box\n"
@@ -114,7 +114,7 @@ def test_sets_of_a_scene_may_be_texts_files_models_or_polygons(
 
 
 def test_numbers_count_exactly_as_written(minkref: Minkref, scene: Path) -> None:
-    """0.1 is a tenth, and no digit of a long number is lost."""
+    """0.1 means a tenth, and long numbers keep every digit."""
     long = "0.1000000000000000000000000000001"
     copy = f'{{"shape": "box", "scale": 1e-1, "place": [0.1, {long}]}}'
     text = scene_text(copies=[]).replace('"copies": []', f'"copies": [{copy}]')
@@ -177,7 +177,7 @@ def copy_with(**changes: Any) -> list[dict[str, Any]]:
         ({"shapes": []}, "shapes", "no shapes"),
         ({"shapes": {"box": "POLYGON ((0 0, 1 0, 2 0, 0 0))"}}, 'shape "box"', "on one line"),
         ({"shapes": {"box": OVERLAPPING}}, 'shape "box"', "overlap along an edge"),
-        ({"robot": "POINT (0 0)", "shapes": {"box": "POINT (1 1)"}}, "copy 0", "has an area"),
+        ({"robot": "POINT (0 0)", "shapes": {"box": "POINT (1 1)"}}, 'shape "box"', "has an area"),
     ],
 )  # fmt: skip
 def test_refusals_name_file_copy_and_field(

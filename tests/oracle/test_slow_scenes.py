@@ -1,4 +1,4 @@
-"""Scenes against the slow engine: the union of the sums of all pairs of pieces of all copies."""
+"""Scenes against the slow engine, which unites sums of all pairs of pieces."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def slow(draw: Draw) -> Sum:
 
 @pytest.mark.parametrize("block", range(BLOCKS))
 def test_a_scene_is_the_union_of_the_sums_of_all_pieces(block: int) -> None:
-    """The set, its components and holes, and its tight passages."""
+    """Digest, components, holes and tight passages agree."""
     for draw in list(scenes(SEED, draws(21, 70) * BLOCKS))[block::BLOCKS]:
         expected = slow(draw)
         found = draw.scene(passages=True)

@@ -52,7 +52,7 @@ SCALES = tuple(Fraction(n, d) for n, d in ((1, 2), (1, 1), (1, 1), (3, 2), (2, 1
 
 @dataclass(frozen=True)
 class Draw:
-    """A scene's parts. `told`: what a failing test prints."""
+    """A scene's parts. Failing tests print `told`."""
 
     told: str
     robot: PolygonSet

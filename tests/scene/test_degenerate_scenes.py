@@ -67,7 +67,7 @@ def test_sums_of_obstacles_that_share_an_edge_overlap_there() -> None:
 
 
 def test_a_seam_between_obstacles_blocks_a_point() -> None:
-    """The obstacles are one regular set, and the seam lies in its interior."""
+    """Obstacles make one regular set; its interior contains the seam."""
     scene = boxes((0, 0), (1, 0), robot=POINT)
     assert (scene.union(), scene.components, scene.passages()) == (box(0, 0, 2, 1), 1, [])
 
@@ -228,4 +228,3 @@ def test_robot_and_shape_cannot_both_lack_an_area(robot: minkref.PolygonSet) -> 
     with pytest.raises(minkref.BadInput) as refused:
         Scene(robot, [POINT], [Copy(0)])
     assert refused.value.code == "no-area"
-    Scene(robot, [POINT, UNIT], [Copy(1)])

@@ -1,4 +1,4 @@
-"""Laws of scenes, on small random scenes: what has to hold whatever the answer is."""
+"""Laws of scenes, on small random scenes."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Point = tuple[Fraction, Fraction]
 
 
 def turned(robot: PolygonSet) -> PolygonSet:
-    """The robot turned by 180 degrees."""
+    """Turn the robot by 180 degrees."""
     return PolygonSet(
         [[[(-x, -y) for x, y in ring] for ring in polygon] for polygon in robot.rings()]
     )
@@ -187,8 +187,8 @@ def segments(ring: list[Point]) -> list[tuple[Point, Point]]:
 
 
 def shared(first: tuple[Point, Point], second: tuple[Point, Point]) -> tuple[Any, Any] | None:
-    """The part that two segments share along a line in one direction, as parameters of the first;
-    None for less than a length."""
+    """Cut a segment by another one with the same line and direction: two parameters, or None if
+    they share no length."""
     (a, b), (c, d) = first, second
     way = (b[0] - a[0], b[1] - a[1])
 
@@ -207,7 +207,7 @@ def shared(first: tuple[Point, Point], second: tuple[Point, Point]) -> tuple[Any
 
 @pytest.mark.parametrize("robot", SOLID)
 def test_owners_of_a_side_are_the_copies_whose_sums_run_along_it(robot: str) -> None:
-    """Each of them and nobody else, by the boundaries of the sums; together they cover it."""
+    """Compares owners with the boundaries of all sums."""
     for draw in drawn(draws(6, 40), SEED + 9, robots=(robot,)):
         scene = draw.scene()
         bounds = [
@@ -262,7 +262,7 @@ def edge_of(draw: Draw, owner: minkref.Owner) -> tuple[Point, Point]:
 
 @pytest.mark.parametrize("robot", SOLID)
 def test_passages_touch_every_obstacle_that_they_meet_and_collide_with_none(robot: str) -> None:
-    """By pairs of triangles, at ends and middles of segments."""
+    """Asks pairs of triangles, at ends and middles."""
     seen = 0
     for draw in drawn(draws(10, 60), SEED + 11, robots=(robot,)):
         robot_turned = turned(draw.robot)

@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LIMITS = Path(__file__).with_name("counts.toml")
 CODE = (".cpp", ".hpp", ".py", ".js", ".v", ".ml")
 READ = (*CODE, ".md", ".json", ".toml")
-SETTINGS = ("plane", "disc", "space", "motion")
+SETTINGS = ("plane", "disc", "space", "motion", "scene")
 LONG = 100  # lines of a function
 FUNCTION_WORDS = frozenset(
     "of which that what those these it its one ones other others such where whose they them there "
