@@ -1,0 +1,227 @@
+"""What scenes cost: the sums, the union and a change, beside CGAL and the static route."""
+
+from __future__ import annotations
+
+import json
+import random
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from minkref import Copy, PolygonSet, Scene, _core
+from minkref.plane.operand import read_operand
+from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
+from minkref.reports.evidence.scenes.joined import CgalJoin, CgalSums
+from minkref.reports.scene_cost_plot import draw
+
+MINUTES = Minutes(None, 4, 20)
+ALONE = True
+
+SIZES: Counts[tuple[int, ...]] = Counts((12, 100), (12, 100, 1_000), (12, 100, 1_000, 10_000))
+REPETITIONS = Counts(3, 3, 7)
+JOINED: Counts[tuple[int, ...]] = Counts((12,), (12, 100), (12, 1_000))  # sizes at which CGAL joins
+MODELS, ROBOT = ("g1", "g2", "g3", "g4"), "g4"
+ROBOT_SCALE = "1/5"
+SPACING = 150  # of the copies, which are some 100 wide times 0.3 to 2
+SAMPLED = 24  # copies whose sums other methods compute
+CHANGES = 40
+CHANGED = 1_000  # copies of the scene with the changes that a target is about
+SEED = 11
+PLOT = Path("reports/evidence/scene_costs.svg")
+MOST_SECONDS, MOST_BYTES = 60, 4 << 30  # for the most copies
+
+
+@dataclass(frozen=True)
+class Timed:
+    """Seconds of all repetitions; `counts`: of the last."""
+
+    seconds: tuple[float, ...]
+    value: Any = None
+
+    @property
+    def median(self) -> float:
+        return median(self.seconds)
+
+    def in_words(self, unit: float = 1.0, name: str = "s") -> str:
+        low, high = min(self.seconds), max(self.seconds)
+        return f"{unit * self.median:,.3g} {name} ({unit * low:,.3g} to {unit * high:,.3g})"
+
+
+def timed(work: Callable[[], Any], repetitions: int) -> Timed:
+    seconds = []
+    for _ in range(repetitions):
+        began = time.perf_counter()
+        value = work()
+        seconds.append(time.perf_counter() - began)
+    return Timed(tuple(seconds), value)
+
+
+def operands() -> tuple[PolygonSet, list[PolygonSet]]:
+    return read_operand(ROBOT).set.scaled(ROBOT_SCALE), [read_operand(m).set for m in MODELS]
+
+
+def placed(count: int) -> list[Copy]:
+    """Copies with scales of their own over a square, one for each SPACING squared."""
+    dice = random.Random(f"minkref scene times {SEED} {count}")
+    side = int(SPACING * count**0.5)
+    return [
+        Copy(
+            dice.randrange(len(MODELS)),
+            Fraction(dice.randint(300, 2000), 1000),
+            (Fraction(dice.randint(0, 10 * side), 10), Fraction(dice.randint(0, 10 * side), 10)),
+        )
+        for _ in range(count)
+    ]
+
+
+def run(findings: Findings, size: Size) -> None:
+    repetitions = size.of(REPETITIONS)
+    robot, shapes = operands()
+    _sums(findings, robot, shapes, repetitions)
+    rows = []
+    sizes: tuple[int, ...] = SIZES[size]
+    for count in sizes:
+        row = _scene(findings, robot, shapes, count, repetitions)
+        if count in JOINED[size]:
+            _beside_cgal(findings, robot, shapes, count, row)
+        rows.append(row)
+        print(row, flush=True)
+    findings.figures["rows"] = rows
+    if size is Size.FULL:
+        _largest(findings, max(sizes))
+        draw(rows, PLOT)
+
+
+def _sums(
+    findings: Findings, robot: PolygonSet, shapes: list[PolygonSet], repetitions: int
+) -> None:
+    """A sum at a new scale: from the index, by the static route, by CGAL."""
+    turned = robot.scaled("-1")
+    copies = placed(SAMPLED)
+    indices = [_core.ScaleIndex(shape, turned, "3/10", "2") for shape in shapes]
+    from_index = timed(
+        lambda: [indices[int(c.shape)].rings(str(c.scale), "homogeneous") for c in copies],
+        7 * repetitions,
+    )
+    static = timed(
+        lambda: [_core.minkowski_sum(shapes[int(c.shape)], turned, str(c.scale)) for c in copies],
+        repetitions,
+    )
+    sums = CgalSums()
+    cgal = []
+    for _ in range(repetitions):
+        answers = [sums.sum(shapes[int(c.shape)], c.scale, turned) for c in copies]
+        cgal.append(sum(answer[1] for answer in answers if answer is not None))
+    theirs = Timed(tuple(cgal))
+    findings.note(
+        f"{SAMPLED} sums at scales of their own, exact: index {from_index.in_words(1e6, 'µs')}, "
+        f"static route {static.in_words(1e3, 'ms')}, CGAL's reduced convolution "
+        f"{theirs.in_words(1e3, 'ms')}"
+    )
+    for what, other, least in (("CGAL", theirs, 1_000), ("our static route", static, 300)):
+        ratio = other.median / from_index.median
+        findings.target(f"evaluation of sums, against {what}", ratio >= least,
+                        f"at least {least:,} times faster", f"{ratio:,.0f} times")  # fmt: skip
+
+
+def _scene(
+    findings: Findings, robot: PolygonSet, shapes: list[PolygonSet], count: int, repetitions: int
+) -> dict[str, Any]:
+    copies = placed(count)
+
+    def united() -> Scene:
+        scene = Scene(robot, shapes, copies, threads=2)
+        scene.union()
+        return scene
+
+    whole = timed(united, repetitions)
+    scene = whole.value
+    dice = random.Random(f"minkref scene changes {count}")
+    changes, with_form, redone = [], [], []
+    for _ in range(CHANGES):
+        at = dice.randrange(count)
+        scale = Fraction(dice.randint(300, 2000), 1000)
+        began = time.perf_counter()
+        changed = scene.change(at, scale)
+        changes.append(time.perf_counter() - began)
+        changed.union()
+        with_form.append(time.perf_counter() - began)
+        redone.append(changed.copies_redone)
+    change, form = Timed(tuple(changes)), Timed(tuple(with_form))
+    findings.note(
+        f"{count:,} copies: union {whole.in_words()}, {scene.union().vertices:,} vertices; one "
+        f"change {change.in_words(1e3, 'ms')}, with the canonical form of all "
+        f"{form.in_words(1e3, 'ms')}; copies done again: median {median(redone):,.0f}, at most "
+        f"{max(redone)}"
+    )
+    if count == CHANGED:
+        ratio = whole.median / change.median
+        findings.target(f"one change among {count:,}, against the scene made anew", ratio >= 100,
+                        "at least 100 times faster", f"{ratio:,.0f} times")  # fmt: skip
+    return {
+        "copies": count,
+        "union": whole.median,
+        "change": change.median,
+        "change_with_form": form.median,
+        "vertices": scene.union().vertices,
+        "copies redone": median(redone),
+    }
+
+
+def _beside_cgal(
+    findings: Findings, robot: PolygonSet, shapes: list[PolygonSet], count: int, row: dict[str, Any]
+) -> None:
+    turned = robot.scaled("-1")
+    copies = placed(count)
+    sums, seconds, totals = CgalSums(), 0.0, []
+    for copy in copies:
+        answer = sums.sum(shapes[int(copy.shape)], copy.scale, turned)
+        if answer is None:
+            findings.target(f"{count:,} copies by CGAL", False, "all sums", "one is missing")
+            return
+        seconds += answer[1]
+        totals.append(answer[0].translated(*map(str, copy.place)))
+    with CgalJoin() as cgal:
+        joined, join_seconds = cgal.join(totals)
+    row["cgal"] = seconds + join_seconds
+    ratio = row["cgal"] / row["union"]
+    least = 5 if count < 1_000 else 15
+    findings.note(
+        f"{count:,} copies by CGAL, once: sums {seconds:,.2f} s, join {join_seconds:,.2f} s"
+    )
+    same = joined == Scene(robot, shapes, copies).union()
+    findings.law(f"{count:,} copies: CGAL's sums joined by CGAL are our union", same, True, same)
+    findings.target(f"{count:,} copies, union from end to end, against CGAL", ratio >= least,
+                    f"at least {least} times faster", f"{ratio:,.1f} times")  # fmt: skip
+
+
+#: In a process of its own, whose memory is its own.
+ALONE_IN_A_PROCESS = """\
+import json, resource, sys, time
+from minkref import Scene
+from minkref.reports.evidence.scenes.times import operands, placed
+robot, shapes = operands()
+copies = placed(int(sys.argv[1]))
+began = time.perf_counter()
+scene = Scene(robot, shapes, copies, threads=2)
+vertices = scene.union().vertices
+seconds = time.perf_counter() - began
+peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+print(json.dumps({"seconds": seconds, "bytes": peak, "vertices": vertices}))
+"""
+
+
+def _largest(findings: Findings, count: int) -> None:
+    command = [sys.executable, "-c", ALONE_IN_A_PROCESS, str(count)]
+    found = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    findings.figures["the most copies"] = found
+    told = f"{found['seconds']:,.1f} s, {found['bytes'] / 2**30:.2f} GiB"
+    findings.target(f"{count:,} copies, all in all",
+                    found["seconds"] <= MOST_SECONDS and found["bytes"] <= MOST_BYTES,
+                    f"at most {MOST_SECONDS} s and 4 GiB", told)  # fmt: skip
