@@ -7,7 +7,6 @@
 
 #include "reference/interrupt.hpp"
 #include "reference/no_entry.hpp"
-#include "reference/plane/passages/tight_graph.hpp"
 
 namespace minkref::inline scene {
 namespace {
@@ -42,7 +41,7 @@ bool same_stretch(const OwnedStretch& a, const OwnedStretch& b) {
   return a.from == b.from && a.to == b.to;
 }
 
-/// A graph of tight pieces whose contacts are numbers of owners.
+/// Collects tight stretches, then tight points.
 class TightPieces {
  public:
   TightPieces(const PlacedSums& sums, const SceneBoundary& boundary, const AddOwners& add_owners)
@@ -72,44 +71,32 @@ class TightPieces {
   /// No more pieces come: points must not end any.
   void end_pieces() { ends_ = static_cast<std::uint32_t>(numbers_.points().size()); }
 
-  std::vector<ScenePassage> passages() {
+  SceneTightGraph graph() {
     std::sort(stretches_.begin(), stretches_.end(), stretch_less);
-    TightGraph graph;
-    for (const FilteredPoint& point : numbers_.points()) graph.points.push_back(point.exact());
+    SceneTightGraph result;
+    for (const FilteredPoint& point : numbers_.points())
+      result.graph.points.push_back(point.exact());
+    std::vector<Owner> own;
     for (std::size_t i = 0; i < stretches_.size();) {
-      TightGraph::Edge& edge =
-          graph.edges.emplace_back(TightGraph::Edge{stretches_[i].from, stretches_[i].to, {}});
-      std::vector<Owner> own;
+      look_for_interrupt();
       const OwnedStretch first = stretches_[i];
-      for (; i < stretches_.size() && same_stretch(first, stretches_[i]); ++i) {
-        add_owners_(stretches_[i].sum, stretches_[i].edge, own);
-      }
+      own.clear();
+      for (; i < stretches_.size() && same_stretch(first, stretches_[i]); ++i)
+        add_owners_(stretches_[i].sum, stretches_[i].edge, result.graph.points[first.from],
+                    result.graph.points[first.to], own);
       sort_unique(own);
+      TightGraph::Edge edge{first.from, first.to, {}};
       for (const Owner& owner : own) {
-        edge.contacts.push_back(name_of(static_cast<std::uint32_t>(owners_.size())));
-        owners_.push_back(owner);
+        const auto number = static_cast<std::uint32_t>(result.owners.size());
+        edge.contacts.push_back({ConvolutionEdge::Kind::S, 1, {0, number}, {}});
+        result.owners.push_back(owner);
       }
-    }
-    std::vector<ScenePassage> result;
-    for (TightPassage& passage : passages_along(graph)) {
-      ScenePassage& named = result.emplace_back();
-      named.points = std::move(passage.points);
-      for (const auto& contacts : passage.contacts) {
-        auto& own = named.owners.emplace_back();
-        for (const ConvolutionEdge& contact : contacts) own.push_back(owners_[number_of(contact)]);
-        sort_unique(own);
-      }
+      result.graph.edges.push_back(std::move(edge));
     }
     return result;
   }
 
  private:
-  /// The graph knows contacts as convolution edges, and only whether they are the same.
-  static ConvolutionEdge name_of(std::uint32_t owner) {
-    return {ConvolutionEdge::Kind::S, 1, {0, owner}, {}};
-  }
-  static std::uint32_t number_of(const ConvolutionEdge& name) { return name.edge.index; }
-
   std::uint32_t number(const EdgeStretches& found, std::uint32_t node, std::uint32_t sum,
                        std::uint32_t edge) {
     return numbers_.number(found.node(node, *sums_[sum], edge));
@@ -201,6 +188,7 @@ void each_along(const SceneBoundary& boundary, std::uint32_t from, std::uint32_t
 std::vector<RingOwners> side_owners(const PolygonSet& region, const SceneBoundary& boundary,
                                     const AddOwners& add_owners) {
   std::vector<RingOwners> result;
+  const auto& points = boundary.numbers.points();
   const auto add_ring = [&](const Ring& ring) {
     RingOwners& owners = result.emplace_back(ring.size());
     std::vector<std::uint32_t> vertices;
@@ -209,8 +197,10 @@ std::vector<RingOwners> side_owners(const PolygonSet& region, const SceneBoundar
       if (vertices.back() == no_entry) throw std::logic_error("a vertex of the union is no node");
     }
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      each_along(boundary, vertices[i], vertices[(i + 1) % ring.size()],
-                 [&](const OwnedStretch& s) { add_owners(s.sum, s.edge, owners[i]); });
+      each_along(
+          boundary, vertices[i], vertices[(i + 1) % ring.size()], [&](const OwnedStretch& s) {
+            add_owners(s.sum, s.edge, points[s.from].exact(), points[s.to].exact(), owners[i]);
+          });
       sort_unique(owners[i]);
     }
   };
@@ -221,9 +211,8 @@ std::vector<RingOwners> side_owners(const PolygonSet& region, const SceneBoundar
   return result;
 }
 
-std::vector<ScenePassage> scene_passages(const PlacedSums& sums, const SceneStretches& stretches,
-                                         const SceneBoundary& boundary,
-                                         const AddOwners& add_owners) {
+SceneTightGraph scene_tight_graph(const PlacedSums& sums, const SceneStretches& stretches,
+                                  const SceneBoundary& boundary, const AddOwners& add_owners) {
   TightPieces pieces(sums, boundary, add_owners);
   each_edge(stretches, [&](std::uint32_t sum, std::uint32_t edge, const EdgeStretches& found) {
     pieces.add_pieces(sum, edge, found);
@@ -232,7 +221,22 @@ std::vector<ScenePassage> scene_passages(const PlacedSums& sums, const SceneStre
   each_edge(stretches, [&](std::uint32_t sum, std::uint32_t edge, const EdgeStretches& found) {
     pieces.add_points(sum, edge, found);
   });
-  return pieces.passages();
+  return pieces.graph();
+}
+
+std::vector<ScenePassage> scene_passages(const SceneTightGraph& tight) {
+  std::vector<ScenePassage> result;
+  for (TightPassage& passage : passages_along(tight.graph)) {
+    ScenePassage& named = result.emplace_back();
+    named.points = std::move(passage.points);
+    for (const auto& contacts : passage.contacts) {
+      std::vector<Owner>& own = named.owners.emplace_back();
+      for (const ConvolutionEdge& contact : contacts)
+        own.push_back(tight.owners[SceneTightGraph::number_of_owner(contact)]);
+      sort_unique(own);
+    }
+  }
+  return result;
 }
 
 }  // namespace minkref::inline scene

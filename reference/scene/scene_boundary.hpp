@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/plane/passages/tight_graph.hpp"
 #include "reference/scene/edge_stretches.hpp"
 #include "reference/scene/scene.hpp"
 
@@ -41,9 +42,9 @@ struct SceneBoundary {
 };
 SceneBoundary scene_boundary(const PlacedSums& sums, const SceneStretches& stretches);
 
-/// Appends the owners of an edge of a placed sum.
-using AddOwners =
-    std::function<void(std::uint32_t sum, std::uint32_t edge, std::vector<Owner>& owners)>;
+/// Appends the owners of a stretch of a placed sum's edge, given by its ends.
+using AddOwners = std::function<void(std::uint32_t sum, std::uint32_t edge, const Point& from,
+                                     const Point& to, std::vector<Owner>& owners)>;
 
 /// Owners of the sides of a region in canonical form, ring by ring: side i runs from vertex i to
 /// the next.
@@ -57,8 +58,20 @@ struct ScenePassage {
   std::vector<std::vector<Owner>> owners;  ///< as TightPassage::contacts
   friend bool operator==(const ScenePassage&, const ScenePassage&) = default;
 };
-std::vector<ScenePassage> scene_passages(const PlacedSums& sums, const SceneStretches& stretches,
-                                         const SceneBoundary& boundary,
-                                         const AddOwners& add_owners);
+
+/// The tight passages, cut wherever they touch each other or the boundary. A contact of the graph
+/// names an owner: number_of_owner(contact) within `owners`.
+struct SceneTightGraph {
+  TightGraph graph;
+  std::vector<Owner> owners;
+
+  static std::uint32_t number_of_owner(const ConvolutionEdge& contact) {
+    return contact.edge.index;
+  }
+};
+SceneTightGraph scene_tight_graph(const PlacedSums& sums, const SceneStretches& stretches,
+                                  const SceneBoundary& boundary, const AddOwners& add_owners);
+
+std::vector<ScenePassage> scene_passages(const SceneTightGraph& tight);
 
 }  // namespace minkref::inline scene

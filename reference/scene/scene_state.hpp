@@ -37,7 +37,6 @@ class SceneState {
   const Copy& copy(std::uint32_t number) const { return *copies_[number]; }
   std::vector<Copy> copies() const;
   const std::shared_ptr<SumStore>& store() const { return store_; }
-  const PlacedSum& sum_of(std::uint32_t copy) const { return *sums_[sum_numbers_[copy]]; }
   const PlacedSums& sums() const { return sums_; }
   /// For each sum, its edges.
   const SceneStretches& stretches() const { return stretches_; }

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "reference/build/build_options.hpp"
 #include "reference/plane/boundary/canonical.hpp"
+#include "reference/scene/free_components.hpp"
 #include "reference/scene/scene.hpp"
 #include "reference/scene/scene_boundary.hpp"
 #include "reference/scene/scene_state.hpp"
@@ -51,25 +53,39 @@ class SceneUnion {
   /// tight_passages gives them. Throws BadInput ("no-passages") if the scene was made without.
   const std::vector<ScenePassage>& passages() const;
 
+  /// The components of the free places. Throws as passages() for a scene made without, unless
+  /// contact is forbidden.
+  FreeComponents components(ContactRule rule) const;
+
   /// The placed sum of a copy in canonical form. Throws BadInput ("no-copy").
   Canonical sum_of(std::uint32_t copy) const;
 
-  const SceneCounts& counts() const;
+  const SceneCounts& counts() const { return counts_; }
 
  private:
   struct Kept;
-  struct Merged;
-  SceneUnion(SceneState state, const BuildOptions& options);
+  SceneUnion(SceneState state, std::shared_ptr<const SceneUnion> obstacles);
+  static SceneUnion of(Scene scene, bool passages, const BuildOptions& options);
+  static SceneUnion of(const PolygonSet& robot, std::vector<PolygonSet> shapes,
+                       std::vector<Copy> copies, bool passages, const BuildOptions& options);
+  static SceneUnion beside_segment(SceneUnion obstacles, const PolygonSet& robot, bool passages,
+                                   const BuildOptions& options);
   void require_copy(std::uint32_t copy) const;
   SceneUnion with(std::uint32_t copy, const std::optional<Copy>& now,
                   const BuildOptions& options) const;
-  /// The state whose union it is: of the copies, or of the merged obstacles.
-  const SceneState& outer() const;
+  std::uint32_t size() const;
+  const Copy& copy(std::uint32_t number) const;
   const SceneBoundary& boundary() const;
+  const SceneTightGraph& tight() const;
   AddOwners owners_of_edges() const;
+  template <class Take>
+  void each_contact(std::uint32_t number, std::uint32_t edge, const Point& from, const Point& to,
+                    const Copy& copy, Take&& take) const;
 
-  std::shared_ptr<const SceneState> state_;  ///< of the copies; with a point for a segment
-  std::shared_ptr<const Merged> merged_;     ///< of obstacles beside a segment
+  std::shared_ptr<const SceneState> state_;
+  /// Beside a segment: the union of the placed shapes, whose components are the copies of `state_`.
+  std::shared_ptr<const SceneUnion> obstacles_;
+  SceneCounts counts_;
   std::shared_ptr<Kept> kept_;
 };
 

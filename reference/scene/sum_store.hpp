@@ -21,6 +21,7 @@ class SumStore {
   SumStore(PolygonSet robot, std::vector<PolygonSet> shapes, bool passages);
 
   const PolygonSet& robot() const { return robot_; }
+  const PolygonSet& reflected_robot() const { return reflected_; }
   const std::vector<PolygonSet>& shapes() const { return shapes_; }
   bool passages() const { return passages_; }
 

@@ -1,0 +1,29 @@
+// Owners beside a robot that is a segment: from edges of merged obstacles back to those of copies.
+#pragma once
+
+#include <vector>
+
+#include "reference/scene/scene.hpp"
+#include "reference/scene/scene_boundary.hpp"
+
+namespace minkref::inline scene {
+
+/// Merged obstacles: `region` is the union of placed copies, with the owners of its sides beside a
+/// robot that is a point.
+struct ObstacleOwners {
+  const PolygonSet& region;
+  const std::vector<RingOwners>& sides;
+  const std::vector<PolygonSet>& shapes;
+  std::vector<Copy> copies;
+  std::vector<std::uint32_t> first_ring;  ///< of each polygon of the region
+};
+ObstacleOwners obstacle_owners(const PolygonSet& region, const std::vector<RingOwners>& sides,
+                               const std::vector<PolygonSet>& shapes, std::vector<Copy> copies);
+
+/// Appends what a contact with an obstacle, a polygon of the region, means for the copies. A vertex
+/// of the obstacle that is no copy's is a crossing of copies: it counts as those vertices of the
+/// copies at which the crossing edges begin.
+void add_owners(const ObstacleOwners& obstacles, std::uint32_t obstacle,
+                const ConvolutionEdge& contact, std::vector<Owner>& owners);
+
+}  // namespace minkref::inline scene
