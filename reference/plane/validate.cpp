@@ -209,7 +209,8 @@ class Validator {
       if (gap < 0) {
         if (same) return self("two edges of a ring overlap");
         return between("overlapping-rings", "two rings overlap along an edge",
-                       "rings may touch at single points only: merge the two or move one");
+                       "rings may touch at single points only: move one, or unite two polygons, as "
+                       "`minkref union` does");
       }
       if (gap > 0 || (same && adjacent(a, b))) return std::nullopt;
       if (same) return self("a ring touches itself");
@@ -230,7 +231,8 @@ class Validator {
 
   BadInput crossed(Edge a, Edge b) const {
     return {"crossing-rings", "two rings cross",
-            "rings may touch at single points only: make one lie on one side of the other",
+            "rings may touch at single points only: make one lie on one side of the other, or "
+            "unite two polygons, as `minkref union` does",
             place(a.ring, {a.index, following(a)}, b.ring, {b.index, following(b)})};
   }
 
@@ -350,7 +352,8 @@ class Validator {
       if (boxes_[inner].overlaps(boxes_[h]) && within(inner, h)) return;
     }
     throw BadInput("overlapping-polygons", "two polygons overlap",
-                   "unite them, or cut a hole for the inner one", place(inner, {0}, outer, {0}));
+                   "unite them, as `minkref union` does, or cut a hole for the inner one",
+                   place(inner, {0}, outer, {0}));
   }
 
   std::size_t outer_of(std::size_t r) const {

@@ -46,6 +46,23 @@ def test_parcels_that_share_an_edge_are_repaired(minkref: Minkref, tmp_path: Pat
     assert minkref("union", LEFT, RIGHT, "--json").json["digest"] == value["digest"]
 
 
+@pytest.mark.parametrize(
+    "second", ["(2 2, 3 2, 3 3, 2 3, 2 2)", "(9 0, 12 0, 12 9, 9 9, 9 0)",
+               "(6 2, 12 2, 12 5, 6 5, 6 2)"],
+    ids=("inside", "along an edge", "crossing"),
+)  # fmt: skip
+def test_the_refusal_of_two_polygons_names_the_command_that_unites_them(
+    minkref: Minkref, tmp_path: Path, second: str
+) -> None:
+    two, one = tmp_path / "two.wkt", tmp_path / "one.wkt"
+    two.write_text(f"MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ({second}))")
+    refused = minkref("sum", str(two), LEFT)
+    assert refused.code == 2
+    assert "`minkref union`" in " ".join(refused.err.split())
+    minkref("union", str(two), "-o", str(one))
+    assert minkref("sum", str(one), LEFT, "--json").json["components"] == 1
+
+
 def test_a_sum_goes_into_the_parts_of_a_union() -> None:
     """(A or B) + R is (A + R) or (B + R)."""
     for index in range(12):
