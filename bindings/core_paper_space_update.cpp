@@ -1,6 +1,7 @@
 // The paper's own update of a sum in space for Python.
 #include "bindings/core_paper_space_update.hpp"
 
+#include <nanobind/stl/function.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "bindings/core.hpp"
+#include "bindings/core_build.hpp"
 #include "bindings/core_readings.hpp"
 #include "bindings/core_space.hpp"
 #include "bindings/stopwatch.hpp"
@@ -74,12 +76,13 @@ struct AnsweredSum {
 class SpaceUpdate {
  public:
   SpaceUpdate(const Surface& P, const Surface& Q, const std::string& scale,
-              const std::string& arithmetic, const Words& readings, unsigned threads)
+              const std::string& arithmetic, const Words& readings, unsigned threads,
+              const std::optional<Progress>& progress)
       : P_(P.value()), Q_(Q.value()), scale_(parse_rational(scale)) {
     const Stopwatch watch;
-    update_ =
-        PaperSpaceUpdate::make(P_, Q_, scale_, arithmetic,
-                               readings_of<SpaceUpdateReadings>(readings), memory_limit(), threads);
+    update_ = PaperSpaceUpdate::make(P_, Q_, scale_, arithmetic,
+                                     readings_of<SpaceUpdateReadings>(readings),
+                                     build_on(threads, progress));
     seconds = watch.seconds();
   }
 
@@ -100,22 +103,25 @@ class SpaceUpdate {
     return {count, watch.seconds()};
   }
 
-  Found search_intersections(const std::string& scale) const {
+  Found search_intersections(const std::string& scale, bool near) const {
+    using Pairs = PaperSpaceUpdate::Pairs;
     const Rational at = parse_rational(scale);
     const Stopwatch watch;
-    const std::size_t count = update_->search_intersections(at);
+    const std::size_t count = update_->search_intersections(at, near ? Pairs::near : Pairs::all);
     return {count, watch.seconds()};
   }
 
-  AnsweredSum sum() {
+  AnsweredSum sum(const std::optional<Progress>& progress) {
     const Stopwatch watch;
-    PaperSpaceSum found = update_->sum();
+    PaperSpaceSum found = update_->sum(build_on(1, progress));
     return {std::move(found), watch.seconds()};
   }
 
-  TrialRow beside_exact(const AnsweredSum& answer, const std::string& limit) const {
-    const PaperSpaceSum truth = facet_sum_at(P_, Q_, scale_);
-    const PolyhedralSet exact = edge_sum(P_, Q_, {scale_, scale_, scale_}).set;
+  TrialRow beside_exact(const AnsweredSum& answer, const std::string& limit, unsigned threads,
+                        const std::optional<Progress>& progress) const {
+    const BuildOptions options = build_on(threads, progress);
+    const PaperSpaceSum truth = facet_sum_at(P_, Q_, scale_, options);
+    const PolyhedralSet exact = edge_sum(P_, Q_, {scale_, scale_, scale_}, options).set;
     const SpaceSumTrial trial =
         space_sum_trial(*update_, scale_, answer.sum, truth, exact, parse_rational(limit));
     TrialRow row{trial.same_structure, to_string(trial.error), to_string(trial.coordinate), {}};
@@ -185,30 +191,36 @@ void bind_paper_space_update(nb::module_& module) {
                           "The paper's program of Section 5: sP + Q of polyhedra followed from one "
                           "scale to another in one arithmetic, each sentence as read.")
       .def(nb::init<const Surface&, const Surface&, const std::string&, const std::string&,
-                    const Words&, unsigned>(),
+                    const Words&, unsigned, const std::optional<Progress>&>(),
            "P"_a, "Q"_a, "scale"_a = "1", "arithmetic"_a = "rational", "readings"_a = Words{},
-           "threads"_a = 1, Released(),
+           "threads"_a = 1, "progress"_a = nb::none(), Released(),
            "Finds the crossings of all pairs of facets of the reduced convolution, and the list at "
            "the first scale, for valid solids. `arithmetic`: rational, interval, double, "
            "mpfr:BITS. `readings`: as `space_update_readings` lists them; those left out are the "
            "printed ones. `threads`: that look for the crossings; the answers do not depend on it. "
+           "`progress` is told how many of how many facets are done. "
            "O(N^2) for N facets. Raises BadInput, LimitExceeded, UndecidedSign.")
       .def("move_to", &SpaceUpdate::move_to, "scale"_a, Released(),
            "Steps through the events to this scale: insertions, deletions, crossings updated; "
            "seconds.")
       .def("place_intersections", &SpaceUpdate::place_intersections, Released(),
            "Places all crossings on the list where the walk stands: how many, seconds.")
-      .def("search_intersections", &SpaceUpdate::search_intersections, "scale"_a, Released(),
+      .def("search_intersections", &SpaceUpdate::search_intersections, "scale"_a, "near"_a = false,
+           Released(),
            "Finds the crossings at a scale without the list, from all pairs of facets in the same "
-           "arithmetic: how many, those at common corners included, and seconds.")
-      .def("sum", &SpaceUpdate::sum, Released(),
-           "The sum where the walk stands, as this arithmetic answers.")
-      .def("beside_exact", &SpaceUpdate::beside_exact, "answer"_a, "limit"_a, Released(),
+           "arithmetic, or from those whose boxes meet (`near`): how many, those at common corners "
+           "included, and seconds.")
+      .def("sum", &SpaceUpdate::sum, "progress"_a = nb::none(), Released(),
+           "The sum where the walk stands, as this arithmetic answers. `progress` is told how many "
+           "of how many facets are done.")
+      .def("beside_exact", &SpaceUpdate::beside_exact, "answer"_a, "limit"_a, "threads"_a = 1,
+           "progress"_a = nb::none(), Released(),
            "Holds the answer where the walk stands against the exact sum: whether as many facets "
            "are exposed, each with as many rings and corners, with no corner off by more than "
            "`limit` in parts of the largest coordinate; the largest error; the largest coordinate; "
            "and where they differ a point, its plane (normal, offset), and whether the point is on "
-           "the boundary, or None.")
+           "the boundary, or None. `progress` is told three times, of the exact sum's crossings, "
+           "of its facets, and of the set's edges.")
       .def("event_trial", &SpaceUpdate::event_trial, "truth"_a, "bits"_a, Released(),
            "Counts of events in truth, and of right, misplaced, missed and invented ones here; "
            "`bits` of the numbers here, 0 for exact ones.")

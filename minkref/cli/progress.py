@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -49,9 +49,13 @@ def progress(total: int) -> Iterator[Steps]:
         yield Steps(line, total)
 
 
+Tell = Callable[[int, int], None]
+
+
 @contextmanager
-def told_of(work: str) -> Iterator[Callable[[int, int], None]]:
-    """A line for a call that says itself how many of how many steps are done."""
+def told_of(work: str) -> Iterator[Tell]:
+    """A line for a call that says itself how many of how many steps are done; it begins anew with
+    each part of a work of several."""
     whole = 100
     with progress(whole) as line:
         line.now(work)
@@ -60,7 +64,17 @@ def told_of(work: str) -> Iterator[Callable[[int, int], None]]:
         def tell(done: int, total: int) -> None:
             nonlocal before
             now = whole * done // total if total else whole
-            line.done(max(now - before, 0))
-            before = max(now, before)
+            line.done(now - before)
+            before = now
 
         yield tell
+
+
+def told_on(line: Steps) -> Callable[[str], AbstractContextManager[Tell]]:
+    """The same on a line that there is: how much of the work of its step is done."""
+
+    @contextmanager
+    def told(work: str) -> Iterator[Tell]:
+        yield lambda done, total: line.now(f"{work}, {100 * done // max(total, 1)} %")
+
+    return told

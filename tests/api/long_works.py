@@ -115,6 +115,32 @@ def written() -> str:
     return _core.write(many(), "wkt")
 
 
+@cache
+def slanted(corners: int) -> _core.Polyhedron:
+    """A cone of so many facets over a star with integer corners."""
+    ring = star(corners // 2, 1000).rings()[0][0]
+    points: list[tuple[object, ...]] = [(x, y, y) for x, y in ring]
+    points.append((0, 0, 3000))
+    sides = [[k, (k + 1) % corners, corners] for k in range(corners)]
+    return _core.Polyhedron(points, [*sides, list(reversed(range(corners)))])
+
+
+def update_in_space(arithmetic: str) -> _core.PaperSpaceUpdate:
+    corrected = {name: value for name, _, value, _ in _core.space_update_readings()}
+    return _core.PaperSpaceUpdate(double_cone(12), slanted(14), "1", arithmetic, corrected)
+
+
+@cache
+def answered_in_space() -> tuple[_core.PaperSpaceUpdate, _core.PaperSpaceSum]:
+    update = update_in_space("mpfr:53")
+    return update, update.sum()
+
+
+def update_with_disc() -> _core.DiscUpdate:
+    corrected = {name: value for name, _, value, _ in _core.appendix_readings()}
+    return _core.DiscUpdate(star(100), "4", "1", "rational", corrected)
+
+
 def _proof(P: _core.PolygonSet, Q: _core.PolygonSet) -> object:
     prover = _core.Prover(P, Q)
     return prover.prove("1", prover.box("1"), (0, 1))
@@ -138,6 +164,8 @@ def prepare(name: str) -> None:
         drum(1500), drum(1501)
     elif name == "validation, spikes":
         star(SIXTY, 10**9)
+    elif name == "the exact sum beside that of the paper":
+        answered_in_space()
     elif name == "a set of points":
         points(SIXTY)
 
@@ -171,5 +199,10 @@ def works() -> dict[str, Callable[[], object]]:
         "cut into triangles": lambda: star_prism(SIXTY).cut_into_triangles(),
         "writing": lambda: _core.write(many(), "wkt"),
         "long lists": lambda: _core.reduced_convolution(star(2000), comb(2000)),
+        "the paper, update in space": lambda: update_in_space("rational"),
+        "the exact sum beside that of the paper": lambda: answered_in_space()[0].beside_exact(
+            answered_in_space()[1], "0"
+        ),
+        "the paper, update with a disc": update_with_disc,
         "convex sum": lambda: _core.convex_sum(drum(1500), drum(1501), SCALING, "brute-force"),
     }

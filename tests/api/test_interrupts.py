@@ -25,6 +25,9 @@ GROWING = (
     "pair events",
     "validation, slivers",
     "reading off",
+    "the paper, update in space",
+    "the exact sum beside that of the paper",
+    "the paper, update with a disc",
 )
 
 

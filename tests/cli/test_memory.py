@@ -45,6 +45,27 @@ def test_a_command_that_needs_more_than_it_may_have_is_refused(
     assert list(tmp_path.iterdir()) == []
 
 
+PAPERS = {
+    "with a disc": ("sum", "cells1815", "disc:2"),
+    "with a disc, from radius to radius": ("sweep", "cells1815", "disc:2", "--scales", "two.txt"),
+    "in space": ("sum", "gs3", "gs4"),
+    "in space, from scale to scale": ("sweep", "gs3", "gs4", "--scales", "two.txt"),
+}
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_the_papers_update_that_needs_more_than_it_may_have_is_refused(
+    name: str, minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "two.txt").write_text("1\n2\n", encoding="utf-8")
+    route = ("--route", "paper-update", "--form", "corrected", "--arithmetic", "double")
+    answer = minkref(*PAPERS[name], *route, "--memory", "30", "--json")
+    error = answer.json["error"]
+    assert (answer.code, error["code"]) == (2, "memory-limit")
+    assert "--memory" in error["mend"] and PAPERS[name][1] in error["where"]
+
+
 @pytest.mark.parametrize("number", ["-1", "99999999999"])
 def test_a_limit_that_is_none_is_refused(number: str, minkref: Minkref) -> None:
     answer = minkref("sum", "g1", "g2", "--memory", number)

@@ -3,18 +3,24 @@ the exact sum beside each answer."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import jsonschema
 import pytest
+from minkref import _core
+from minkref.cli.progress import Steps, Tell, told_on
 from minkref.schemas import schema
+from minkref.space.commands.paper_update import SpaceWalk
+from minkref.space.operand import read_summand
 from written_solids import L, prism
 
 Minkref = Callable[..., Any]
 ROUTE = ("--route", "paper-update")
 CORRECTED = (*ROUTE, "--form", "corrected")
+CHOSEN = {name: value for name, _, value, _ in _core.space_update_readings()}
 
 #: A tetrahedron none of whose sides is parallel to a face of the angle.
 SLANTED = """OFF
@@ -100,6 +106,37 @@ def test_what_it_does_not_do_is_refused(
 ) -> None:
     ran = minkref("sum", *solids, *options)
     assert ran.code == 2 and told in ran.err
+
+
+def test_each_long_piece_of_work_is_told_to_its_end(solids: tuple[str, str]) -> None:
+    reports: dict[str, list[tuple[int, int]]] = {}
+
+    @contextmanager
+    def telling(work: str) -> Iterator[Tell]:
+        reports[work] = []
+        yield lambda done, total: reports[work].append((done, total))
+
+    first, second = map(read_summand, solids)
+    walk = SpaceWalk(first, second, "2/3", "double", CHOSEN, telling)
+    assert walk.answer()["exact"]["same_structure"]
+    assert len(reports) == 3
+    for work, told in reports.items():
+        assert len(told) >= 2 and told[-1][0] == told[-1][1] > 0, work
+        assert all(done <= total for done, total in told), work
+
+
+def test_a_sweep_tells_how_much_of_a_step_is_done() -> None:
+    class Line(Steps):
+        texts: ClassVar[list[str]] = []
+
+        def now(self, text: str) -> None:
+            self.texts.append(text)
+
+    with told_on(Line(None, 3))("cells") as tell:
+        tell(0, 8)
+        tell(3, 8)
+        tell(8, 8)
+    assert Line.texts == ["cells, 0 %", "cells, 37 %", "cells, 100 %"]
 
 
 def test_operands_without_volume_are_refused(minkref: Minkref, tmp_path: Path) -> None:

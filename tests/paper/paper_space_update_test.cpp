@@ -134,14 +134,54 @@ TEST(PaperSpaceUpdate, TheWalkIsTheSameUpAndDownAndOnTwoThreads) {
   std::mt19937 dice(5);
   const Polyhedron P = random_tetrahedron(dice), Q = frame();
   const auto walk = PaperSpaceUpdate::make(P, Q, 1, "double", corrected_space_update_readings());
+  BuildOptions on_two;
+  on_two.threads = 2;
   const auto other =
-      PaperSpaceUpdate::make(P, Q, 3, "double", corrected_space_update_readings(), 0, 2);
+      PaperSpaceUpdate::make(P, Q, 3, "double", corrected_space_update_readings(), on_two);
   EXPECT_EQ(walk->counts().events, other->counts().events);
   for (const Rational& s : {Rational(2, 3), Rational(5, 2), Rational(1, 7)}) {
     EXPECT_EQ(walk->move_to(s).updated, other->move_to(s).updated) << s;
     EXPECT_EQ(walk->place_intersections(), other->place_intersections()) << s;
     EXPECT_EQ(walk->sum().exposed.size(), other->sum().exposed.size()) << s;
   }
+}
+
+TEST(PaperSpaceUpdate, FacetsThatMeetHaveBoxesThatMeet) {
+  using Pairs = PaperSpaceUpdate::Pairs;
+  std::mt19937 dice(6);
+  const Polyhedron P = random_tetrahedron(dice), Q = random_tetrahedron(dice);
+  const auto walk = corrected(P, Q, 1);
+  for (const Rational& s : {Rational(1), Rational(5, 2)}) {
+    const std::size_t near = walk->search_intersections(s, Pairs::near);
+    EXPECT_EQ(walk->search_intersections(s, Pairs::all), near) << s;
+    EXPECT_GT(near, 0U);
+  }
+}
+
+TEST(PaperSpaceUpdate, ReportsEachFacetAndEndsWhereTheReportThrows) {
+  std::mt19937 dice(7);
+  const Polyhedron P = random_tetrahedron(dice), Q = frame();
+  BuildOptions options;
+  std::uint64_t reports = 0, done = 0, total = 0;
+  options.progress = [&](const BuildProgress& now) {
+    EXPECT_LE(now.done, now.total);
+    ++reports;
+    done = now.done;
+    total = now.total;
+  };
+  const auto walk =
+      PaperSpaceUpdate::make(P, Q, 1, "double", corrected_space_update_readings(), options);
+  EXPECT_EQ(total, walk->counts().facets);
+  EXPECT_EQ(done, total);
+  for (const bool of_sum : {false, true}) {
+    reports = 0;
+    of_sum ? walk->sum(options) : facet_sum_at(P, Q, 1, options);
+    EXPECT_GE(reports, 2U);
+    EXPECT_EQ(done, total);
+  }
+  options.progress = [](const BuildProgress&) { throw LimitExceeded("memory-limit", "", ""); };
+  EXPECT_THROW(walk->sum(options), LimitExceeded);
+  EXPECT_THROW(facet_sum_at(P, Q, 1, options), LimitExceeded);
 }
 
 TEST(PaperSpaceUpdate, RefusesWhatHasNoVolume) {

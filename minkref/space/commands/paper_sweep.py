@@ -6,7 +6,7 @@ import sys
 
 from minkref import _core
 from minkref.cli.memory import SIMPLER, memory_wall
-from minkref.cli.progress import progress
+from minkref.cli.progress import progress, told_on
 from minkref.cli.readings import ROUTE
 from minkref.errors import Refusal
 from minkref.output.documents import Stopwatch, document, listing
@@ -40,7 +40,7 @@ def paper_sweep(request: SweepInSpace) -> None:
     first, second = read_summand(request.P), read_summand(request.Q)
     wall = memory_wall(request.memory, f"route {ROUTE}", f"{request.P} and {request.Q}", SIMPLER)
     with wall, ending_in_order(), progress(len(scalings)) as line:
-        walk = SpaceWalk(first, second, scalings[0][0], request.arithmetic, readings)
+        walk = SpaceWalk(first, second, scalings[0][0], request.arithmetic, readings, told_on(line))
         rows = sweep_rows(scalings, walk.row, UNWRITTEN, None, line)
         value = document(
             "sweep",

@@ -4,12 +4,14 @@ beside the exact sums."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from fractions import Fraction
 from typing import Any, TypeVar
 
 from minkref import _core
 from minkref.arithmetic import check_arithmetic
 from minkref.cli.output import plain_table
+from minkref.cli.progress import Tell, told_of
 from minkref.cli.readings import ROUTE, SPACE_CHOICES, readings_of, refuse_options
 from minkref.cli.row_spool import Row, RowSpool
 from minkref.errors import Refusal, refusing
@@ -31,7 +33,7 @@ STEPS = ("insertions", "deletions", "updated")
 
 class SpaceWalk:
     """P and Q followed from one scale to another by the paper's program. Each answer is held
-    against the exact sum."""
+    against the exact sum. `telling` opens a line of progress for a piece of work."""
 
     def __init__(
         self,
@@ -40,16 +42,19 @@ class SpaceWalk:
         scale: str,
         arithmetic: str,
         readings: dict[str, str],
+        telling: Callable[[str], AbstractContextManager[Tell]] = told_of,
     ) -> None:
         for operand in (P, Q):
             if operand.surface.vertices and not operand.is_solid:
                 _refuse_flat(operand)
         self._bits = significant_bits(arithmetic)
         self._where = f"{P.name} and {Q.name}"
-        self._update = self._told(
-            lambda: _core.PaperSpaceUpdate(
-                P.surface, Q.surface, scale, arithmetic, readings, cores()
-            )
+        self._telling = telling
+        self._update = self._long(
+            "crossings of facets at all scales",
+            lambda tell: _core.PaperSpaceUpdate(
+                P.surface, Q.surface, scale, arithmetic, readings, cores(), tell
+            ),
         )
 
     def preparation(self) -> dict[str, Any]:
@@ -69,7 +74,7 @@ class SpaceWalk:
     def answer(self) -> dict[str, Any]:
         """The answer where the walk stands, and how it differs from the exact sum."""
         placed, place_seconds = self._told(self._update.place_intersections)
-        found = self._told(self._update.sum)
+        found = self._long("cells on the facets", self._update.sum)
         counts = dict(found.counts())
         return {
             "placed": placed,
@@ -86,14 +91,19 @@ class SpaceWalk:
 
     def _beside_exact(self, found: _core.PaperSpaceSum) -> dict[str, Any]:
         bits, limit = self._bits, limit_of(self._bits)
-        same, error, coordinate, witness = self._told(
-            lambda: self._update.beside_exact(found, limit)
+        same, error, coordinate, witness = self._long(
+            "the exact sum beside it",
+            lambda tell: self._update.beside_exact(found, limit, cores(), tell),
         )
         ulps = None
         if same:
             unit = Fraction(1) if bits is None else last_place(Fraction(coordinate), bits)
             ulps = in_double_range(str(Fraction(error) / unit))
         return {"same_structure": same, "ulps": ulps, "witness": _witness_fields(witness)}
+
+    def _long(self, name: str, work: Callable[[Tell], T]) -> T:
+        with self._telling(name) as tell:
+            return self._told(lambda: work(tell))
 
     def _told(self, work: Callable[[], T]) -> T:
         return decided(lambda: refusing(self._where, work))

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "reference/build/in_parallel.hpp"
-#include "reference/paper/row_control.hpp"
+#include "reference/build/stage.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/paper/space/crossings.hpp"
 
 namespace minkref::inline space {
@@ -32,17 +32,18 @@ inline std::vector<std::uint32_t> all_later(std::uint32_t facet, std::size_t cou
 /// The crossings of pairs of facets, as read; the same whatever the number of threads. `later(a)`
 /// lists the greater facets that are paired with a, ascending; `directions(a, b)` gives their
 /// PairDirections, for the reading of this name. `zero`: the tolerance below which
-/// numbers count as zero. Throws LimitExceeded beyond `memory` bytes (0: no limit), UndecidedSign
+/// numbers count as zero. Reports progress by facets. Throws what `control` throws, UndecidedSign
 /// if an interval cannot tell a sign. O(1) for each pair.
 template <class T, class Later, class Directions>
 CrossingLists<T> find_crossings(const std::vector<typename TwoFacets<T>::Facet>& facets,
                                 Later&& later, Directions&& directions,
                                 const SpaceUpdateReadings& readings, const T& zero,
-                                unsigned threads, std::uint64_t memory) {
+                                const BuildControl& control) {
   const bool told = readings.singular == SpaceUpdateReadings::Singular::directions;
   const auto find = [&](std::uint32_t a) {
     CrossingLists<T> row;
     for (const std::uint32_t b : later(a)) {
+      control.look();
       ++row.pairs;
       try {
         const PairDirections known = told ? directions(a, b) : PairDirections{};
@@ -61,8 +62,7 @@ CrossingLists<T> find_crossings(const std::vector<typename TwoFacets<T>::Facet>&
     return row;
   };
   std::vector<CrossingLists<T>> rows(facets.size());
-  RowControl control{threads, memory, "the list of crossings"};
-  in_parallel(facets.size(), 4, control, [&](unsigned) {
+  in_parallel(facets.size(), control, BuildProgress::Stage::pairs, [&](unsigned) {
     return [&](std::size_t a) { rows[a] = find(static_cast<std::uint32_t>(a)); };
   });
   CrossingLists<T> all;
@@ -70,7 +70,7 @@ CrossingLists<T> find_crossings(const std::vector<typename TwoFacets<T>::Facet>&
   for (const CrossingLists<T>& row : rows) count += row.crossings.size();
   all.crossings.reserve(count);
   for (CrossingLists<T>& row : rows) {
-    look_for_interrupt();
+    control.look();
     all.pairs += row.pairs;
     all.undecided += row.undecided;
     for (Crossing<T>& found : row.crossings) all.crossings.push_back(std::move(found));
@@ -82,10 +82,10 @@ CrossingLists<T> find_crossings(const std::vector<typename TwoFacets<T>::Facet>&
 
 /// Counts sides that pierce facets at a scale, ends included: for each pair, solves the system from
 /// Sec. 5.2 for each side's line and the second plane, and checks the point against side and facet.
-/// As exact as T; omits pairs with a sign that was NaN. Throws UndecidedSign where an interval
-/// cannot tell. O(N^2).
-template <class T>
-std::size_t crossings_afresh(const std::vector<typename TwoFacets<T>::Facet>& facets,
+/// `later(a)` lists the greater facets that are paired with a. As exact as T; omits pairs with a
+/// sign that was NaN. Throws UndecidedSign where an interval cannot tell. O(1) for each pair.
+template <class T, class Later>
+std::size_t crossings_afresh(const std::vector<typename TwoFacets<T>::Facet>& facets, Later&& later,
                              const T& scale) {
   std::vector<typename TwoFacets<T>::Vector> points;
   const auto look_at = [&](const TwoFacets<T>& pair) {
@@ -98,9 +98,9 @@ std::size_t crossings_afresh(const std::vector<typename TwoFacets<T>::Facet>& fa
       }
     }
   };
-  for (std::size_t a = 0; a < facets.size(); ++a) {
-    look_for_interrupt_now();
-    for (std::size_t b = a + 1; b < facets.size(); ++b) {
+  for (std::uint32_t a = 0; a < facets.size(); ++a) {
+    for (const std::uint32_t b : later(a)) {
+      look_for_interrupt();
       try {
         look_at(TwoFacets<T>(facets[a], facets[b]));
       } catch (const UndecidedSign&) {  // a system that only rounding keeps from being singular

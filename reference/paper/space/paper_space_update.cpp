@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "reference/build/build_control.hpp"
 #include "reference/error.hpp"
 #include "reference/number/exact_value.hpp"
 #include "reference/number/float_environment.hpp"
@@ -91,8 +92,6 @@ PairDirections pair_directions(const MovingConvolution& convolution, std::uint32
   return found;
 }
 
-enum class Pairs : std::uint8_t { all, near_at_first };
-
 template <class T>
 class SpaceUpdateIn : public PaperSpaceUpdate {
  public:
@@ -100,7 +99,7 @@ class SpaceUpdateIn : public PaperSpaceUpdate {
 
   SpaceUpdateIn(const Polyhedron& P, const Polyhedron& Q, const Rational& first_scale,
                 const Arithmetic<T>& arithmetic, const SpaceUpdateReadings& readings, Pairs pairs,
-                std::uint64_t memory, unsigned threads)
+                const BuildOptions& options)
       : arithmetic_(arithmetic),
         operands_(space_operands(P, Q, {1, 1, 1})),
         convolution_(operands_.P, operands_.Q),
@@ -111,15 +110,12 @@ class SpaceUpdateIn : public PaperSpaceUpdate {
         coplanar_with_(facets_.size()) {
     const T zero = arithmetic(readings.events.tolerance * (largest(P) + largest(Q)) *
                               Rational(operands_.denominator));
-    std::vector<std::vector<std::uint32_t>> near;
-    if (pairs == Pairs::near_at_first) near = near_facets(facets_, arithmetic(first_scale));
-    const auto later = [&](std::uint32_t a) {
-      return pairs == Pairs::all ? all_later(a, facets_.size()) : near[a];
-    };
+    const BuildControl control(options, "the list of crossings");
     const auto directions = [&](std::uint32_t a, std::uint32_t b) {
       return pair_directions(convolution_, a, b);
     };
-    auto found = find_crossings<T>(facets_, later, directions, readings, zero, threads, memory);
+    auto found = find_crossings<T>(facets_, later_of(pairs, arithmetic(first_scale)), directions,
+                                   readings, zero, control);
     crossings_ = std::move(found.crossings);
     coplanar_ = std::move(found.coplanar);
     for (const auto& [a, b] : coplanar_) {
@@ -152,14 +148,16 @@ class SpaceUpdateIn : public PaperSpaceUpdate {
     return places_.size();
   }
 
-  std::size_t search_intersections(const Rational& scale) const override {
+  std::size_t search_intersections(const Rational& scale, Pairs pairs) const override {
     const FloatEnvironment standard;
     require_positive({scale, 1, 1});
-    return crossings_afresh<T>(facets_, arithmetic_(scale));
+    const T at = arithmetic_(scale);
+    return crossings_afresh<T>(facets_, later_of(pairs, at), at);
   }
 
-  PaperSpaceSum sum() override {
+  PaperSpaceSum sum(const BuildOptions& options) override {
     const FloatEnvironment standard;
+    const BuildControl control(options, "the sum");
     PaperSpaceSum sum;
     sum.arithmetic = arithmetic_.name();
     const T& scale = walk_->scale();
@@ -169,7 +167,13 @@ class SpaceUpdateIn : public PaperSpaceUpdate {
     const PlacedBody<T> P(operands_.P, std::move(scaled));
     const BodyContact<T> contact(P, Q_);
     const ExposedCells<T> cells(placed, coplanar_with_, contact, operands_.denominator);
-    for (std::uint32_t facet = 0; facet < facets_.size(); ++facet) cells.add(facet, sum);
+    const std::size_t step = std::max<std::size_t>(facets_.size() / 100, 1);
+    for (std::uint32_t facet = 0; facet < facets_.size(); ++facet) {
+      control.look();
+      if (facet % step == 0) control.report(BuildProgress::Stage::patches, facet, facets_.size());
+      cells.add(facet, sum);
+    }
+    control.report(BuildProgress::Stage::patches, facets_.size(), facets_.size());
     if constexpr (std::is_same_v<T, Rational>) {
       sum.set = united(sum, [&](std::uint32_t facet) { return plane(facet, scale); });
     }
@@ -203,6 +207,15 @@ class SpaceUpdateIn : public PaperSpaceUpdate {
   }
 
  private:
+  /// For each facet the later ones with which it makes a pair.
+  auto later_of(Pairs pairs, const T& scale) const {
+    std::vector<std::vector<std::uint32_t>> near;
+    if (pairs == Pairs::near) near = near_facets<T>(facets_, scale);
+    return [pairs, near = std::move(near), count = facets_.size()](std::uint32_t a) {
+      return pairs == Pairs::all ? all_later(a, count) : near[a];
+    };
+  }
+
   std::vector<Vector> points_in(const SpaceOperand& body) const {
     std::vector<Vector> points;
     for (const auto& point : body.points) {
@@ -245,14 +258,14 @@ std::unique_ptr<PaperSpaceUpdate> PaperSpaceUpdate::make(const Polyhedron& P, co
                                                          const Rational& first_scale,
                                                          const std::string& arithmetic,
                                                          const SpaceUpdateReadings& readings,
-                                                         std::uint64_t memory, unsigned threads) {
+                                                         const BuildOptions& options) {
   const FloatEnvironment standard;
   require_positive({first_scale, 1, 1});
   refuse_operands(P, Q);
   return with_arithmetic(
       arithmetic, [&]<class T>(const Arithmetic<T>& in) -> std::unique_ptr<PaperSpaceUpdate> {
         return std::make_unique<SpaceUpdateIn<T>>(P, Q, first_scale, in, readings, Pairs::all,
-                                                  memory, std::max(threads, 1U));
+                                                  options);
       });
 }
 
@@ -274,13 +287,14 @@ PolygonSet rings_in_view(const PaperSpaceSum::Exposed& part, const OrientedPlane
   return rings;
 }
 
-PaperSpaceSum facet_sum_at(const Polyhedron& P, const Polyhedron& Q, const Rational& scale) {
+PaperSpaceSum facet_sum_at(const Polyhedron& P, const Polyhedron& Q, const Rational& scale,
+                           const BuildOptions& options) {
   const FloatEnvironment standard;
   require_positive({scale, 1, 1});
   refuse_operands(P, Q);
   return SpaceUpdateIn<Rational>(P, Q, scale, {}, corrected_space_update_readings(),
-                                 Pairs::near_at_first, 0, 1)
-      .sum();
+                                 PaperSpaceUpdate::Pairs::near, options)
+      .sum(options);
 }
 
 }  // namespace minkref::inline space

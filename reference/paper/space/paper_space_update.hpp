@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/build/build_options.hpp"
 #include "reference/paper/event_walk.hpp"
 #include "reference/paper/space/update_readings.hpp"
 #include "reference/space/polyhedral_set.hpp"
@@ -50,13 +51,14 @@ class PaperSpaceUpdate {
   /// arithmetic and corrected readings; otherwise the paper's formulas decide the result. Operands
   /// must have passed `validate`. Throws BadInput for bad scales and arithmetics, and
   /// ("degenerate-operands") for operands without a volume; LimitExceeded if the crossings take
-  /// more than `memory` bytes (0: no limit), UndecidedSign where "interval" cannot tell a sign. The
-  /// same whatever the number of threads. O(N^2 + k log k) for N facets and k crossings.
+  /// more memory than `options` allow, UndecidedSign where "interval" cannot tell a sign. The same
+  /// whatever the number of threads. Reports progress by facets. O(N^2 + k log k) for N facets and
+  /// k crossings.
   static std::unique_ptr<PaperSpaceUpdate> make(const Polyhedron& P, const Polyhedron& Q,
                                                 const Rational& first_scale,
                                                 const std::string& arithmetic,
                                                 const SpaceUpdateReadings& readings,
-                                                std::uint64_t memory = 0, unsigned threads = 1);
+                                                const BuildOptions& options = {});
   virtual ~PaperSpaceUpdate() = default;
 
   using Step = WalkStep;
@@ -68,15 +70,19 @@ class PaperSpaceUpdate {
   /// ("we update all of the remaining nodes"), and returns their number. O(k).
   virtual std::size_t place_intersections() = 0;
 
-  /// Does the work that the update saves: finds all crossings at a scale s > 0 from all pairs of
+  /// Pairs of facets: all of them, or those whose boxes meet at the scale.
+  enum class Pairs : std::uint8_t { all, near };
+
+  /// Does the work that the update saves: finds all crossings at a scale s > 0 from pairs of
   /// facets, with the same arithmetic and the system of Sec. 5.2; returns the number found. Unlike
   /// the list, the number counts common corners. Throws BadInput for a bad scale, UndecidedSign.
-  /// O(N^2).
-  virtual std::size_t search_intersections(const Rational& scale) const = 0;
+  /// O(N^2) for all pairs, O(N log N + k) for k near ones.
+  virtual std::size_t search_intersections(const Rational& scale, Pairs pairs) const = 0;
 
-  /// Arrangements on the facets and collision detection (Sec. 3) at the list's current scale. O(N
-  /// c) for c cells, beside the collisions.
-  virtual PaperSpaceSum sum() = 0;
+  /// Arrangements on the facets and collision detection (Sec. 3) at the list's current scale.
+  /// Reports progress by facets; throws LimitExceeded as `make` does. O(N c) for c cells, beside
+  /// the collisions.
+  virtual PaperSpaceSum sum(const BuildOptions& options = {}) = 0;
 
   /// An event of the array: a crossing of two facets begins or ends.
   struct Event {
@@ -101,7 +107,9 @@ class PaperSpaceUpdate {
 };
 
 /// The exact sum at one scale s > 0, facet by facet: the program's answer with rational numbers and
-/// corrected readings, from pairs of facets with overlapping boxes. Throws as `make` does.
-PaperSpaceSum facet_sum_at(const Polyhedron& P, const Polyhedron& Q, const Rational& scale);
+/// corrected readings, from pairs of facets with overlapping boxes. Reports progress twice, by
+/// facets: crossings, arrangements. Throws as `make` does.
+PaperSpaceSum facet_sum_at(const Polyhedron& P, const Polyhedron& Q, const Rational& scale,
+                           const BuildOptions& options = {});
 
 }  // namespace minkref::inline space
