@@ -114,6 +114,14 @@ def _gears(teeth: int) -> Solids:
     return spur_gear(teeth, 3600, 1000, 12), around_origin(spur_gear(5, 800, 400))
 
 
+#: Pairs for the paper's own update, which looks at all pairs of facets, the largest last.
+UPDATE_PAIRS = (
+    TimedPair("clutch 64 + icosahedron 20", lambda: (_clutch(8, 2), geodesic_sphere(0, 700))),
+    TimedPair("knot 96 + icosahedron 20", lambda: (_knot(12, 4), geodesic_sphere(0, 700))),
+    TimedPair("knot 96 + clutch 64", lambda: (_knot(12, 4), _clutch(8, 2))),
+    TimedPair("knot 248 + icosahedron 20", lambda: (_knot(31, 4), geodesic_sphere(0, 700))),
+)
+
 #: Pairs for event searches, the largest last.
 EVENT_PAIRS = (
     TimedPair("knot 992 + geodesic sphere 320", lambda: (_knot(62, 8), geodesic_sphere(2, 700))),

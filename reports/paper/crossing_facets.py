@@ -84,8 +84,8 @@ def _unlike(events: int) -> list[str]:
         "crossings are not placed, on either side: a part of both times is missing, and the ratio "
         "is not comparable with that of the figure",
         "exact tests in rational numbers behind floats, where the paper has MPFR",
-        "(c), the whole update, is not measured: orders along lines and collision detection are "
-        "not followed from scale to scale here",
+        "(c), the whole update, is not in this entry, for orders along lines and collision "
+        "detection are not followed from scale to scale by the exact events",
     ]
 
 

@@ -383,8 +383,9 @@ def _(shown: Shown) -> None:
     proposed method is 68.556 over that of repetitive re-computation of the Minkowski sums”.""",
     right=r"""The beetle is not published, nor how many radii were taken from $0.05 \le \alpha \le
     1$, nor what was re-computed. Pocket minima and the decomposition are not in minkref, so that
-    nothing was timed. Sums with a true disc are, at all radii: the discs on the outer boundary in
-    the figure are corners of such a sum.""",
+    this speed-up was not timed. Sums with a true disc are, at all radii: the discs on the outer
+    boundary in the figure are corners of such a sum. What the Appendix's steps save on other
+    polygons is in the evidence (paper_program/disc).""",
     code=("reference/disc/diagram/diagram_events.hpp",),
 )
 def _(shown: Shown) -> None:

@@ -3,103 +3,108 @@ of the whole sum, against finding them from scratch in the same arithmetic."""
 
 from __future__ import annotations
 
+import datetime
 import random
-from collections.abc import Callable
-from dataclasses import dataclass
+import time
+from collections.abc import Callable, Sequence
 from itertools import pairwise
+from statistics import median
 from typing import Any
 
 from minkref import _core
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
-from minkref.reports.bench.space_pairs import EVENT_PAIRS, TimedPair
+from minkref.reports.bench.space_pairs import EVENT_PAIRS, UPDATE_PAIRS, TimedPair
 from minkref.reports.bench.spread import spread
 from minkref.reports.evidence.framework.part import Findings, Minutes, Size
+from minkref.reports.evidence.framework.places import ROOT
+from minkref.reports.paper.space_times import FILE, Step, Timed, Times, as_text
 
-MINUTES = Minutes(None, None, 40)
+MINUTES = Minutes(None, None, 20)
 ALONE = True
 
 SEED = 9
 CORRECTED = {name: corrected for name, _, corrected, _ in _core.space_update_readings()}
 WINDOW = (200, 2000)  # thousandths: the paper's [0.2, 2]
-STEPS = 12
+THREADS = 2
+STEPS = 24
 BEST_OF = 3
-SUMS = 2  # of a pair, timed whole
-
-
-@dataclass(frozen=True)
-class Step:
-    """Seconds, the best of several."""
-
-    events: int
-    crossings: int
-    update: float
-    placing: float
-    scratch: float
-
-
-def timed_steps(update: _core.PaperSpaceUpdate, name: str, searches: int) -> list[Step]:
-    """Random re-scalings; the search from scratch is repeated so many times at each."""
-    dice = random.Random(f"minkref figure 9 {name} {SEED}")
-    chosen = [f"{dice.randint(*WINDOW)}/1000" for _ in range(STEPS + 1)]
-    steps = []
-    update.move_to(chosen[0])
-    for start, scale in pairwise(chosen):
-        updates, placings = [], []
-        for _ in range(BEST_OF):
-            update.move_to(start)
-            counts, seconds = update.move_to(scale)
-            updates.append(seconds)
-            placed, seconds = update.place_intersections()
-            placings.append(seconds)
-        scratch = min(update.search_intersections(scale)[1] for _ in range(searches))
-        events = counts["insertions"] + counts["deletions"]
-        steps.append(Step(events, placed, min(updates), min(placings), scratch))
-    return steps
+TRIES = 20  # random scales for each step with an event
+PATIENCE = 20.0  # seconds for repeating searches among all pairs, and for timing sums
+MPFR, DOUBLE = "mpfr:53", "double"
+PAIRS = {DOUBLE: (*UPDATE_PAIRS, EVENT_PAIRS[1]), MPFR: UPDATE_PAIRS}
 
 
 def run(findings: Findings, size: Size) -> None:
-    pair, smaller = EVENT_PAIRS[2] if size is Size.FULL else EVENT_PAIRS[0], EVENT_PAIRS[1]
-    for chosen, arithmetic in ((pair, "double"), (smaller, "double"), (smaller, "mpfr:53")):
-        if arithmetic != "double" and size is not Size.FULL:
-            continue
-        _time(chosen, arithmetic, findings)
+    runs = []
+    for arithmetic, pairs in PAIRS.items():
+        for pair in pairs:
+            timed = time_pair(pair, arithmetic)
+            runs.append(timed)
+            _tell(timed, findings)
+    if size is Size.FULL:
+        today = datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d")
+        times = Times(today, "[1/5, 2]", BEST_OF, THREADS, tuple(runs))
+        (ROOT / "reports" / "paper" / FILE).write_text(as_text(times), encoding="utf-8")
 
 
-def _time(pair: TimedPair, arithmetic: str, findings: Findings) -> None:
+def time_pair(pair: TimedPair, arithmetic: str) -> Timed:
     P, Q = map(core_polyhedron, pair.solids())
-    update = _core.PaperSpaceUpdate(P, Q, "1", arithmetic, CORRECTED, threads=2)
-    steps = timed_steps(update, pair.name, 1 if arithmetic != "double" else 2)
+    update = _core.PaperSpaceUpdate(P, Q, "1", arithmetic, CORRECTED, threads=THREADS)
     counts = dict(update.counts())
-    whole = [_whole(update, scale) for scale in ("1/2", "3/2")[:SUMS]]
-    figures = {
-        "facets": counts["facets"],
-        "events": counts["events"],
-        "seconds for the events": round(update.seconds, 1),
-        "events crossed": _spread(steps, lambda s: s.events, ""),
-        "crossings placed": _spread(steps, lambda s: s.crossings, ""),
-        "update with placing, µs": _spread(steps, lambda s: 1e6 * (s.update + s.placing), ""),
-        "placing, µs": _spread(steps, lambda s: 1e6 * s.placing, ""),
-        "ns for an event": _spread(
-            [s for s in steps if s.events], lambda s: 1e9 * s.update / s.events, ""
+    scales = _scales(update, f"{pair.name} {SEED}")
+    searches = _patiently(scales, lambda scale: update.search_intersections(scale)[1])
+    steps = [_step(update, start, scale) for start, scale in pairwise(scales)]
+    sums = _patiently(scales[1:], lambda scale: _whole(update, scale))
+    timed = Timed(
+        pair.name, arithmetic, counts["facets"], counts["crossings"], counts["events"],
+        update.seconds, median(searches),
+        tuple(
+            Step(**step, whole=sums[k] if k < len(sums) else None) for k, step in enumerate(steps)
         ),
-        "from scratch, s": _spread(steps, lambda s: s.scratch, ""),
-        "(d): times faster, crossings alone": _spread(
-            steps, lambda s: s.scratch / (s.update + s.placing), ""
-        ),
-        "(c): times faster, with arrangements and collision detection": [
-            round((steps[0].scratch + seconds) / (steps[0].update + steps[0].placing + seconds), 3)
-            for seconds in whole
-        ],
-        "arrangements and collision detection, s": [round(seconds, 2) for seconds in whole],
-    }
-    findings.figures[f"{pair.name}, {arithmetic}"] = figures
-    findings.note(f"{pair.name}, {arithmetic}: " + "; ".join(
-        f"{name}: {value}" for name, value in figures.items()))  # fmt: skip
-    faster = min(s.scratch / (s.update + s.placing) for s in steps)
-    findings.target(
-        f"{pair.name}, {arithmetic}: crossings are updated faster than found from scratch",
-        faster > 1, "more than 1 time", f"{faster:,.1f} times at least",
     )  # fmt: skip
+    print(timed, flush=True)
+    return timed
+
+
+def _scales(update: _core.PaperSpaceUpdate, seed: str) -> list[str]:
+    """Random scales of the window, with an event at least between each and the next."""
+    dice = random.Random(f"minkref figure 9 {seed}")
+    scales = [f"{dice.randint(*WINDOW)}/1000"]
+    update.move_to(scales[0])
+    for _ in range(TRIES * STEPS):
+        if len(scales) > STEPS:
+            break
+        scale = f"{dice.randint(*WINDOW)}/1000"
+        if _events(update.move_to(scale)[0]):
+            scales.append(scale)
+        else:
+            update.move_to(scales[-1])
+    return scales
+
+
+def _events(counts: dict[str, int]) -> int:
+    return counts["insertions"] + counts["deletions"]
+
+
+def _step(update: _core.PaperSpaceUpdate, start: str, scale: str) -> dict[str, Any]:
+    """A step's fields, but for the whole sum; each time alternates between both sides."""
+    updates, placings, searches = [], [], []
+    for _ in range(BEST_OF):
+        update.move_to(start)
+        counts, seconds = update.move_to(scale)
+        updates.append(seconds)
+        crossings, seconds = update.place_intersections()
+        placings.append(seconds)
+        searches.append(update.search_intersections(scale, near=True)[1])
+    return {
+        "start": start,
+        "scale": scale,
+        "events": _events(counts),
+        "crossings": crossings,
+        "update": min(updates),
+        "placing": min(placings),
+        "near": min(searches),
+    }
 
 
 def _whole(update: _core.PaperSpaceUpdate, scale: str) -> float:
@@ -107,5 +112,35 @@ def _whole(update: _core.PaperSpaceUpdate, scale: str) -> float:
     return float(update.sum().seconds)
 
 
-def _spread(steps: list[Step], value: Callable[[Step], float], unit: str) -> Any:
-    return spread([value(step) for step in steps]).in_words() + unit
+def _patiently(scales: Sequence[str], seconds: Callable[[str], float]) -> list[float]:
+    """The first scale's, and those of more while patience lasts."""
+    began = time.monotonic()
+    found = [seconds(scales[0])]
+    for scale in scales[1:]:
+        if time.monotonic() - began > PATIENCE:
+            break
+        found.append(seconds(scale))
+    return found
+
+
+def _tell(timed: Timed, findings: Findings) -> None:
+    where = f"{timed.name}, {timed.arithmetic}"
+    figures = {
+        "facets": timed.facets,
+        "events": timed.events,
+        "seconds for the events": round(timed.preparation, 2),
+        "seconds for a search among all pairs": round(timed.search, 3),
+        "steps": len(timed.steps),
+        "(d): times faster": spread(timed.intersections()).in_words(),
+        "(d), against all pairs": spread(timed.intersections(True)).in_words(),
+        "(c): times faster": spread(timed.total()).in_words(3),
+        "(c), against all pairs": spread(timed.total(True)).in_words(3),
+    }
+    findings.figures[where] = figures
+    findings.note(f"{where}: " + "; ".join(f"{name}: {value}" for name, value in figures.items()))
+    least = timed.intersections()[0]
+    findings.target(
+        f"{where}: crossings are updated faster than found from scratch",
+        least > 1, "more than 1 time", f"{least:,.1f} times at least",
+    )  # fmt: skip
+    findings.law(f"{where}: steps have events", bool(timed.steps), "at least 1", len(timed.steps))
