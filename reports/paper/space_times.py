@@ -16,8 +16,9 @@ FILE = "space_times.json"
 @dataclass(frozen=True)
 class Step:
     """A re-scaling; seconds are the least of several. `update`: stepping through the events;
-    `placing`: all `crossings` at the end. `near`: finding the crossings there from scratch, among
-    facets whose boxes meet. `whole`: arrangements and collision detection; None: not timed."""
+    `placing`: all `crossings` at the end; the clock's. `near`: finding the crossings there from
+    scratch, among facets whose boxes meet; `whole`: arrangements and collision detection (None: not
+    timed); the processor's."""
 
     start: str
     scale: str
@@ -36,8 +37,8 @@ class Step:
 @dataclass(frozen=True)
 class Timed:
     """A pair of solids in an arithmetic. `facets` of the convolution; `crossings` that exist at
-    some scale, with so many `events`; `preparation`: seconds for all of them, on `Times.threads`;
-    `search`: seconds of one thread that finds the crossings at one scale among all pairs."""
+    some scale, with so many `events`; `preparation`: processor seconds for all of them; `search`:
+    processor seconds for finding the crossings at one scale among all pairs."""
 
     name: str
     arithmetic: str
@@ -76,12 +77,13 @@ class Timed:
 
 @dataclass(frozen=True)
 class Times:
-    """`window` of scales in words; the least of so many `repetitions`."""
+    """`window` of scales in words; the least of so many `repetitions` of updates, and of
+    `searches`."""
 
     date: str
     window: str
     repetitions: int
-    threads: int
+    searches: int
     runs: tuple[Timed, ...]
 
     def names(self) -> list[str]:

@@ -35,9 +35,11 @@ def space_times_entry(times: Times | None) -> Entry:
         f"x(s) = x0 + (s - 1) sigma. From scratch the same arithmetic finds them by the system of "
         f"Section 5.2, among facets whose boxes meet, or among all pairs. For (c) both sides have "
         f"arrangements and collision detection of the same program in addition. Random re-scalings "
-        f"on the window {times.window}, those without event left out; the best of "
-        f"{times.repetitions} times on either side, and for all pairs and (c) one time a scale; "
-        f"one thread. These times are of {times.date}, and are not made again with the page."
+        f"on the window {times.window}, those without event left out: the best of "
+        f"{times.repetitions} updates by the clock, which take microseconds, and of "
+        f"{times.searches} searches in processor time; all pairs and (c) one time a scale, on "
+        f"some of the scales where they take long. These times are of {times.date}, and are not "
+        f"made again with the page."
     )
     pictures = [Picture("Times faster by pair and arithmetic: median and quartiles",
                         speed_plot(times), True)]  # fmt: skip
@@ -108,11 +110,11 @@ def _unlike(times: Times) -> list[str]:
     in_mpfr = times.of(MPFR)
     if in_mpfr:
         finest = max(in_mpfr, key=lambda run: run.facets)
-        each = finest.preparation * times.threads / finest.pairs
+        each = finest.preparation / finest.pairs
         pairs = LARGER[1] * (LARGER[1] - 1) // 2
         found.append(
             f"{LARGER[0]} with its {LARGER[1]:,} facets was not tried: in MPFR of 53 bits the "
-            f"events of {finest.name} take {MICRO * each:,.0f} µs of a thread for a pair of "
+            f"events of {finest.name} take {MICRO * each:,.0f} µs of processor time for a pair of "
             f"facets, so that its {pairs:,} pairs would take {each * pairs / 3600:,.1f} hours"
         )
     return found
