@@ -12,8 +12,8 @@ import jsonschema
 import pytest
 from minkref import _core
 from minkref.plane.operand import read_operand
+from minkref.plane.page.boundary import Window
 from minkref.plane.page.paper_run import slider_scales
-from minkref.plane.page.picture import Window
 from minkref.schemas import result_schema
 from page_decoder import data_of as data_in
 

@@ -11,8 +11,9 @@ import pytest
 from minkref import _core
 from minkref.fuzz.plane.families.random_pairs import random_pair
 from minkref.plane.operand import read_operand
+from minkref.plane.page.boundary import Sums, Window
 from minkref.plane.page.linear import linear
-from minkref.plane.page.picture import Sums, Window, picture
+from minkref.plane.page.picture import picture
 from minkref.reports.evidence.pages.view import difference, true_polygons
 from page_decoder import Decoder, data_of, page_of, scales
 from thoroughness import THOROUGH, draws, some

@@ -18,7 +18,7 @@ from minkref.output.documents import Stopwatch, document, refuse_overwriting
 from minkref.output.signals import ending_in_order
 from minkref.plane.commands.scale_index import refuse_overwriting_index
 from minkref.plane.operand import read_operand
-from minkref.plane.page.picture import Window
+from minkref.plane.page.boundary import Window
 from minkref.verbs.view import ViewWithDisc, page_target
 
 LEAST_WINDOW = 10  # the last radius over the first, where only one of them is given

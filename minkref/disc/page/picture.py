@@ -10,8 +10,8 @@ from typing import Any
 from minkref import _core
 from minkref.disc.page.passages import passages_with_disc
 from minkref.errors import Refusal
+from minkref.plane.page.boundary import NARROWEST, Window
 from minkref.plane.page.linear import double, out_of_range
-from minkref.plane.page.picture import NARROWEST, Window
 
 MOST_PARTS = 100_000  # of the diagram: a page of some 25 MB
 AROUND = 2  # how far the window goes beyond the radii of events

@@ -12,8 +12,8 @@ from minkref import _core
 from minkref.errors import Refusal
 from minkref.motion.commands.path_rows import contact_document, range_documents
 from minkref.motion.path_text import ExactPoint
+from minkref.plane.page.boundary import NARROWEST, Window, rings_of
 from minkref.plane.page.linear import double, out_of_range
-from minkref.plane.page.picture import NARROWEST, Window, rings_of
 
 MOST_POLYGONS = 100_000  # a page of some 15 MB
 MOST_BOUNDS = 10_000

@@ -17,7 +17,8 @@ from minkref.output.documents import Stopwatch, document
 from minkref.plane.commands.scale_index import chosen_route, index_of, refuse_overwriting_index
 from minkref.plane.commands.view_table import counts, print_view
 from minkref.plane.operand import read_operand
-from minkref.plane.page.picture import Progress, Sums, Window, picture
+from minkref.plane.page.boundary import Progress, Sums, Window
+from minkref.plane.page.picture import picture
 from minkref.plane.page.write_page import page
 from minkref.verbs.paper_options import asked_program, told
 from minkref.verbs.view import FROM, TO, ViewInPlane, page_target

@@ -11,8 +11,8 @@ from minkref import _core
 from minkref.cli.paper_words import in_words
 from minkref.cli.progress import progress
 from minkref.plane.operand import Operand
+from minkref.plane.page.boundary import Window, rings_of
 from minkref.plane.page.linear import double
-from minkref.plane.page.picture import Window, rings_of
 from minkref.verbs.paper_options import Program
 from minkref.verbs.paper_update import PaperWalk, decided, paper_walk
 

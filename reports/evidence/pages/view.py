@@ -16,7 +16,8 @@ from minkref.disc.page.write_page import page as disc_page
 from minkref.fuzz.geometry.plane import read_shape
 from minkref.output.documents import write_atomically
 from minkref.plane.operand import Operand
-from minkref.plane.page.picture import Window, picture
+from minkref.plane.page.boundary import Window
+from minkref.plane.page.picture import picture
 from minkref.plane.page.write_page import page
 from minkref.reports.evidence.framework.browser import PACKAGES, absent, browser
 from minkref.reports.evidence.framework.operands import operand, tell_absent
