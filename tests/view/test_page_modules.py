@@ -10,7 +10,7 @@ import pytest
 from minkref.page.modules import Script
 
 PACKAGE = Path(minkref.__file__).parent
-SETTINGS = ("plane", "disc", "space", "motion")
+SETTINGS = ("plane", "disc", "space", "motion", "scene")
 A = "export const a = 1;\nexport function twice(x) { return 2 * x; }\n"
 
 

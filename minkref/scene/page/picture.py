@@ -1,0 +1,94 @@
+"""The page of a scene as the JSON document that its scripts read."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from minkref import _core
+from minkref.errors import Refusal
+from minkref.plane.page.boundary import Progress, Sums, Window, ring_data, rings_of, states_of
+from minkref.plane.page.linear import double
+from minkref.scene.copies_text import CopyRow
+
+MOST_COPIES = 10_000
+ROOM = 2  # scales on the page reach so many times beyond the smallest and the greatest of a shape
+
+Find = Callable[[_core.PolygonSet, _core.PolygonSet, Window], Sums]
+
+
+def picture(
+    robot: _core.PolygonSet,
+    shapes: Mapping[str, _core.PolygonSet],
+    copies: Sequence[CopyRow],
+    find: Find,
+    progress: Progress,
+) -> dict[str, Any]:
+    """The fields of the page's data: docs/command-line.md, "minkref view of a scene". Scales,
+    places and sets are exact texts; rings are doubles. `find(P, Q, window)` gives the sums of a
+    shape and the robot turned by 180 degrees. Equal shapes share their sums. Refuses numbers beyond
+    doubles, and more than MOST_COPIES copies."""
+    if len(copies) > MOST_COPIES:
+        what = f"the scene has {len(copies):,} copies, and a page holds {MOST_COPIES:,}"
+        raise Refusal(what, "view", "see `minkref scene`, or leave copies out", "limit")
+    _refuse_beyond_doubles(copies)
+    keys = [_key(shape) for shape in shapes.values()]
+    scales: dict[str, list[Fraction]] = {}
+    for copy in copies:
+        scales.setdefault(keys[copy.shape], []).append(Fraction(copy.scale))
+    numbers = {key: number for number, key in enumerate(scales)}
+    turned = robot.scaled("-1")
+    sets = dict(zip(keys, shapes.values(), strict=True))
+    return {
+        "robot": _set(robot),
+        "shapes": [
+            {"name": name, "sum": numbers.get(key), **_set(shape)}
+            for key, (name, shape) in zip(keys, shapes.items(), strict=True)
+        ],
+        "sums": [
+            _sum(sets[key], turned, window_of(taken), find, progress)
+            for key, taken in scales.items()
+        ],
+        "copies": [list(copy) for copy in copies],
+    }
+
+
+def window_of(scales: Sequence[Fraction]) -> Window:
+    """The scales that a page offers for copies of a shape with these scales."""
+    return Window(str(min(scales) / ROOM), str(max(scales) * ROOM))
+
+
+def _sum(
+    P: _core.PolygonSet, Q: _core.PolygonSet, window: Window, find: Find, progress: Progress
+) -> dict[str, Any]:
+    sums = find(P, Q, window)
+    data = ring_data(sums, states_of(sums, window, progress), window, P, Q)
+    del data["lives"]
+    return data
+
+
+def _key(shape: _core.PolygonSet) -> str:
+    """A text that equal shapes share; the canonical form has neither points nor segments."""
+    return shape.canonical_json() if shape.is_region else shape.to_json()
+
+
+def _set(operand: _core.PolygonSet) -> dict[str, Any]:
+    """The rings as drawn, and the set exactly, as a scene's file has it."""
+    return {"rings": rings_of(operand), "set": json.loads(operand.to_json())}
+
+
+def _refuse_beyond_doubles(copies: Sequence[CopyRow]) -> None:
+    """Refuse numbers that are infinite or zero as doubles."""
+    for number, copy in enumerate(copies):
+        where = f"copy {number}"
+        scale = Fraction(copy.scale)
+        ends = [
+            double(end, f"a scale around that of {where}") for end in (scale / ROOM, scale * ROOM)
+        ]
+        if ends[0] == 0:
+            what = "the scale is too small for a double, which a browser draws with"
+            raise Refusal(what, f"{where}, scale", "scale the shape instead", "limit")
+        for axis in (copy.x, copy.y):
+            double(Fraction(axis), f"the place of {where}")
