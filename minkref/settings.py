@@ -7,12 +7,13 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from minkref.disc.disc import is_disc
+from minkref.scene.scene_name import names_scene
 from minkref.space.operand import in_space
 
 
 @dataclass(frozen=True)
 class Setting:
-    """`takes`: whether two operands lie in it, beside which these options are given. `where` says
+    """`takes`: whether the operands lie in it, beside which these options are given. `where` says
     that to people."""
 
     name: str
@@ -20,16 +21,22 @@ class Setting:
     takes: Callable[[Sequence[str], Collection[str]], bool]
 
 
+SCENE = Setting(
+    "scene", "for a scene", lambda operands, given: len(operands) == 1 and names_scene(*operands)
+)
 MOTION = Setting("motion", "with a path", lambda operands, given: "--path" in given)
 DISC = Setting("disc", "with a disc", lambda operands, given: any(map(is_disc, operands)))
 SPACE = Setting("space", "in space", lambda operands, given: in_space(*operands))
 PLANE = Setting("plane", "in the plane", lambda operands, given: True)
 
-SETTINGS = (MOTION, DISC, SPACE, PLANE)  # the first one that takes the operands
+SETTINGS = (SCENE, MOTION, DISC, SPACE, PLANE)  # the first one that takes the operands
 
 
 def setting_of(
     operands: Sequence[str], given: Collection[str], known: Collection[Setting]
-) -> Setting:
-    """The setting, of those that a command knows. Refuses operands of two settings."""
-    return next(s for s in SETTINGS if s in known and s.takes(operands, given))
+) -> Setting | None:
+    """The setting, of those that a command knows; None if a single operand is no scene. Refuses
+    operands of two settings."""
+    alone = len(operands) == 1
+    found = (s for s in SETTINGS if s in known and (s is SCENE) == alone)
+    return next((s for s in found if s.takes(operands, given)), None)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import dataclasses
 import inspect
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, Any, get_args, get_type_hints
 
 from typer.models import ArgumentInfo, OptionInfo
@@ -31,6 +31,10 @@ class Field:
     option: str
     parameter: inspect.Parameter
     read: Callable[[Any, str], Any] | None
+
+    @property
+    def is_required(self) -> bool:
+        return self.parameter.default is inspect.Parameter.empty
 
     def value(self, given: Any) -> Any:
         """The field of what the command line gives."""
@@ -66,13 +70,25 @@ def _field(field: dataclasses.Field[Any], kind: Any, *metadata: Any) -> Field:
 
 
 def union_of(requests: Sequence[type]) -> list[Field]:
-    """The fields of all requests, as the first that has one says it. Each request keeps its order;
-    where that leaves a choice, what only an earlier request has comes first."""
+    """The fields of all requests, as the first that has one says it; a required field that some
+    request lacks may be absent. Each request keeps its order; where that leaves a choice, what only
+    an earlier request has comes first."""
     lists = [fields_of(request) for request in requests]
     first: dict[str, Field] = {}
     for field in (field for fields in lists for field in fields):
         first.setdefault(field.name, field)
-    return [first[name] for name in merged([[field.name for field in each] for each in lists])]
+    shared = set[str].intersection(*({field.name for field in each} for each in lists))
+    order = merged([[field.name for field in each] for each in lists])
+    return [first[name] if name in shared else _optional(first[name]) for name in order]
+
+
+def _optional(field: Field) -> Field:
+    """The field, with None for its absence if it was required."""
+    if not field.is_required:
+        return field
+    kind, *metadata = get_args(field.parameter.annotation)
+    annotation = _annotated[kind | None, *metadata]
+    return replace(field, parameter=field.parameter.replace(default=None, annotation=annotation))
 
 
 def merged(lists: list[list[str]]) -> list[str]:

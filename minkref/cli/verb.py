@@ -48,8 +48,11 @@ def command_of(name: str, told: str, verbs: Mapping[Setting, Verb | Absent]) -> 
 
     def command(**values: Any) -> None:
         given = {each.name: each.option for each in fields if each.is_given(values[each.name])}
-        operands = [values[each.name] for each in fields[:2]]
+        operands = [word for each in fields[:2] if (word := values[each.name]) is not None]
         setting = setting_of(operands, given.values(), verbs.keys())
+        if setting is None:
+            mend = f"`minkref {name} --help` shows the options and examples"
+            raise Refusal(f"Missing argument '{fields[1].name}'.", f"minkref {name}", mend)
         verb = verbs[setting]
         if isinstance(verb, Absent):
             raise Refusal(verb.what, " and ".join(operands), verb.mend, f"not-in-{setting.name}")

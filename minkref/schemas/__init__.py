@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 from typing import Any
 
-KINDS = ("in_space", "with_disc", "with_disc_pairs", "with_path")
+KINDS = ("in_space", "of_scene", "with_disc", "with_disc_pairs", "with_path")
 
 
 def schema(command: str) -> dict[str, Any]:
     """The schema of all that `--json` prints: the document of the command, in the plane, with a
-    disc, with a path or in space, or a refusal."""
+    disc, with a path, in space or for a scene, or a refusal."""
     result, error = result_schema(command), error_schema()
     top = {"$schema": result.pop("$schema"), "title": result.pop("title")}
     kinds = {"result": result, "error": error}

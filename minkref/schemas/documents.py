@@ -35,6 +35,7 @@ from minkref.schemas.plane.view import ViewDocument
 from minkref.schemas.report import ReportDocument
 from minkref.schemas.scene.file import SceneFileText
 from minkref.schemas.scene.scene import SceneDocument
+from minkref.schemas.scene.view import SceneViewDocument
 from minkref.schemas.space.convolution import SpaceConvolutionDocument
 from minkref.schemas.space.events import SpaceEventsDocument
 from minkref.schemas.space.sum import SpaceSumDocument
@@ -89,6 +90,7 @@ DOCUMENTS = {
     "verify": VerifyDocument,
     "view": ViewDocument,
     "view_in_space": SpaceViewDocument,
+    "view_of_scene": SceneViewDocument,
     "view_with_disc": DiscViewDocument,
     "view_with_path": PathViewDocument,
 }

@@ -1,4 +1,5 @@
-"""`minkref view P Q`: its options, in the plane, with a disc, with a path and in space."""
+"""`minkref view P Q`: its options, in the plane, with a disc, with a path, in space and for a
+scene."""
 
 from __future__ import annotations
 
@@ -16,7 +17,7 @@ from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
 from minkref.output.output_target import Target, target_of
 from minkref.plane.commands.scale_index import IndexFile
-from minkref.settings import DISC, MOTION, PLANE, SPACE
+from minkref.settings import DISC, MOTION, PLANE, SCENE, SPACE
 from minkref.space.scaling import Scaling, read_scaling
 from minkref.verbs.paper_options import MOST_STEPS, STEPS
 
@@ -34,17 +35,28 @@ minkref view disc1 g2 --path "LINESTRING (-60 55, 60 55)" -o way.html
 
 minkref view gs3 rod --scale 2,1/3,5 -o gs3-rod.html
 
-minkref view gs3 rod --scales scales.txt -o gs3-rod.html"""
+minkref view gs3 rod --scales scales.txt -o gs3-rod.html
+
+minkref view office.json -o office.html"""
 
 TOLD = """\
 Write one self-contained HTML page with a slider over the scale: the sum, its convolution,
 and the holes from birth to death. In space P and Q are polyhedra: the page shows the sum at
 each scale, lets you turn it and cut it open, and names the parents of its facets and
 vertices. With `disc` as second operand the slider is the radius of a disc. With --path the
-page shows a part on a path: the scales at which it passes, and why at no others."""
+page shows a part on a path: the scales at which it passes, and why at no others. A scene alone
+has a page on which its copies are dragged and scaled, with the robot's free places."""
 
 FROM, TO = "1/10", "10"
 ENDINGS = ("html", "htm")
+
+FirstOrScene = Annotated[
+    str,
+    typer.Argument(
+        help="First operand, which is scaled: a file or a model. Alone, a scene: its JSON file "
+        "(scene-v1), text, or `-`."
+    ),
+]
 
 First = Annotated[
     Fraction | None,
@@ -124,6 +136,14 @@ PAGE = Path("view.html")
 
 
 @dataclass(frozen=True)
+class ViewOfScene:
+    P: FirstOrScene
+    output: Output = PAGE
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
 class ViewInSpace:
     P: FirstOperand
     Q: SecondOperand
@@ -184,6 +204,11 @@ command = command_of(
     "view",
     TOLD,
     {
+        SCENE: Verb(
+            ViewOfScene,
+            "minkref.scene.commands.view:run",
+            instead=dict.fromkeys(("--from", "--to"), "give copies other scales in the scene"),
+        ),
         SPACE: Verb(ViewInSpace, "minkref.space.commands.view:run"),
         PLANE: Verb(
             ViewInPlane,

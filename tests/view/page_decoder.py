@@ -80,9 +80,9 @@ def scales(count: int, seed: int, first: float = 0.1, last: float = 10.0) -> lis
     return [min(max(math.exp(dice.uniform(low, high)), first), last) for _ in range(count)]
 
 
-def page_of(folder: Path, P: str, Q: str, *options: str) -> Path:
-    """The page that the command writes."""
-    path, words = folder / "view.html", (P, Q, *options)
+def page_of(folder: Path, *words: str) -> Path:
+    """The page that the command writes for operands and options."""
+    path = folder / "view.html"
     if words in MADE:
         path.write_text(MADE[words], encoding="utf-8")
         return path

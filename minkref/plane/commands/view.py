@@ -47,7 +47,7 @@ def run(request: ViewInPlane) -> None:
         return index_of(index, first, second, begin, end)
 
     with memory_wall(request.memory, f"route {route}", f"{P} and {Q}", SMALLER):
-        with _progress() as progress:
+        with ring_progress() as progress:
             data = refusing(
                 f"{first.name} and {second.name}",
                 lambda: picture(first.set, second.set, window, sums, progress),
@@ -99,7 +99,7 @@ def _bounds(request: ViewInPlane) -> tuple[Fraction, Fraction]:
 
 
 @contextmanager
-def _progress() -> Iterator[Progress]:
+def ring_progress() -> Iterator[Progress]:
     """A bar on a terminal, nothing elsewhere."""
     from rich.progress import Progress as Bar
 

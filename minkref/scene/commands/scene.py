@@ -60,7 +60,7 @@ def run(request: SceneRequest) -> None:
         "scene",
         watch,
         scene=scene.name,
-        **_parts(scene),
+        **parts_of(scene),
         threads=threads,
         warnings=scene.warnings,
         output=None if request.output is None else str(request.output),
@@ -94,7 +94,8 @@ def _found(scene: SceneFile, passages: bool, threads: int) -> _core.SceneUnion:
         )
 
 
-def _parts(scene: SceneFile) -> dict[str, Any]:
+def parts_of(scene: SceneFile) -> dict[str, Any]:
+    """The robot, the shapes and the number of copies, as documents tell them."""
     used = Counter(row.shape for row in scene.copies)
 
     def told(operand: Operand) -> dict[str, Any]:
