@@ -93,6 +93,31 @@ std::vector<std::pair<std::vector<ExactPoint>, std::vector<OwnerRows>>> passages
   return rows;
 }
 
+std::vector<ExactPoint> ring_of(const Ring& ring) {
+  std::vector<ExactPoint> points;
+  points.reserve(ring.size());
+  for (const Point& point : ring) points.push_back(to_strings(point));
+  return points;
+}
+
+/// A cell: its component, outer ring (empty: without bound), holes.
+using CellRow =
+    std::tuple<std::uint32_t, std::vector<ExactPoint>, std::vector<std::vector<ExactPoint>>>;
+
+std::pair<std::size_t, std::vector<CellRow>> free_components_of(const BoundScene& self,
+                                                                const std::string& rule) {
+  const FreeComponents found = self.scene.components(contact_rule(rule));
+  std::vector<CellRow> rows;
+  for (std::size_t k = 0; k < found.cells.size(); ++k) {
+    look_for_interrupt();
+    auto& [component, outer, holes] = rows.emplace_back();
+    component = found.of_cell[k];
+    outer = ring_of(found.cells[k].outer);
+    for (const Ring& hole : found.cells[k].holes) holes.push_back(ring_of(hole));
+  }
+  return {found.count, std::move(rows)};
+}
+
 std::vector<CopyRow> copies_of(const BoundScene& self) {
   std::vector<CopyRow> rows;
   for (const Copy& copy : self.scene.copies()) {
@@ -169,6 +194,10 @@ void bind_scene(nb::module_& module) {
       .def("passages", passages_of, Released(),
            "The tight passages: (points, owners of each segment). Raises BadInput (no-passages) "
            "for a scene made without.")
+      .def("free_components", free_components_of, "rule"_a, Released(),
+           "The number of free components by a rule of contact (allowed, forbidden), and the cells "
+           "of the union's complement, the one without bound first: (component, outer ring, "
+           "holes). Components without a cell are tight passages. Raises BadInput (no-passages).")
       .def("counts", counts_of,
            "The work of the last change, or of the scene: copies and edges done again, sums.")
       .def(

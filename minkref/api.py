@@ -67,6 +67,12 @@ from minkref.plane.event_values import Events as Events
 from minkref.plane.event_values import events as events
 from minkref.plane.operand import is_utf8, read_set
 from minkref.plane.parents import passages_of
+from minkref.scene.free_values import FreeCell as FreeCell
+from minkref.scene.free_values import FreeComponent as FreeComponent
+from minkref.scene.free_values import Holder as Holder
+from minkref.scene.free_values import SceneGrowth as SceneGrowth
+from minkref.scene.free_values import SceneStop as SceneStop
+from minkref.scene.free_values import SceneWay as SceneWay
 from minkref.scene.scene_input import Copy as Copy
 from minkref.scene.scene_values import Owner as Owner
 from minkref.scene.scene_values import Scene as Scene

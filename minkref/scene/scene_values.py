@@ -12,10 +12,19 @@ from typing import Any
 
 from minkref import _core
 from minkref.argument_types import expect_sets, number, truth, whole
-from minkref.errors import Refusal
+from minkref.errors import Refusal, choice
 from minkref.exact import digest, exact_scale
 from minkref.plane.parents import EdgeRow
 from minkref.scene.copies_text import CopyRow
+from minkref.scene.free_values import (
+    CONTACTS,
+    FreeComponent,
+    Holder,
+    SceneGrowth,
+    SceneWay,
+    components_of,
+    growth_of,
+)
 from minkref.scene.scene_file import read_scene_file
 from minkref.scene.scene_input import (
     Copy,
@@ -57,11 +66,11 @@ class Scene:
     meets them, exact. A value: a change gives another scene, which redoes what the change touches.
 
     `shapes`: a mapping by name, or a sequence. The union of the sums of all copies and the robot
-    turned by 180 degrees is found at once, on `threads`; with `passages` also its tight passages,
-    kept through changes. Every set is validated first. Robot and shape cannot both lack an area.
-    Cost: each shape's sum once for each of its scales; then the edges of all sums, each with the
-    sums near it. Raises BadInput; LimitExceeded if memory does not suffice. Behar & Lien 2012, Sec.
-    8.1; docs/scenes.md."""
+    turned by 180 degrees is found when it is first needed, on `threads`, and by changes; with
+    `passages` also its tight passages, kept through changes. Every set is validated first. Robot
+    and shape cannot both lack an area. Cost: each shape's sum once for each of its scales; then the
+    edges of all sums, each with the sums near it. Raises BadInput; LimitExceeded if memory does not
+    suffice. Behar & Lien 2012, Sec. 8.1; docs/scenes.md."""
 
     def __init__(
         self,
@@ -107,16 +116,20 @@ class Scene:
         self._robot, self._shapes, self._rows = robot, shapes, rows
         self._has_passages = truth("passages", passages)
         self._threads = max(1, whole("threads", threads))
-        self._found = self._union_of(passages)
+        _ = self._questions  # refuses what is no scene
 
     def _union_of(self, passages: bool) -> _core.SceneUnion:
-        rows = [tuple(row) for row in self._rows]
-        return _core.SceneUnion(self._robot, self._shapes.sets, rows, passages, self._threads)
+        return _core.SceneUnion(self._robot, self._shapes.sets, self._rows, passages, self._threads)
+
+    @cached_property
+    def _found(self) -> _core.SceneUnion:
+        return self._union_of(self._has_passages)
 
     def _with(self, rows: list[CopyRow], found: _core.SceneUnion) -> Scene:
         other = type(self).__new__(type(self))
         other._robot, other._shapes, other._threads = self._robot, self._shapes, self._threads
-        other._rows, other._has_passages, other._found = rows, self._has_passages, found
+        other._rows, other._has_passages = rows, self._has_passages
+        other.__dict__["_found"] = found
         return other
 
     @property
@@ -180,6 +193,38 @@ class Scene:
     @cached_property
     def _found_with_passages(self) -> _core.SceneUnion:
         return self._found if self._has_passages else self._union_of(True)
+
+    def free_components(self, contact: str = "allowed") -> list[FreeComponent]:
+        """Find the components of the free places, by a rule of contact: `allowed` or `forbidden`.
+        Component 0 is without bound. O(b log b) for b vertices; with contact allowed as passages().
+        docs/scenes.md."""
+        rule = _rule(contact)
+        found = self._found_with_passages if rule == "allowed" else self._found
+        return components_of(*found.free_components(rule))
+
+    def holders(self, place: Sequence[Any]) -> list[Holder]:
+        """Name the copies that the robot meets at a place, without the union. The place is free, if
+        contact is forbidden, iff there is none. Linear in boxes, and a point's decision for each
+        copy near it."""
+        return [Holder(*row) for row in self._questions.holders(*place_of("place", place))]
+
+    def way(self, points: Sequence[Sequence[Any]], contact: str = "allowed") -> SceneWay:
+        """Tell whether the robot may follow a polyline (a single point is a place), without the
+        union, and which copies stop it. Takes the copies near the way."""
+        free, stopped_by = self._questions.way(_path(points), _rule(contact))
+        return SceneWay(free, tuple(stopped_by))
+
+    def growth(
+        self, points: Sequence[Sequence[Any]], contact: str = "allowed"
+    ) -> SceneGrowth | None:
+        """Find the largest factor by which all copies may grow, each about its own place, so that a
+        way stays free on from now; None if it is not free now. Takes the copies that come near.
+        Raises BadInput (no-area) for a robot without area that may touch."""
+        return growth_of(self._questions.growth(_path(points), _rule(contact)))
+
+    @cached_property
+    def _questions(self) -> _core.SceneQuestions:
+        return _core.SceneQuestions(self._robot, self._shapes.sets, self._rows)
 
     def sum_of(self, copy: int) -> _core.PolygonSet:
         """The sum of a single copy and the robot turned by 180 degrees, in canonical form."""
@@ -278,6 +323,16 @@ def _made_again(
     robot: _core.PolygonSet, shapes: Sets, copies: list[Copy], passages: bool, threads: int
 ) -> Scene:
     return Scene(robot, shapes, copies, passages=passages, threads=threads)
+
+
+def _rule(contact: Any) -> str:
+    if contact not in CONTACTS:
+        raise Refusal(f"there is no rule {contact!r}", "contact", choice(str(contact), CONTACTS))
+    return str(contact)
+
+
+def _path(points: Sequence[Sequence[Any]]) -> list[tuple[str, str]]:
+    return [place_of(f"vertex {k}", point) for k, point in enumerate(points)]
 
 
 def _owner(row: tuple[int, EdgeRow]) -> Owner:

@@ -9,7 +9,9 @@ from typing import Annotated
 import typer
 from minkref.cli.memory import Memory
 from minkref.cli.options import Json
+from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_anywhere
+from minkref.exact import read_point
 from minkref.verbs.set_request import Format, Output, Plot
 
 EXAMPLES = """Examples:
@@ -19,6 +21,12 @@ minkref scene office.json --plot
 minkref scene office.json -o c-obstacle.wkt
 
 minkref scene office.json --copies moved.csv --passages
+
+minkref scene office.json --contact allowed
+
+minkref scene office.json --at 3,1/2
+
+minkref scene office.json --way "LINESTRING (0 -3, 9 -3)" --contact forbidden
 
 minkref scene office.json --owners --json"""
 
@@ -57,6 +65,33 @@ Owners = Annotated[
         "--owners", help="With --json: the copies behind each boundary edge, with its parents."
     ),
 ]
+Rule = Annotated[
+    str | None,
+    typer.Option(
+        "--contact",
+        help="Count the free components by this rule: allowed, the robot may touch, or forbidden. "
+        "Also the rule of --at and --way; there by default allowed.",
+        metavar="RULE",
+    ),
+]
+At = Annotated[
+    tuple[str, str] | None,
+    typer.Option(
+        "--at",
+        help="Ask about this place of the robot's origin: is it free, which copies meet the robot, "
+        "and by what factor may all copies grow.",
+        metavar="X,Y",
+    ),
+    Read(read_point),
+]
+WayOption = Annotated[
+    str | None,
+    typer.Option(
+        "--way",
+        help="Ask likewise about a way: WKT or GeoJSON of a polyline, a file with one, or CSV.",
+        metavar="WAY",
+    ),
+]
 Threads = Annotated[
     int | None, typer.Option("--threads", help="Threads. Default: one per core.", metavar="N")
 ]
@@ -70,6 +105,9 @@ class SceneRequest:
     form: Format = None
     passages: Passages = False
     owners: Owners = False
+    contact: Rule = None
+    at: At = None
+    way: WayOption = None
     threads: Threads = None
     plot: Plot = False
     memory: Memory = None

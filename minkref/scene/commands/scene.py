@@ -22,6 +22,15 @@ from minkref.plane.commands.sum_fields import set_fields
 from minkref.plane.commands.sum_table import passage_rows
 from minkref.plane.operand import Operand
 from minkref.plane.parents import EdgeRow, parents
+from minkref.scene.commands.questions import (
+    answer_rows,
+    answers,
+    check_questions,
+    free_components,
+    free_rows,
+    needs_passages,
+    way_of,
+)
 from minkref.scene.scene_file import SceneFile, read_scene_file
 from minkref.verbs.scene import SceneRequest
 
@@ -35,21 +44,26 @@ OwnerRow = tuple[int, EdgeRow]
 def run(request: SceneRequest) -> None:
     watch = Stopwatch()
     _check(request)
+    check_questions(request)
     target = target_of(request.output, request.form, FORMS, "wkt", request.json)
     check_plot(request.plot, request.json, target)
     threads = request.threads or cores()
     with memory_wall(request.memory, "the scene", request.scene, FEWER):
         scene = read_scene_file(request.scene, request.copies)
+        way = way_of(request)
         if request.output is not None:
-            refuse_overwriting(request.output, scene.files)
+            files = [*scene.files, *([way[1]] if way and way[1] else [])]
+            refuse_overwriting(request.output, files)
         began = time.perf_counter()
-        found = _found(scene, request.passages, threads)
+        found = _found(scene, needs_passages(request), threads)
         region = found.region()
         seconds = time.perf_counter() - began
         answer = {
             **set_fields(region, found.components_of_set, found.holes),
             "owners": _owners(found) if request.owners else None,
             "passages": _passages(found) if request.passages else None,
+            "free_components": free_components(found, request.contact),
+            "asked": None if way is None else answers(scene, way[0], request.contact or "allowed"),
             "counts": dict(found.counts()),
         }
     if target is not None:
@@ -86,11 +100,12 @@ def _check(request: SceneRequest) -> None:
 
 def _found(scene: SceneFile, passages: bool, threads: int) -> _core.SceneUnion:
     shapes = [operand.set for operand in scene.shapes.values()]
-    rows = [tuple(row) for row in scene.copies]
     with told_of("uniting the sums") as tell:
         return refusing(
             scene.name,
-            lambda: _core.SceneUnion(scene.robot.set, shapes, rows, passages, threads, 0, tell),
+            lambda: _core.SceneUnion(
+                scene.robot.set, shapes, scene.copies, passages, threads, 0, tell
+            ),
         )
 
 
@@ -144,6 +159,7 @@ def _print(value: dict[str, Any]) -> None:
     ]
     if value["passages"] is not None:
         rows += passage_rows(value["passages"], "polyline")
+    rows += free_rows(value["free_components"]) + answer_rows(value["asked"])
     rows.append(("seconds", f"{value['seconds']:.3f}"))
     rows += written_row(value)
     print_lines(rows, value)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
+from minkref.schemas.motion.values import Feature
 from minkref.schemas.plane.values import Parent, SetResult
-from minkref.schemas.values import Count, Head, Point, PositiveCount, Written
+from minkref.schemas.values import Count, Head, Number, Point, PositiveCount, Written
 from msgspec import Meta
 
 
@@ -50,6 +51,73 @@ class ScenePassage(TypedDict):
     ]
 
 
+class FreeCell(TypedDict):
+    """A connected component of the complement of `result`."""
+
+    component: Annotated[Count, Meta(description="The free component that it belongs to.")]
+    outer: Annotated[list[Point] | None, Meta(description="null: without bound.")]
+    holes: list[list[Point]]
+
+
+class FreeComponents(TypedDict):
+    contact: Literal["allowed", "forbidden"]
+    count: Annotated[PositiveCount, Meta(description="The one without bound, number 0, included.")]
+    cells: Annotated[
+        list[FreeCell],
+        Meta(
+            description="The one without bound first, then in canonical order. A component without "
+            "a cell is a tight passage.",
+            min_length=1,
+        ),
+    ]
+
+
+class SceneHolder(TypedDict):
+    copy: Count
+    contact: Literal["touching", "overlapping"]
+
+
+class SceneStop(TypedDict):
+    """The contact at which the robot is stopped."""
+
+    copy: Count
+    segment: Annotated[Count, Meta(description="Of the way.")]
+    t: Number
+    at: Annotated[Point, Meta(description="The place of the robot's origin.")]
+    robot: Feature
+    shape: Annotated[Feature, Meta(description="Of the copy's shape.")]
+    touching: Point
+
+
+class SceneGrowth(TypedDict):
+    factor: Annotated[Number | None, Meta(description="null: without bound.")]
+    included: Annotated[bool, Meta(description="Whether it is free at the factor itself.")]
+    stop: SceneStop | None
+
+
+class SceneAnswer(TypedDict):
+    """The answer about a place or a way."""
+
+    points: Annotated[list[Point], Meta(min_length=1)]
+    contact: Literal["allowed", "forbidden"]
+    free: bool
+    stopped_by: Annotated[
+        list[Count],
+        Meta(description="Copies that stop the robot by themselves; none where a seam does."),
+    ]
+    holders: Annotated[
+        list[SceneHolder] | None,
+        Meta(description="Of a place: the copies that the robot meets there."),
+    ]
+    growth: Annotated[
+        SceneGrowth | None,
+        Meta(
+            description="The largest factor by which all copies may grow, each about its own "
+            "place; null where the way is not free, or for a robot without area that may touch."
+        ),
+    ]
+
+
 class SceneParts(TypedDict):
     scene: Annotated[str, Meta(description="The scene as named.")]
     robot: SceneRobot
@@ -70,6 +138,10 @@ class SceneFound(TypedDict):
         list[ScenePassage] | None,
         Meta(description="With --passages: the tight passages, in canonical order."),
     ]
+    free_components: Annotated[
+        FreeComponents | None, Meta(description="With --contact: the free places' components.")
+    ]
+    asked: Annotated[SceneAnswer | None, Meta(description="With --at or --way.")]
     counts: Annotated[dict[str, Count], Meta(description="The work that was done.")]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import random
 from collections import Counter
 from collections.abc import Iterator
@@ -11,8 +10,7 @@ from fractions import Fraction
 from functools import cache
 
 from minkref import Copy, PolygonSet, Scene, _core
-from minkref.oracle.slow import Operand, operand_from_json
-from minkref.oracle.slow.scene import scene_sum
+from minkref.fuzz.judges.plane.slow_scene import slow_scene
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.scenes.draws import DrawnScene, drawn
@@ -93,18 +91,12 @@ def _cgal() -> tuple[CgalJoin, CgalSums]:
     return CgalJoin(), CgalSums()
 
 
-def _operand(given: PolygonSet) -> Operand:
-    return operand_from_json(json.loads(given.to_json()))
-
-
 def _by_slow_engine(one: DrawnScene, scene: Scene, found: Found) -> None:
     vertices = one.robot.vertices + sum(one.shapes[int(c.shape)].vertices for c in one.copies)
     if not one.is_degenerate or vertices > MOST_VERTICES:
         return
-    shapes = [_operand(shape) for shape in one.shapes]
-    slow = scene_sum(
-        _operand(one.robot), [(shapes[int(c.shape)], c.scale, c.place) for c in one.copies]
-    )
+    copies = [(int(c.shape), c.scale, c.place) for c in one.copies]
+    slow = slow_scene(one.robot, one.shapes, copies)
     passages = [list(passage.points) for passage in scene.passages()]
     same = (slow.digest, slow.components, slow.holes, slow.tight) == (
         scene.digest, scene.components, scene.holes, passages,
