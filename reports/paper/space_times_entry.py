@@ -79,13 +79,15 @@ def _falls(arithmetic: str, runs: Sequence[Timed]) -> Claim:
 
 
 def _overall(arithmetic: str, runs: Sequence[Timed]) -> Claim:
-    totals = [run.total() for run in runs]
+    totals, of_all = ([run.total(which) for run in runs] for which in (False, True))
+    holds, holds_of_all = (
+        all(median(total) < SIGNIFICANT for total in found) for found in (totals, of_all)
+    )
     return Claim(
         OVERALL, "Sec. 7.2.1", f"(c), {arithmetic}: the median is below {SIGNIFICANT} for each "
         f"pair, where the axis of the figure ends, against facets whose boxes meet",
-        f"medians {_medians(totals)}; against all pairs "
-        f"{_medians([run.total(True) for run in runs])}",
-        all(median(total) < SIGNIFICANT for total in totals),
+        f"medians {_medians(totals)}; against all pairs {_medians(of_all)}",
+        holds, chosen=not holds_of_all,
     )  # fmt: skip
 
 

@@ -19,7 +19,7 @@ from minkref.reports.evidence.framework.part import Findings, Minutes, Size
 from minkref.reports.evidence.framework.places import ROOT
 from minkref.reports.paper.space_times import FILE, Step, Timed, Times, as_text
 
-MINUTES = Minutes(None, None, 20)
+MINUTES = Minutes(None, None, 6)
 ALONE = True
 
 SEED = 9
