@@ -28,7 +28,7 @@ from minkref.reports.bench import pairs, table1, table2
 from minkref.reports.bench.cgal_space_service import NoSumError
 from minkref.reports.bench.space_pairs import TimedPair
 from minkref.reports.degeneracies import page as pages
-from minkref.reports.paper import crossing_facets, plots, program_plots
+from minkref.reports.paper import crossing_facets, plots, program_plots, space_times_entry
 from minkref.schemas import schema
 from minkref.space.operand import read_space_operand
 from thoroughness import THOROUGH, draws, some
@@ -299,7 +299,7 @@ def small(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFact
     monkeypatch.setattr(table2, "CgalSpaceService", without_cgal)  # tests of `bench` have it
     boxes = TimedPair("boxes", lambda: (box((0, 0, 0), (3, 2, 1)), box((-1, -1, -1), (1, 1, 2))))
     monkeypatch.setattr(crossing_facets, "QUICK_PAIR", boxes)
-    for module in (plots, program_plots):  # which tests/reports draws
+    for module in (plots, program_plots, space_times_entry):  # which tests/reports draws
         monkeypatch.setattr(module, "svg_element", lambda figure: "<svg></svg>")
     for module in (table1, table2):
         monkeypatch.setattr(module, "QUICK_COUNT", 2)
