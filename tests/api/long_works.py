@@ -141,6 +141,15 @@ def update_with_disc() -> _core.DiscUpdate:
     return _core.DiscUpdate(star(100), "4", "1", "rational", corrected)
 
 
+def _scene(copies: int, scales: int) -> object:
+    """Copies with so many scales, each of which meets many others."""
+    rows = [
+        (0, f"{9 + k % scales}/9", str(200_000 * k % 7_000_001), str(70_000 * k % 5_000_001))
+        for k in range(copies)
+    ]
+    return _core.SceneUnion(star(20), [comb(20).scaled("10000")], rows, True)
+
+
 def _proof(P: _core.PolygonSet, Q: _core.PolygonSet) -> object:
     prover = _core.Prover(P, Q)
     return prover.prove("1", prover.box("1"), (0, 1))
@@ -183,6 +192,8 @@ def works() -> dict[str, Callable[[], object]]:
         "arrangement events": lambda: _core.ArrangementEvents(large, small),
         "dynamic sum": lambda: _core.DynamicSum(large, small, "1/2", "2"),
         "index": lambda: _core.ScaleIndex(star(300), comb(250), "1/2", "2"),
+        "scene, sums": lambda: _scene(40, 40),
+        "scene, contacts": lambda: _scene(draws(800, 2500), 1),
         "proof of a sum": lambda: _proof(star(80), comb(60)),
         "decision": lambda: _core.decide(disc(20_000), disc(20_001), "1", "0", "0"),
         "validation": lambda: disc(ROUND).validate(),

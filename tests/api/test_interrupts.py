@@ -23,6 +23,7 @@ GROWING = (
     "arrangement events",
     "index",
     "pair events",
+    "scene, sums",
     "validation, slivers",
     "reading off",
     "the paper, update in space",
