@@ -112,6 +112,21 @@ export class Drawing {
     return x || y ? [screen.X(copy.x + copy.s * x), screen.Y(copy.y + copy.s * y)] : null;
   }
 
+  /** The name of the free part at a place; -1 where there is none. @param {number} x @param {number} y */
+  nameAt(x, y) { return this.grid.nameAt(this.screen.X(x), this.screen.Y(y)); }
+
+  /** A pixel by which a hand takes a copy: the middle of an edge of its obstacle; null if others lie over all. @param {Copy[]} copies @param {Copy} copy */
+  holdOf(copies, copy) {
+    for (const ring of data.shapes[copy.shape].rings.flat(1)) {
+      for (let i = 0, n = ring.length; i < n; i += 2) {
+        const u = (ring[i] + ring[(i + 2) % n]) / 2, v = (ring[i + 1] + ring[(i + 3) % n]) / 2;
+        const pixel = [this.screen.X(copy.x + copy.s * u), this.screen.Y(copy.y + copy.s * v)];
+        if (this.copyAt(copies, pixel) === copy) return pixel;
+      }
+    }
+    return null;
+  }
+
   /** Whether the handle is at a pixel. @param {Copy} copy @param {number[]} pixel */
   isHandleAt(copy, [x, y]) {
     const at = this.handleOf(copy);

@@ -8,7 +8,7 @@ import { listenToHand } from "./hand.js";
 import { Panel } from "./panel.js";
 import { situationAt } from "./robot.js";
 import { copiesAsRead, fileOf } from "./scene.js";
-import { tellFree, tellRobot } from "./texts.js";
+import { forget, tellFree, tellRobot } from "./texts.js";
 
 /** @typedef {import("./scene.js").Copy} Copy */
 
@@ -39,14 +39,15 @@ function show() {
   const began = performance.now(), shown = { copies, apart, selected, contact: contact(), robot: robot() };
   if (isStale) {
     drawing.colourFree(copies, shown.contact, false);
-    tellFree(element("situation"), drawing.grid.found, shown.contact, false);
     isStale = false;
     clearTimeout(timer);
     timer = setTimeout(refine, AT_REST);
   }
   drawing.draw(shown);
-  const pixel = robotAt && [drawing.screen.X(robotAt.x), drawing.screen.Y(robotAt.y)];
-  tellRobot(element("robot"), shown.robot, pixel ? drawing.grid.nameAt(pixel[0], pixel[1]) : -1, copies);
+  const name = robotAt ? drawing.nameAt(robotAt.x, robotAt.y) : -1;
+  // The document last: what asks for sizes or colours after it changed waits for its layout.
+  tellFree(element("situation"), drawing.grid.found, shown.contact, drawing.isFine);
+  tellRobot(element("robot"), shown.robot, name, copies);
   panel.show(selected, copies);
   ++drawn.frames;
   drawn.milliseconds += performance.now() - began;
@@ -57,7 +58,7 @@ function refine() {
   if (isStale || isHeld) return;
   apart = null;
   drawing.colourFree(copies, contact(), true);
-  tellFree(element("situation"), drawing.grid.found, contact(), true);
+  panel.tellChanged();
   ask();
 }
 
@@ -68,7 +69,7 @@ function change() { isStale = true; ask(); }
 function changed(copy) {
   if (drawing.grid.raster.spans.has(copy)) drawing.grid.raster.put(copy);
   apart = copy;
-  panel.tell(copy);
+  panel.changed.add(copy);
   change();
 }
 
@@ -139,7 +140,7 @@ listenTo(["duplicate"], "click", () => {
 listenTo(["remove"], "click", () => take(copies.filter((copy) => copy !== selected), null));
 addEventListener("keydown", (event) => { if (event.key === "Escape") { unpin(); select(null); } });
 addEventListener("resize", change);
-onRecolour(() => { drawing.grid.recolour(); drawing.layer.clear(); change(); });
+onRecolour(() => { forget([element("situation"), element("robot")]); drawing.grid.recolour(); drawing.layer.clear(); change(); });
 
 drawing.fit(copies);
 take(copies, null);
@@ -152,9 +153,14 @@ Object.assign(window, { minkref: {
   get free() { return { names: drawing.grid.found, isFine: drawing.isFine, side: drawing.grid.side, hasSeams: drawing.grid.hasSeams }; },
   get robot() { return robot()?.situation.state ?? null; },
   get drawn() { return drawn; },
+  holdOf: (/** @type {number} */ number, isHandle = false) => {
+    const copy = copies[number];
+    if (isHandle) select(copy);
+    return isHandle ? drawing.handleOf(copy) : drawing.holdOf(copies, copy);
+  },
   sums: () => copies.map(({ x, y, outline }) => outline.rings.map((ring) => Array.from(ring, (axis, i) => axis + (i % 2 ? y : x)))),
   change: (/** @type {number} */ copy, /** @type {string} */ text, /** @type {string[]} */ place) => { moveCopy(copies[copy], place); scaleCopy(copies[copy], text); },
   situation: (/** @type {number} */ x, /** @type {number} */ y) => situationAt(copies, x, y, 0).state,
-  nameAt: (/** @type {number} */ x, /** @type {number} */ y) => drawing.grid.nameAt(drawing.screen.X(x), drawing.screen.Y(y)),
+  nameAt: (/** @type {number} */ x, /** @type {number} */ y) => drawing.nameAt(x, y),
   pixelOf: (/** @type {number} */ x, /** @type {number} */ y) => [drawing.screen.X(x), drawing.screen.Y(y)],
 } });

@@ -24,6 +24,8 @@ export class Panel {
     this.copy = null;
     /** @type {Map<Copy, HTMLTableRowElement>} */
     this.rows = new Map();
+    /** @type {Set<Copy>} */
+    this.changed = new Set();  // whose numbers the list does not have yet
     this.listen();
   }
 
@@ -85,6 +87,12 @@ export class Panel {
     const more = copies.length - MOST_ROWS;
     const last = more > 0 ? [remark(`and ${counted(more)} more`, 4)] : copies.length ? [] : [remark("There is no copy.", 4)];
     fillTable("events", [...this.rows.values(), ...last]);
+  }
+
+  /** Brings the list up to date; not at each frame, for a table's layout takes long. */
+  tellChanged() {
+    for (const copy of this.changed) this.tell(copy);
+    this.changed.clear();
   }
 
   /** A copy's numbers in the list. @param {Copy} copy */

@@ -7,11 +7,26 @@ import { fillOf } from "./grid.js";
 const MOST_NAMES = 8;
 const STATES = { free: "free", touching: "touching", blocked: "not free" };
 
+/** @type {WeakMap<Element, string>} */
+const told = new WeakMap();  // what each box says, so that it is written only where that changes
+
+/** Whether a box says something else so far. @param {Element} box @param {unknown[]} said */
+function isNew(box, ...said) {
+  const key = said.join();
+  if (told.get(box) === key) return false;
+  told.set(box, key);
+  return true;
+}
+
+/** Writes all boxes anew the next time: colours changed. @param {Element[]} boxes */
+export const forget = (boxes) => boxes.forEach((box) => told.delete(box));
+
 /** @param {number} name */
 const nameOf = (name) => (name === 0 ? "the outside" : `part ${name}`);
 
 /** "3 free parts, by pixels: the outside, part 1, part 4". @param {Element} box @param {number[]} names @param {string} contact @param {boolean} isFine */
 export function tellFree(box, names, contact, isFine) {
+  if (!isNew(box, names, contact, isFine)) return;
   const said = contact === "allowed" ? "different colours are apart" : "one colour is connected";
   box.replaceChildren(
     node("b", {}, several(names.length, "free part")), " ",
@@ -30,14 +45,16 @@ export function tellFree(box, names, contact, isFine) {
  * @param {import("./scene.js").Copy[]} copies
  */
 export function tellRobot(box, robot, name, copies) {
+  const met = robot?.situation.copies.map((copy) => copies.indexOf(copy)) ?? [];
+  if (!isNew(box, robot?.x, robot?.y, robot?.isPinned, robot?.situation.state, name, met)) return;
   if (!robot) { box.replaceChildren("Point at a place to see the robot there; click free space to pin it."); return; }
-  const { x, y, isPinned, situation: { state, copies: met } } = robot;
+  const { x, y, isPinned, situation: { state } } = robot;
   box.replaceChildren(
     `Robot ${isPinned ? "pinned " : ""}at (${short(x)}, ${short(y)}): `,
     node("b", { class: `robot-${state}` }, STATES[state]),
   );
   if (met.length) {
-    const listed = met.slice(0, 3).map((copy) => `copy ${copies.indexOf(copy)} (${copy.name})`).join(", ");
+    const listed = met.slice(0, 3).map((copy) => `copy ${copy} (${copies[copy].name})`).join(", ");
     box.append(`, ${state === "blocked" ? "meets" : "touches"} ${listed}${met.length > 3 ? ` and ${met.length - 3} more` : ""}`);
   } else if (name >= 0) {
     box.append(", in ", node("span", { class: "name" }, swatch(fillOf(name)), nameOf(name)));
