@@ -82,8 +82,8 @@ def last_entries() -> list[Entry]:
               "minkref, so that the speed-up of 68.556 (Section 8.2) was not measured. The "
               "intersections in the figure are concave corners of a sum with a true disc: `minkref "
               "events P disc` has their events at all radii, exactly, and `minkref sum P disc:R "
-              "--route paper-update` steps through events of pairs as the Appendix does. What "
-              "its steps save on other polygons is in the evidence (paper_program/disc).",
+              "--route paper-update` steps through events of pairs as the Appendix does. The "
+              "evidence has the savings of its steps on other polygons (paper_program/disc).",
               "minkref events g1 disc"),
     ]  # fmt: skip
 

@@ -62,7 +62,7 @@ def free_components(found: _core.SceneUnion, contact: str | None) -> dict[str, A
 
 
 def answers(scene: SceneFile, points: Points, contact: str) -> dict[str, Any]:
-    """What is to be said of a place or a way, as documents tell it."""
+    """Answers about a place or a way, as documents tell them."""
     shapes = [operand.set for operand in scene.shapes.values()]
     asked = refusing(
         scene.name, lambda: _core.SceneQuestions(scene.robot.set, shapes, scene.copies)

@@ -384,8 +384,8 @@ def _(shown: Shown) -> None:
     right=r"""The beetle is not published, nor how many radii were taken from $0.05 \le \alpha \le
     1$, nor what was re-computed. Pocket minima and the decomposition are not in minkref, so that
     this speed-up was not timed. Sums with a true disc are, at all radii: the discs on the outer
-    boundary in the figure are corners of such a sum. What the Appendix's steps save on other
-    polygons is in the evidence (paper_program/disc).""",
+    boundary in the figure are corners of such a sum. The savings of the Appendix's steps on other
+    polygons are in the evidence (paper_program/disc).""",
     code=("reference/disc/diagram/diagram_events.hpp",),
 )
 def _(shown: Shown) -> None:

@@ -12,7 +12,6 @@ from typing import Any
 
 from minkref import _core
 from minkref.output.documents import write_atomically
-from minkref.plane.page.boundary import Window
 from minkref.reports.evidence.framework.browser import PACKAGES, Browser, absent, browser
 from minkref.reports.evidence.framework.operands import operand
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
@@ -67,7 +66,13 @@ def run(findings: Findings, size: Size) -> None:
     began = time.perf_counter()
     robot, copies = operand(ROBOT).set, drawn_copies()
     shapes = {name: operand(name).set for name in SHAPES}
-    data = picture(robot, shapes, copies, _sums, lambda done, total: None)
+    data = picture(
+        robot,
+        shapes,
+        copies,
+        lambda P, Q, window: _core.ScaleIndex(P, Q, window.first, window.last, 2),
+        lambda done, total: None,
+    )
     text = page("scene", "robot", data)
     findings.figures |= {
         "copies": len(copies),
@@ -101,10 +106,6 @@ def drawn_copies() -> list[CopyRow]:
         )
         for number in range(COPIES)
     ]
-
-
-def _sums(P: _core.PolygonSet, Q: _core.PolygonSet, window: Window) -> _core.ScaleIndex:
-    return _core.ScaleIndex(P, Q, window.first, window.last, 2)
 
 
 def _look(findings: Findings, window: Browser, path: Path, frames: int) -> None:

@@ -1,4 +1,4 @@
-"""What scenes cost: the sums, the union and a change, beside CGAL and the static route."""
+"""Times of scenes: sums, union and change, beside CGAL and the static route."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from typing import Any
 
 from minkref import Copy, PolygonSet, Scene, _core
 from minkref.plane.operand import read_operand
+from minkref.reports.copies_cost_plot import draw
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.scenes.joined import CgalJoin, CgalSums
-from minkref.reports.scene_cost_plot import draw
 
 MINUTES = Minutes(None, 4, 20)
 ALONE = True
