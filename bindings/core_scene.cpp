@@ -48,7 +48,7 @@ Scene scene_of(const Set& robot, const std::vector<Set>& shapes,
   return scene;
 }
 
-/// The threads of a scene are those of its changes.
+/// Changes use the scene's threads.
 struct BoundScene {
   SceneUnion scene;
   unsigned threads = 1;

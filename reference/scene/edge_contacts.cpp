@@ -27,7 +27,7 @@ void set_share(EdgeContact& contact, const BoundedDouble& share) {
 
 }  // namespace
 
-/// An edge of a sum that an edge meets.
+/// A sum's edge beside the edge.
 struct ContactEdge::SumEdge {
   const PlacedSum& sum;
   std::uint32_t neighbour, edge;
@@ -125,7 +125,7 @@ void ContactEdge::meet_at_vertex(const SumEdge& other, bool starts, int side, En
   const bool boundary = other.sum.is_boundary(other.edge);
   // The edge passes from the line, which counts as the left, to `side`, or comes from there.
   const int right = !boundary || side > 0 ? 0 : starts ? 1 : -1;
-  // A ring's vertex is the start of another edge, which tells of it.
+  // Another edge starts at a ring's vertex, and reports it.
   if (!boundary || starts || right != 0) touch_end(other, starts, right, 0, contacts);
 }
 
@@ -152,7 +152,7 @@ void ContactEdge::meet_across(const SumEdge& other, int side, EndContacts& ends,
 int ContactEdge::winding_beside(const PlacedSum& sum) const {
   const FilteredPoint& at = *from_;
   const int rise = compare_y(*to_, at);
-  // On the right of a level edge lies what is below it if the edge goes to the right.
+  // A level edge to the right has its right side below.
   const bool above_start = rise != 0 ? rise > 0 : compare_x(*to_, at) < 0;
   Box level = box_of(at);
   level.xmax = std::numeric_limits<double>::infinity();

@@ -8,7 +8,7 @@
 namespace minkref::inline scene {
 namespace {
 
-/// The stretches of an edge that is wholly on the boundary.
+/// For an edge wholly on the boundary.
 std::shared_ptr<const EdgeStretches> whole_edge() {
   static const auto whole = [] {
     auto result = std::make_shared<EdgeStretches>();
@@ -73,7 +73,7 @@ std::shared_ptr<const EdgeStretches> StretchFinder::find_point(std::uint32_t edg
 }
 
 /// The neighbour's state just behind the edge's start, and its contacts. False if its open sum has
-/// all of the edge, which then is of no use.
+/// the whole edge: then nothing counts.
 bool StretchFinder::start_beside(std::uint32_t neighbour, std::uint32_t edge, EndContacts& ends) {
   const PlacedSum& other = sum(neighbour);
   State& state = states_[neighbour];
@@ -103,7 +103,7 @@ bool StretchFinder::start(std::uint32_t edge) {
     EndContacts ends;
     if (!start_beside(k, edge, ends)) {
       favourite_ = k;
-      // The contacts of the others stay unpassed.
+      // Contacts with other sums stay unpassed.
       for (State& state : states_) state.edge = no_entry;
       return false;
     }

@@ -20,8 +20,8 @@ struct EdgeStretches {
   };
   std::vector<FilteredPoint> cuts;
   std::vector<Piece> pieces;
-  /// Nodes between covered stretches that lie in no open sum. Each is a tight point, unless it ends
-  /// a piece of some edge.
+  /// Nodes between covered stretches that lie in no open sum. Tight points, unless they end a piece
+  /// of some edge.
   std::vector<std::uint32_t> points;
 
   const FilteredPoint& node(std::uint32_t k, const PlacedSum& sum, std::uint32_t edge) const {
@@ -37,14 +37,14 @@ using SceneStretches = std::vector<std::shared_ptr<const SumStretches>>;
 
 using PlacedSums = std::vector<std::shared_ptr<const PlacedSum>>;
 
-/// Finds the stretches of edges, one placed sum after the other. The *open sum* of a placed sum is
-/// its interior without its tight passages.
+/// Finds the stretches of edges, one placed sum after the other. The *open sum* of a placed sum
+/// means its interior without tight passages.
 class StretchFinder {
  public:
   /// `sums` must outlive it. Without `passages` only stretches of the boundary are found.
   StretchFinder(const PlacedSums& sums, bool passages) : sums_(sums), passages_(passages) {}
 
-  /// `neighbours` are the other sums whose boxes meet that of sum `own`; they must outlive the use.
+  /// `neighbours`, all other sums with boxes that meet the box of sum `own`, must outlive the use.
   void set(std::uint32_t own, std::span<const std::uint32_t> neighbours);
 
   /// Exact. Linear in the contacts, up to their sorting; edges in the order of their numbers share

@@ -1,4 +1,4 @@
-// Owners beside a robot that is a segment: from edges of merged obstacles back to those of copies.
+// Owners beside a segment as robot: from edges of merged obstacles back to edges of copies.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace minkref::inline scene {
 
-/// Merged obstacles: `region` is the union of placed copies, with the owners of its sides beside a
-/// robot that is a point.
+/// Merged obstacles: `region` unites placed copies; `sides` has owners of its sides
+/// beside a robot without extent.
 struct ObstacleOwners {
   const PolygonSet& region;
   const std::vector<RingOwners>& sides;
@@ -21,8 +21,8 @@ ObstacleOwners obstacle_owners(const PolygonSet& region, const std::vector<RingO
                                const std::vector<PolygonSet>& shapes, std::vector<Copy> copies);
 
 /// Appends what a contact with an obstacle, a polygon of the region, means for the copies. A vertex
-/// of the obstacle that is no copy's is a crossing of copies: it counts as those vertices of the
-/// copies at which the crossing edges begin.
+/// of an obstacle may be a crossing of copies: then the vertices count at which the crossing edges
+/// begin.
 void add_owners(const ObstacleOwners& obstacles, std::uint32_t obstacle,
                 const ConvolutionEdge& contact, std::vector<Owner>& owners);
 

@@ -41,7 +41,7 @@ struct Owner {
 /// By copy, then S-edges before T-edges, then by parents.
 bool less(const Owner& a, const Owner& b);
 
-/// Sorts, and removes what is there twice.
+/// Sorts, and removes duplicates.
 void sort_unique(std::vector<Owner>& owners);
 
 }  // namespace minkref::inline scene

@@ -90,6 +90,7 @@ class TightPieces {
         const auto number = static_cast<std::uint32_t>(result.owners.size());
         edge.contacts.push_back({ConvolutionEdge::Kind::S, 1, {0, number}, {}});
         result.owners.push_back(owner);
+        result.edge_of_owner.push_back(static_cast<std::uint32_t>(result.graph.edges.size()));
       }
       result.graph.edges.push_back(std::move(edge));
     }
@@ -224,11 +225,13 @@ SceneTightGraph scene_tight_graph(const PlacedSums& sums, const SceneStretches& 
   return pieces.graph();
 }
 
-std::vector<ScenePassage> scene_passages(const SceneTightGraph& tight) {
-  std::vector<ScenePassage> result;
+ScenePassages scene_passages(const SceneTightGraph& tight) {
+  ScenePassages result;
   for (TightPassage& passage : passages_along(tight.graph)) {
-    ScenePassage& named = result.emplace_back();
+    ScenePassage& named = result.pieces.emplace_back();
     named.points = std::move(passage.points);
+    const std::uint32_t first = SceneTightGraph::number_of_owner(passage.contacts.at(0).at(0));
+    result.edges.push_back(tight.edge_of_owner[first]);
     for (const auto& contacts : passage.contacts) {
       std::vector<Owner>& own = named.owners.emplace_back();
       for (const ConvolutionEdge& contact : contacts)

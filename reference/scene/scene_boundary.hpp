@@ -64,6 +64,7 @@ struct ScenePassage {
 struct SceneTightGraph {
   TightGraph graph;
   std::vector<Owner> owners;
+  std::vector<std::uint32_t> edge_of_owner;  ///< each owner has one edge of the graph
 
   static std::uint32_t number_of_owner(const ConvolutionEdge& contact) {
     return contact.edge.index;
@@ -72,6 +73,11 @@ struct SceneTightGraph {
 SceneTightGraph scene_tight_graph(const PlacedSums& sums, const SceneStretches& stretches,
                                   const SceneBoundary& boundary, const AddOwners& add_owners);
 
-std::vector<ScenePassage> scene_passages(const SceneTightGraph& tight);
+/// The graph's maximal pieces, and an edge of the graph for each.
+struct ScenePassages {
+  std::vector<ScenePassage> pieces;
+  std::vector<std::uint32_t> edges;
+};
+ScenePassages scene_passages(const SceneTightGraph& tight);
 
 }  // namespace minkref::inline scene

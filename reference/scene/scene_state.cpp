@@ -101,7 +101,7 @@ std::vector<std::vector<std::uint32_t>> SceneState::copies_of_sums() const {
 void SceneState::drop_if_unused(std::uint32_t sum, Change& change) {
   if (std::find(sum_numbers_.begin(), sum_numbers_.end(), sum) != sum_numbers_.end()) return;
   change.boxes.push_back(boxes_[sum]);
-  // The last one takes its number.
+  // The last sum takes its number.
   const auto last = static_cast<std::uint32_t>(sums_.size() - 1);
   sums_[sum] = sums_[last];
   boxes_[sum] = boxes_[last];

@@ -13,7 +13,7 @@
 
 namespace minkref::inline scene {
 
-/// Work since the last change; of a new scene, all of it.
+/// Work since the last change, or all work for a new scene.
 struct SceneCounts {
   std::uint64_t copies_redone = 0;  ///< whose edges met the old or the new placed sum
   std::uint64_t edges_redone = 0;

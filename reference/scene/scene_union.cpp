@@ -11,14 +11,14 @@
 
 namespace minkref::inline scene {
 
-/// What is found when first asked for.
+/// Answers found on demand.
 struct SceneUnion::Kept {
   std::recursive_mutex mutex;
   std::optional<SceneBoundary> boundary;
   std::optional<Canonical> region;
   std::optional<std::vector<RingOwners>> owners;
   std::optional<SceneTightGraph> tight;
-  std::optional<std::vector<ScenePassage>> passages;
+  std::optional<ScenePassages> passages;
 };
 
 namespace {
@@ -211,16 +211,21 @@ const SceneTightGraph& SceneUnion::tight() const {
   });
 }
 
-const std::vector<ScenePassage>& SceneUnion::passages() const {
+const ScenePassages& SceneUnion::pieces() const {
   const SceneTightGraph& graph = tight();
   return once(kept_->passages, kept_->mutex, [&] { return scene_passages(graph); });
 }
 
+const std::vector<ScenePassage>& SceneUnion::passages() const { return pieces().pieces; }
+
 FreeComponents SceneUnion::components(ContactRule rule) const {
   const FloatEnvironment standard;
-  static const TightGraph none;
-  return free_components(boundary().graph(), rule == ContactRule::allowed ? tight().graph : none,
-                         rule);
+  if (rule == ContactRule::forbidden) return free_components(boundary().graph(), {}, rule);
+  FreeComponents found = free_components(boundary().graph(), tight().graph, rule);
+  std::vector<std::uint32_t> of_pieces;
+  for (const std::uint32_t edge : pieces().edges) of_pieces.push_back(found.of_passage[edge]);
+  found.of_passage = std::move(of_pieces);
+  return found;
 }
 
 Canonical SceneUnion::sum_of(std::uint32_t copy) const {

@@ -16,9 +16,9 @@
 
 namespace minkref::inline scene {
 
-/// A value: a change gives a new one, which shares what it leaves alone. Safe to ask from several
-/// threads at once. Exact. For a robot without area the obstacles are merged first: boxes that abut
-/// leave it no seam.
+/// A value: a change makes a new value, and both share all unchanged parts. Safe to ask from
+/// several threads at once. Exact. For a robot without area the obstacles are merged first: boxes
+/// that abut leave it no seam.
 class SceneUnion {
  public:
   /// Robot and shapes must have passed `validate`. Without `passages` there are no tight passages
@@ -53,8 +53,8 @@ class SceneUnion {
   /// tight_passages gives them. Throws BadInput ("no-passages") if the scene was made without.
   const std::vector<ScenePassage>& passages() const;
 
-  /// The components of the free places. Throws as passages() for a scene made without, unless
-  /// contact is forbidden.
+  /// Finds the free components, by of_passage also for each of passages(). With contact allowed
+  /// throws as passages(). O(n log n + h k) as free_components.
   FreeComponents components(ContactRule rule) const;
 
   /// The placed sum of a copy in canonical form. Throws BadInput ("no-copy").
@@ -77,6 +77,7 @@ class SceneUnion {
   const Copy& copy(std::uint32_t number) const;
   const SceneBoundary& boundary() const;
   const SceneTightGraph& tight() const;
+  const ScenePassages& pieces() const;
   AddOwners owners_of_edges() const;
   template <class Take>
   void each_contact(std::uint32_t number, std::uint32_t edge, const Point& from, const Point& to,

@@ -25,8 +25,6 @@ class SumStore {
   const std::vector<PolygonSet>& shapes() const { return shapes_; }
   bool passages() const { return passages_; }
 
-  /// Throws BadInput ("bad-scale", "no-shape").
-  void refuse_bad_copy(const Copy& copy) const;
 
   /// The first shape with the same rings.
   std::uint32_t shape(std::uint32_t number) const { return same_[number]; }
@@ -34,7 +32,7 @@ class SumStore {
   /// A shape, and its scale.
   using Key = std::pair<std::uint32_t, Rational>;
 
-  /// Kept as long as somebody else keeps it. `evaluated` grows by one if it was not there.
+  /// Kept as long as somebody else keeps it. Counts in `evaluated` a sum found anew.
   std::shared_ptr<const SceneSum> sum(const Key& key, std::uint64_t& evaluated);
 
   /// The sums of distinct keys.

@@ -50,11 +50,18 @@ inline Scene random_scene(Source& random, bool thin = false, int most = 7) {
   return scene;
 }
 
-/// Boxes, right triangles and their robots on a small lattice: many sums abut.
-inline Scene lattice_scene(Source& random, int most = 8) {
+/// Boxes, right triangles, angles and such robots on a small lattice: many sums abut.
+inline Scene lattice_scene(Source& random, int most = 10) {
   const auto piece = [&](int size) {
     const int x = random.between(1, size), y = random.between(1, size);
-    return random.below(4) == 0 ? region({{0, 0}, {x, 0}, {0, x}}) : box(0, 0, x, y);
+    switch (random.below(6)) {
+      case 0:
+        return region({{0, 0}, {x, 0}, {0, x}});
+      case 1:
+        return region({{0, 0}, {x + 2, 0}, {x + 2, 1}, {1, 1}, {1, y + 1}, {0, y + 1}});
+      default:
+        return box(0, 0, x, y);
+    }
   };
   Scene scene{piece(2), {piece(2), piece(3)}, {}};
   if (random.below(4) == 0) scene.shapes.push_back(random_mesh_region(random, 2));
