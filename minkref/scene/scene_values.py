@@ -279,6 +279,12 @@ class Scene:
         many = "copy" if copies == 1 else "copies"
         return f"<Scene: {copies:,} {many} of {shapes:,} shape{'' if shapes == 1 else 's'}>"
 
+    def __copy__(self) -> Scene:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Scene:
+        return self
+
     def __reduce__(self) -> tuple[Any, ...]:
         given = (self._robot, self.shapes, self.copies, self._has_passages, self._threads)
         return _made_again, given

@@ -288,7 +288,7 @@ def test_a_scene_is_a_value() -> None:
         again = pickle.loads(pickle.dumps(scene))
         assert again == scene and hash(again) == hash(scene)
         assert everything(again) == everything(scene)
-        assert copies_of_values.copy(scene) == scene
+        assert copies_of_values.copy(scene) is scene is copies_of_values.deepcopy(scene)
         other = scene.change(0, scale=7)
         assert other != scene and scene.copies == draw.copies
         assert list(scene.shapes) == list(draw.shapes) and scene.robot == draw.robot
