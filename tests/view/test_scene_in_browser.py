@@ -117,8 +117,9 @@ def test_one_colour_is_connected_and_different_ones_are_apart(
     exact = {at: part_of(union, at) for at in places if side_of(union, at) == "free"}
     assert len(exact) > 10
     for rule in ("forbidden", "allowed"):
+        page.click("fit")
         page.click(f"contact-{rule}")
-        for wait in (page.drawn, page.at_rest):
+        for wait in (page.drawn, page.at_rest, lambda: zoom_in(page)):
             wait()
             named = [(page.name_at(at), exact[at]) for at in exact]
             for name, part in named:
@@ -129,6 +130,29 @@ def test_one_colour_is_connected_and_different_ones_are_apart(
                 else:
                     assert {its for its, other in named if other == part and its >= 0} == {name}
     assert window.messages() == []
+
+
+def zoom_in(page: ScenePage) -> None:
+    """Shows a part of the scene only."""
+    page.turn(page.pixel(2, 2), -600, shift=False)
+    page.at_rest()
+
+
+def test_what_a_wall_beyond_the_picture_parts_is_not_told_apart(
+    window: Browser, tmp_path: Path
+) -> None:
+    wall = {"wall": "POLYGON((-9 0,9 0,9 1,-9 1,-9 0))"}
+    copies = [{"shape": "wall", "scale": 1, "place": [0, 0]}]
+    page = ScenePage(window, tmp_path, {"robot": UNIT, "shapes": wall, "copies": copies})
+    page.turn(page.pixel(0, 0), -900, shift=False)
+    above, below = (Fraction(0), Fraction(3, 2)), (Fraction(0), Fraction(-3, 2))
+    for rule, same in (("allowed", True), ("forbidden", False)):
+        page.click(f"contact-{rule}")
+        for wait in (page.drawn, page.at_rest):
+            wait()
+            names = [page.name_at(above), page.name_at(below)]
+            assert min(names) >= 0
+            assert (names[0] == names[1]) is same, rule
 
 
 def ring_of_boxes(gap: str) -> dict[str, Any]:

@@ -12,12 +12,14 @@
 
 /**
  * Contact forbidden: cells that no sum meets, joined along sides; so what is one component is connected.
- * Contact allowed: cells in the interior of no single sum, joined at corners too; so components are apart.
+ * Contact allowed: cells in the interior of no single sum, joined at corners too and, unless the picture has all sums,
+ * beyond the border; so components are apart.
  * @param {Raster} raster
  * @param {Contact} contact
+ * @param {boolean} isWhole whether all sums are in the picture
  * @returns {Components}
  */
-export function componentsOf({ columns, rows, touched, inner }, contact) {
+export function componentsOf({ columns, rows, touched, inner }, contact, isWhole) {
   const blocked = contact === "allowed" ? inner : touched, reach = contact === "allowed" ? 1 : 0;
   /** @type {number[]} */
   const ends = [];  // first and last cell of each run
@@ -38,6 +40,7 @@ export function componentsOf({ columns, rows, touched, inner }, contact) {
     }
     above = own;
   }
+  if (contact === "allowed" && !isWhole) joinBorder(ends, parents, columns, rows);
   return numbered(ends, parents, columns * rows);
 }
 
@@ -51,6 +54,16 @@ function root(parents, run) {
 function join(parents, a, b) {
   const one = root(parents, a), other = root(parents, b);
   parents[Math.max(one, other)] = Math.min(one, other);
+}
+
+/** Makes one of all that reach the border. @type {(ends: number[], parents: number[], columns: number, rows: number) => void} */
+function joinBorder(ends, parents, columns, rows) {
+  let first = -1;
+  for (let run = 0; run < parents.length; ++run) {
+    const from = ends[2 * run], to = ends[2 * run + 1], row = Math.floor(from / columns);
+    if (row > 0 && row < rows - 1 && from % columns && (to + 1) % columns) continue;
+    if (first < 0) first = run; else join(parents, run, first);
+  }
 }
 
 /** @type {(ends: number[], parents: number[], count: number) => Components} */

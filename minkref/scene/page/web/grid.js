@@ -56,8 +56,8 @@ export class Grid {
 
   /** The free space. @param {Copy[]} copies @param {Contact} contact */
   colour(copies, contact) {
-    const { raster } = this, components = componentsOf(raster, contact);
-    const names = this.names.of(raster, components, this.hasAll(copies));
+    const { raster } = this, isWhole = this.hasAll(copies), components = componentsOf(raster, contact, isWhole);
+    const names = this.names.of(raster, components, isWhole);
     this.found = names;
     this.drawFree(components.cells, names);
     const seams = contact === "allowed" ? seamsOf(raster) : [];
