@@ -20,6 +20,7 @@ from minkref.plane.commands.scale_index import IndexFile
 from minkref.settings import DISC, MOTION, PLANE, SCENE, SPACE
 from minkref.space.scaling import Scaling, read_scaling
 from minkref.verbs.paper_options import MOST_STEPS, STEPS
+from minkref.verbs.scene import Copies
 
 EXAMPLES = """Examples:
 
@@ -139,6 +140,7 @@ PAGE = Path("view.html")
 class ViewOfScene:
     P: FirstOrScene
     output: Output = PAGE
+    copies: Copies = None
     memory: Memory = None
     json: Json = False
 

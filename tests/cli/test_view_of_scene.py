@@ -98,6 +98,15 @@ def test_a_scene_comes_from_standard_input_and_as_a_text(
         assert len(data_of(page.read_text(encoding="utf-8"))["copies"]) == 4
 
 
+def test_copies_come_from_a_table(minkref: Minkref, tmp_path: Path) -> None:
+    page, table = tmp_path / "page.html", tmp_path / "moved.csv"
+    table.write_text("shape,scale,x,y\ntee,1/2,0.25,-1\n", encoding="utf-8")
+    assert minkref("view", scene_file(tmp_path), "--copies", table, "-o", page).code == 0
+    assert data_of(page.read_text(encoding="utf-8"))["copies"] == [[0, "1/2", "1/4", "-1"]]
+    ran = minkref("view", "g1", "g2", "--copies", table, "-o", page)
+    assert (ran.code, "--copies" in ran.err) == (2, True)
+
+
 def test_a_scene_without_copies_has_a_page(minkref: Minkref, tmp_path: Path) -> None:
     page = tmp_path / "page.html"
     assert minkref("view", scene_file(tmp_path, copies=[]), "-o", page).code == 0

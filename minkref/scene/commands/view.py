@@ -25,7 +25,7 @@ def run(request: ViewOfScene) -> None:
     watch = Stopwatch()
     target = page_target(request.output, request.json)
     with memory_wall(request.memory, "the page", request.P, FEWER):
-        scene = read_scene_file(request.P)
+        scene = read_scene_file(request.P, request.copies)
         if not target.is_standard_output:
             refuse_overwriting(target.path, scene.files)
         sets = {name: operand.set for name, operand in scene.shapes.items()}
