@@ -187,6 +187,36 @@ def test_a_door_as_wide_as_the_robot_opens_where_contact_is_allowed(
     assert window.messages() == []
 
 
+def room(gap: str) -> str:
+    """A room of one polygon, with a door of this width."""
+    top = Fraction(gap) + 2
+    return f"POLYGON((0 0,6 0,6 2,5 2,5 1,1 1,1 5,5 5,5 {float(top)},6 {float(top)},6 6,0 6,0 0))"
+
+
+@pytest.mark.parametrize(
+    ("gap", "scale", "parts"),
+    [("1", "1", (2, 1)), ("1", "1.0", (2, 1)), ("1", "1.5", (1, 1)), ("1/2", "2.00", (2, 1))],
+)
+def test_a_passage_of_a_copy_itself_is_known_at_its_exact_scale(
+    window: Browser, tmp_path: Path, gap: str, scale: str, parts: tuple[int, int]
+) -> None:
+    copies = [{"shape": "room", "scale": 1, "place": ["1/2", 0]}]
+    page = ScenePage(
+        window, tmp_path, {"robot": UNIT, "shapes": {"room": room(gap)}, "copies": copies}
+    )
+    page.run("window.minkref.change(0, arguments[0], ['1/2', '0.25'])", scale)
+    page.click("fit")
+    for rule, count in zip(("forbidden", "allowed"), parts, strict=True):
+        page.click(f"contact-{rule}")
+        for wait in (page.drawn, page.at_rest):
+            wait()
+            assert len(page.run("return window.minkref.free.names")) == count, rule
+    factor = Fraction(scale)
+    at = (float(factor * Fraction(11, 2)), float(2 * factor + Fraction(1, 4)))
+    state = page.run("return window.minkref.situation(...arguments)", *at)
+    assert state == "touching"
+
+
 def _shot(name: str) -> Path:
     SHOTS.mkdir(parents=True, exist_ok=True)
     return SHOTS / f"scene-{name}.png"

@@ -11,6 +11,7 @@ from minkref import _core
 from minkref.errors import Refusal
 from minkref.plane.page.boundary import Progress, Sums, Window, ring_data, rings_of, states_of
 from minkref.plane.page.linear import double
+from minkref.plane.page.passages import passages_at
 from minkref.scene.copies_text import CopyRow
 
 MOST_COPIES = 10_000
@@ -47,10 +48,7 @@ def picture(
             {"name": name, "sum": numbers.get(key), **_set(shape)}
             for key, (name, shape) in zip(keys, shapes.items(), strict=True)
         ],
-        "sums": [
-            _sum(sets[key], turned, window_of(taken), find, progress)
-            for key, taken in scales.items()
-        ],
+        "sums": [_sum(sets[key], turned, used, find, progress) for key, used in scales.items()],
         "copies": [list(copy) for copy in copies],
     }
 
@@ -61,12 +59,35 @@ def window_of(scales: Sequence[Fraction]) -> Window:
 
 
 def _sum(
-    P: _core.PolygonSet, Q: _core.PolygonSet, window: Window, find: Find, progress: Progress
+    P: _core.PolygonSet,
+    Q: _core.PolygonSet,
+    used: Sequence[Fraction],
+    find: Find,
+    progress: Progress,
 ) -> dict[str, Any]:
+    window = window_of(used)
     sums = find(P, Q, window)
-    data = ring_data(sums, states_of(sums, window, progress), window, P, Q)
+    states = states_of(sums, window, progress)
+    data = ring_data(sums, states, window, P, Q)
     del data["lives"]
-    return data
+    return {**data, "passages": _passages(P, Q, used, states.scales, len(sums.edges()))}
+
+
+def _passages(
+    P: _core.PolygonSet,
+    Q: _core.PolygonSet,
+    used: Sequence[Fraction],
+    events: list[str],
+    edges: int,
+) -> dict[str, Any] | None:
+    """The tight passages of the sum by its exact scale: at the scales of copies, and at events too
+    unless that takes too long; None if already the first takes too long."""
+    own = list(map(str, sorted(set(used))))
+    for scales in (sorted({*own, *events}, key=Fraction), own):
+        found = passages_at(P, Q, scales, edges)
+        if found is not None:
+            return {scales[int(number)]: lines for number, lines in found.items()}
+    return None
 
 
 def _key(shape: _core.PolygonSet) -> str:

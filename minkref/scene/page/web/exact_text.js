@@ -1,6 +1,8 @@
 // @ts-check
 // Exact numbers as people write them, and numbers in doubles as short exact decimals.
 
+import { times, typedFraction, written } from "../../../page/web/fractions.js";
+
 const DECIMAL = /^([+-]?)(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d{1,3})?$/i;
 const FRACTION = /^[+-]?\d+\/0*[1-9]\d*$/;
 
@@ -11,6 +13,14 @@ export function numberOf(text) {
   if (!FRACTION.test(word)) return NaN;
   const [n, d] = word.split("/");
   return Number(n) / Number(d);
+}
+
+/** The number of a text in lowest terms, n or n/d. @param {string} text */
+export function lowestTerms(text) {
+  const word = text.trim(), found = typedFraction(word.replace(/^[+-]/, ""));
+  if (!found) return "";
+  const number = written(times(found, [1n, 1n]));
+  return word.startsWith("-") && number !== "0" ? `-${number}` : number;
 }
 
 /** The power of ten at or below a length: its exponent. @param {number} length */

@@ -8,12 +8,13 @@ const HAIR = 1e-6;  // of a cell: contact with a cell's side counts
 /**
  * The cells that rings meet, and the cells inside of them, by even and odd.
  * @param {Float64Array[]} rings x, y, x, y, ...
+ * @param {number[][]} lines points x, y and lines x, y, x, y, ... that are in no interior
  * @param {Frame} frame
  * @param {number} columns
  * @param {number} rows
  * @returns {Spans}
  */
-export function spansOf(rings, frame, columns, rows) {
+export function spansOf(rings, lines, frame, columns, rows) {
   /** @type {Map<number, Row>} */
   const found = new Map();
   for (const ring of rings) {
@@ -21,8 +22,14 @@ export function spansOf(rings, frame, columns, rows) {
     let x0 = (ring[n - 2] - frame.x) * frame.unit, y0 = (frame.y - ring[n - 1]) * frame.unit;
     for (let i = 0; i < n; i += 2) {
       const x1 = (ring[i] - frame.x) * frame.unit, y1 = (frame.y - ring[i + 1]) * frame.unit;
-      addEdge(found, x0, y0, x1, y1, rows);
+      addEdge(found, x0, y0, x1, y1, rows, true);
       x0 = x1; y0 = y1;
+    }
+  }
+  for (const line of lines) {
+    for (let i = 0; i < Math.max(line.length - 2, 1); i += 2) {
+      const [x0, y0, x1, y1] = [0, 1, 2, 3].map((k) => line[(i + k) % line.length]);
+      addEdge(found, (x0 - frame.x) * frame.unit, (frame.y - y0) * frame.unit, (x1 - frame.x) * frame.unit, (frame.y - y1) * frame.unit, rows, false);
     }
   }
   /** @type {Spans} */
@@ -33,8 +40,8 @@ export function spansOf(rings, frame, columns, rows) {
 
 /** @typedef {{ met: number[], crossings: number[] }} Row cells that edges meet, from and to; where edges cross its middle */
 
-/** @type {(found: Map<number, Row>, x0: number, y0: number, x1: number, y1: number, rows: number) => void} */
-function addEdge(found, x0, y0, x1, y1, rows) {
+/** @type {(found: Map<number, Row>, x0: number, y0: number, x1: number, y1: number, rows: number, isBoundary: boolean) => void} */
+function addEdge(found, x0, y0, x1, y1, rows, isBoundary) {
   if (y0 > y1) { [x0, x1] = [x1, x0]; [y0, y1] = [y1, y0]; }
   const first = Math.max(Math.floor(y0 - HAIR), 0), last = Math.min(Math.floor(y1 + HAIR), rows - 1);
   const slope = y1 > y0 ? (x1 - x0) / (y1 - y0) : 0;
@@ -44,7 +51,7 @@ function addEdge(found, x0, y0, x1, y1, rows) {
     const enters = y0 >= row ? x0 : x0 + (row - y0) * slope, leaves = y1 <= row + 1 ? x1 : x0 + (row + 1 - y0) * slope;
     entry.met.push(Math.floor(Math.min(enters, leaves) - HAIR), Math.floor(Math.max(enters, leaves) + HAIR));
     const middle = row + 0.5;
-    if (y0 <= middle && middle < y1) entry.crossings.push(x0 + (middle - y0) * slope);
+    if (isBoundary && y0 <= middle && middle < y1) entry.crossings.push(x0 + (middle - y0) * slope);
   }
 }
 
@@ -102,7 +109,7 @@ export class Raster {
   put(copy) {
     this.remove(copy);
     const { x, y, unit } = this.frame;
-    const spans = spansOf(copy.outline.rings, { x: x - copy.x, y: y - copy.y, unit }, this.columns, this.rows);
+    const spans = spansOf(copy.outline.rings, copy.passages, { x: x - copy.x, y: y - copy.y, unit }, this.columns, this.rows);
     this.spans.set(copy, spans);
     this.count(spans, 1);
   }

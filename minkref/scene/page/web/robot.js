@@ -17,7 +17,8 @@ export function situationAt(copies, x, y, near) {
     const { rings, box } = copy.outline, u = x - copy.x, v = y - copy.y;
     if (u < box.xmin - near || u > box.xmax + near || v < box.ymin - near || v > box.ymax + near) continue;
     const { inside, distance } = placeIn(rings, u, v);
-    if (distance <= near) touching.push(copy); else if (inside) blocking.push(copy);
+    if (distance <= near || copy.passages.some((line) => distanceFrom(line, u, v) <= near)) touching.push(copy);
+    else if (inside) blocking.push(copy);
   }
   if (blocking.length) return { state: "blocked", copies: blocking };
   return touching.length ? { state: "touching", copies: touching } : { state: "free", copies: [] };
@@ -30,12 +31,28 @@ export function placeIn(rings, x, y) {
     const n = ring.length;
     let ax = ring[n - 2] - x, ay = ring[n - 1] - y;
     for (let i = 0; i < n; i += 2) {
-      const bx = ring[i] - x, by = ring[i + 1] - y, dx = bx - ax, dy = by - ay, length = dx * dx + dy * dy;
+      const bx = ring[i] - x, by = ring[i + 1] - y, dx = bx - ax, dy = by - ay;
       if ((ay > 0) !== (by > 0) && (ax - (ay * dx) / dy > 0)) inside = !inside;
-      const t = length ? Math.min(Math.max(-(ax * dx + ay * dy) / length, 0), 1) : 0, px = ax + t * dx, py = ay + t * dy;
-      square = Math.min(square, px * px + py * py);
+      square = Math.min(square, squareFrom(ax, ay, bx, by));
       ax = bx; ay = by;
     }
   }
   return { inside, distance: Math.sqrt(square) };
+}
+
+/** The square of the distance of an edge from the origin. @param {number} ax @param {number} ay @param {number} bx @param {number} by */
+function squareFrom(ax, ay, bx, by) {
+  const dx = bx - ax, dy = by - ay, length = dx * dx + dy * dy;
+  const t = length ? Math.min(Math.max(-(ax * dx + ay * dy) / length, 0), 1) : 0, px = ax + t * dx, py = ay + t * dy;
+  return px * px + py * py;
+}
+
+/** How far a point is from a line x, y, x, y, ..., or a single point. @param {number[]} line @param {number} x @param {number} y */
+function distanceFrom(line, x, y) {
+  let square = Infinity;
+  for (let i = 0; i < Math.max(line.length - 2, 1); i += 2) {
+    const [ax, ay, bx, by] = [0, 1, 2, 3].map((k) => line[(i + k) % line.length]);
+    square = Math.min(square, squareFrom(ax - x, ay - y, bx - x, by - y));
+  }
+  return Math.sqrt(square);
 }

@@ -3,7 +3,7 @@
 import { Box } from "../../../page/web/canvas.js";
 import { Timeline } from "../../../page/web/timeline.js";
 import { data } from "./data.js";
-import { numberOf } from "./exact_text.js";
+import { lowestTerms, numberOf } from "./exact_text.js";
 
 /** @typedef {{ rings: Float64Array[], box: Box }} Outline rings x, y, x, y, ... before they are moved */
 
@@ -33,6 +33,8 @@ export class Copy {
     this.s = NaN;
     /** @type {Outline} */
     this.outline = { rings: [], box: new Box() };
+    /** @type {number[][]} */
+    this.passages = [];  // the tight ones of its own sum, before they are moved
     this.place = place;
     this.x = this.y = NaN;
     this.moveTo(place);
@@ -66,6 +68,7 @@ export class Copy {
     this.scale = text;
     this.s = numberOf(text);
     this.outline = outlineOf(/** @type {number} */ (data.shapes[this.shape].sum), this.s);
+    this.passages = this.sum.passages?.[lowestTerms(text)] ?? [];
   }
 
   clone() { return new Copy(this.shape, this.scale, this.place); }
