@@ -35,6 +35,13 @@ struct Skipped : std::runtime_error {
 
 /// The members of a result, from sP and Q; may throw anything.
 using Sum = std::function<json(const Polygons& sP, const Polygons& Q)>;
+/// The members of a result, from sets to unite; may throw anything.
+using Unite = std::function<json(const std::vector<Polygons>& sets)>;
+/// What an adapter does; an absent function's verb is skipped.
+struct Work {
+  Sum sum = nullptr;
+  Unite unite = nullptr;
+};
 
 inline Ring read_ring(const json& value) {
   Ring ring;
@@ -63,7 +70,7 @@ inline std::vector<Ring> rings_of(const Polygons& polygons) {
 }
 
 /// The answer to one request, without `seq`. `Q` comes from the last `load`.
-inline json answer(const json& request, const json& hello, const Sum& sum, Polygons& Q,
+inline json answer(const json& request, const json& hello, const Work& work, Polygons& Q,
                    bool& loaded) {
   try {
     const auto verb = request.at("verb").get<std::string>();
@@ -76,9 +83,13 @@ inline json answer(const json& request, const json& hello, const Sum& sum, Polyg
       if (request.at("dimension") != 2) throw Skipped("in the plane only");
       Q = read_polygons(request.at("Q"));
       loaded = true;
-    } else if (verb == "at") {
+    } else if (verb == "union" && work.unite) {
+      std::vector<Polygons> sets;
+      for (const json& set : request.at("sets")) sets.push_back(read_polygons(set));
+      result.update(work.unite(sets));
+    } else if (verb == "at" && work.sum) {
       if (!loaded) throw std::runtime_error("`at` before any `load`");
-      result.update(sum(read_polygons(request.at("sP")), Q));
+      result.update(work.sum(read_polygons(request.at("sP")), Q));
     } else if (verb != "stop") {
       throw Skipped("no verb " + verb + " here");
     }
@@ -94,7 +105,7 @@ inline json answer(const json& request, const json& hello, const Sum& sum, Polyg
 
 /// Answers until `stop` or the input's end; returns the program's exit code. The implementation's
 /// own output goes to the log.
-inline int serve(const json& hello, const Sum& sum) {
+inline int serve(const json& hello, const Work& work) {
   std::FILE* answers = fdopen(dup(STDOUT_FILENO), "w");
   if (answers == nullptr || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return 1;
   Polygons Q;
@@ -104,7 +115,7 @@ inline int serve(const json& hello, const Sum& sum) {
     const json request = json::parse(line, nullptr, false);
     json value;
     if (request.is_object()) {
-      value = answer(request, hello, sum, Q, loaded);
+      value = answer(request, hello, work, Q, loaded);
       value["seq"] = request.value("seq", json());
       stop = request.value("verb", json()) == "stop";
     } else {

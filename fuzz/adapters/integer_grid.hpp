@@ -9,6 +9,7 @@
 
 namespace minkref::adapter {
 
+/// The largest absolute value.
 inline double largest_coordinate(const Polygons& polygons) {
   double largest = 0;
   for (const Ring& ring : rings_of(polygons)) {
@@ -23,8 +24,11 @@ inline double largest_coordinate(const Polygons& polygons) {
 /// few enough digits are not rounded at all.
 class IntegerGrid {
  public:
-  IntegerGrid(const Polygons& sP, const Polygons& Q, int bits) {
-    const double size = largest_coordinate(sP) + largest_coordinate(Q);
+  IntegerGrid(const Polygons& sP, const Polygons& Q, int bits)
+      : IntegerGrid(largest_coordinate(sP) + largest_coordinate(Q), bits) {}
+
+  /// For results with coordinates up to `size`.
+  IntegerGrid(double size, int bits) {
     if (!std::isfinite(size)) throw Skipped("the coordinates of the sum exceed the doubles");
     int exponent = 0;  // size < 2^exponent
     if (size > 0) std::frexp(size, &exponent);

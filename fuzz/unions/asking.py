@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from minkref.fuzz.plane.asking import PlaneAsking
 from minkref.fuzz.targets.adapter import AdapterTarget
@@ -29,6 +30,11 @@ class UnionAsking(PlaneAsking):
         case: AskedUnion = self.case
         return case.expected.json
 
+    @cached_property
+    def _doubt(self) -> str | None:
+        """The doubt about the truth, decided once for all targets."""
+        return doubt_about(self.case)
+
     def _ask(self, name: str, case: AskedUnion) -> Answer:  # type: ignore[override]
         if name in self.lost:
             lost = self.lost[name]
@@ -47,6 +53,6 @@ class UnionAsking(PlaneAsking):
         for name in names:
             answer = self._judgeable(name, answers[name])
             self._judging(name)
-            doubt = doubt_about(case) if answer.region is not None else None
+            doubt = self._doubt if answer.region is not None else None
             found += in_doubt(name, answer, doubt) if doubt else judge_union(case, name, answer)
         return found

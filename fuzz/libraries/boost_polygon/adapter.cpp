@@ -1,6 +1,7 @@
 // Boost.Polygon: the sum of polygon sets by its tutorial ("Minkowski sum of polygons"), which the
 // library also contains as detail/minkowski.hpp: a quadrilateral for each pair of edges, the
 // translates of each polygon by a vertex of the other, and their union by the Boolean operations.
+// Sets to unite go into one set, whose polygons the same operations find.
 // clipper2/adapter.cpp explains why this gives the whole sum, also with holes.
 #include <boost/polygon/polygon.hpp>
 #include <boost/version.hpp>
@@ -55,11 +56,7 @@ json ring_of(const Item& item, const IntegerGrid& grid) {
   return ring;
 }
 
-json sum(const Polygons& sP, const Polygons& Q) {
-  const IntegerGrid grid(sP, Q, bits);
-  GridSet set;
-  bp::detail::minkowski_offset<int>::convolve_two_polygon_sets(set, to_set(sP, grid),
-                                                               to_set(Q, grid));
+json result_of(const GridSet& set, const IntegerGrid& grid) {
   std::vector<GridPolygon> result;
   set.get(result);
   json polygons = json::array();
@@ -71,6 +68,23 @@ json sum(const Polygons& sP, const Polygons& Q) {
     polygons.push_back({{"outer", ring_of(polygon, grid)}, {"holes", holes}});
   }
   return {{"polygons", polygons}};
+}
+
+json sum(const Polygons& sP, const Polygons& Q) {
+  const IntegerGrid grid(sP, Q, bits);
+  GridSet set;
+  bp::detail::minkowski_offset<int>::convolve_two_polygon_sets(set, to_set(sP, grid),
+                                                               to_set(Q, grid));
+  return result_of(set, grid);
+}
+
+json unite(const std::vector<Polygons>& sets) {
+  double size = 0;
+  for (const Polygons& set : sets) size = std::max(size, largest_coordinate(set));
+  const IntegerGrid grid(size, bits);
+  GridSet all;
+  for (const Polygons& set : sets) all.insert(to_set(set, grid));
+  return result_of(all, grid);
 }
 
 json hello() {
@@ -88,10 +102,13 @@ json hello() {
           {"arithmetic", "integer-grid"},
           {"grid", {{"bits", bits - 2}}},
           {"tolerance", {{"absolute", "0"}, {"relative", "1/16777216"}}},
-          {"capabilities", {"plane", "non-convex", "holes", "components", "touching"}}};
+          {"capabilities", {"plane", "non-convex", "holes", "components", "touching", "union"}}};
 }
 
 }  // namespace
 }  // namespace minkref::adapter
 
-int main() { return minkref::adapter::serve(minkref::adapter::hello(), minkref::adapter::sum); }
+int main() {
+  using namespace minkref::adapter;
+  return serve(hello(), {sum, unite});
+}

@@ -23,6 +23,8 @@
 // the curve b, and with a all of A, which is connected and misses b; but B lies inside b: A and B
 // do not meet.
 //
+// It also unites sets, with one Union of all rings.
+//
 // double: MinkowskiSum of PathsD with the default of two decimals; curves, as boundary.
 #include <clipper2/clipper.h>
 
@@ -91,6 +93,17 @@ json region_sum(const Polygons& sP, const Polygons& Q) {
   return result_of(Union(parts, FillRule::NonZero), grid);
 }
 
+json unite(const std::vector<Polygons>& sets) {
+  double size = 0;
+  for (const Polygons& set : sets) size = std::max(size, largest_coordinate(set));
+  const IntegerGrid grid(size, bits);
+  Paths64 paths;
+  for (const Polygons& set : sets) {
+    for (const Ring& ring : rings_of(set)) paths.push_back(to_path(ring, grid));
+  }
+  return result_of(Union(paths, FillRule::NonZero), grid);
+}
+
 json double_sum(const Polygons& sP, const Polygons& Q) {
   const auto path_of = [](const Ring& ring) {
     PathD path;
@@ -123,23 +136,23 @@ int run(std::string_view mode) {
     json value = hello("clipper2", "boundary");
     value["grid"] = {{"bits", bits - 2}};
     value["tolerance"] = {{"absolute", "0"}, {"relative", "1/134217728"}};  // 4 units of 2^-29
-    return serve(value, boundary_sum);
+    return serve(value, {boundary_sum});
   }
   if (mode == "region") {
     json value = hello("clipper2-region", "region");
     value["grid"] = {{"bits", bits - 2}};
     value["tolerance"] = {{"absolute", "0"}, {"relative", "1/134217728"}};
-    for (const char* more : {"holes", "components", "touching"}) {
+    for (const char* more : {"holes", "components", "touching", "union"}) {
       value["capabilities"].push_back(more);
     }
-    return serve(value, region_sum);
+    return serve(value, {region_sum, unite});
   }
   if (mode == "double") {
     json value = hello("clipper2-double", "boundary");
     value["grid"] = {{"unit", "1/100"}, {"largest", "1e15"}};  // 62 bits, a hundred times that
     // Four units of two decimals, and the division by a hundred.
     value["tolerance"] = {{"absolute", "0.04"}, {"relative", "1e-15"}};
-    return serve(value, double_sum);
+    return serve(value, {double_sum});
   }
   std::cerr << "usage: clipper2_adapter boundary|region|double\n";
   return 2;

@@ -1,0 +1,81 @@
+"""GEOS (the Python package Shapely): union_all, that is, unary union by OverlayNG, in doubles. The
+argument is floating or grid. It has no sums.
+
+floating: intersections are computed in double-doubles and rounded to doubles. If that fails, GEOS
+snaps vertices and edges together that are closer than 1e-12 times the largest coordinate, and tries
+up to five times with ten times as much each time: in all less than 1e-7.
+
+grid: the same snap-rounded to a grid of 2^-40 times the largest coordinate, by which vertices and
+edges move at most a unit or two.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+from importlib.metadata import version
+from typing import Any
+
+import shapely  # type: ignore[import-untyped,unused-ignore]
+from adapter_protocol import Set, Skipped, serve  # type: ignore[import-not-found,unused-ignore]
+
+BITS = 40
+TOLERANCES = {"floating": "1e-7", "grid": f"1/{1 << (BITS - 2)}"}
+
+
+def area(polygons: list[dict[str, Any]]) -> Any:
+    if any(len(polygon["outer"]) < 3 for polygon in polygons):
+        raise Skipped("no points or segments")
+    return shapely.MultiPolygon([(each["outer"], each["holes"]) for each in polygons])
+
+
+def unit(sets: list[Set]) -> float:
+    rings = [r for each in sets for p in each["polygons"] for r in (p["outer"], *p["holes"])]
+    size = max((abs(number) for ring in rings for point in ring for number in point), default=0.0)
+    return math.ldexp(1.0, math.frexp(size)[1] - BITS) if size else 1.0
+
+
+def polygons_of(found: Any) -> list[dict[str, Any]]:
+    """The polygons of any geometry: lines and points have no interior."""
+    parts = [part for part in getattr(found, "geoms", [found]) if part.geom_type == "Polygon"]
+    return [
+        {"outer": _ring(part.exterior), "holes": [_ring(hole) for hole in part.interiors]}
+        for part in parts
+        if not part.is_empty
+    ]
+
+
+def _ring(ring: Any) -> list[list[float]]:
+    return [[x, y] for x, y in list(ring.coords)[:-1]]
+
+
+def main(mode: str) -> None:
+    hello = {
+        "name": "geos" if mode == "floating" else "geos-grid",
+        "version": f"{shapely.geos_version_string} (Shapely {version('shapely')})",
+        "language": "C++",
+        "arithmetic": "float64",
+        "numbers": "double",
+        "tolerance": {"absolute": "0", "relative": TOLERANCES[mode]},
+        "sum": "none",
+        "capabilities": [
+            "plane",
+            "non-convex",
+            "holes",
+            "components",
+            "touching",
+            "empty",
+            "union",
+        ],
+    }
+
+    def union_of(sets: list[Set]) -> dict[str, Any]:
+        areas = [area(each["polygons"]) for each in sets]
+        found = shapely.union_all(areas, grid_size=unit(sets) if mode == "grid" else None)
+        return {"polygons": polygons_of(found)}
+
+    serve(hello, None, union_of=union_of)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
