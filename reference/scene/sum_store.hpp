@@ -25,7 +25,6 @@ class SumStore {
   const std::vector<PolygonSet>& shapes() const { return shapes_; }
   bool passages() const { return passages_; }
 
-
   /// The first shape with the same rings.
   std::uint32_t shape(std::uint32_t number) const { return same_[number]; }
 
