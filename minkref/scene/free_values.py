@@ -24,7 +24,7 @@ class FreeCell:
 
 @dataclass(frozen=True)
 class FreeComponent:
-    """A component of the free places. Number 0 is without bound; one without cells is a tight
+    """A component of the free places. Number 0 has no bound; a component without cells is a tight
     passage."""
 
     number: int

@@ -195,7 +195,7 @@ class Scene:
         return self._found if self._has_passages else self._union_of(True)
 
     def free_components(self, contact: str = "allowed") -> list[FreeComponent]:
-        """Find the components of the free places, by a rule of contact: `allowed` or `forbidden`.
+        """Find the free components by a rule of contact: `allowed` or `forbidden`.
         Component 0 is without bound. O(b log b) for b vertices; with contact allowed as passages().
         docs/scenes.md."""
         rule = _rule(contact)
@@ -203,9 +203,9 @@ class Scene:
         return components_of(*found.free_components(rule))
 
     def holders(self, place: Sequence[Any]) -> list[Holder]:
-        """Name the copies that the robot meets at a place, without the union. The place is free, if
-        contact is forbidden, iff there is none. Linear in boxes, and a point's decision for each
-        copy near it."""
+        """Name the copies that the robot meets at a place, without the union. If none, the
+        place is free with contact forbidden. Linear in boxes, and a point's decision for each copy
+        near it."""
         return [Holder(*row) for row in self._questions.holders(*place_of("place", place))]
 
     def way(self, points: Sequence[Sequence[Any]], contact: str = "allowed") -> SceneWay:
@@ -217,8 +217,8 @@ class Scene:
     def growth(
         self, points: Sequence[Sequence[Any]], contact: str = "allowed"
     ) -> SceneGrowth | None:
-        """Find the largest factor by which all copies may grow, each about its own place, so that a
-        way stays free on from now; None if it is not free now. Takes the copies that come near.
+        """Find the largest factor by which all copies may grow, each about its own place, while a
+        way stays free; None for a way already blocked. Cost: the copies near the way.
         Raises BadInput (no-area) for a robot without area that may touch."""
         return growth_of(self._questions.growth(_path(points), _rule(contact)))
 

@@ -63,8 +63,8 @@ def environment(shapes: int) -> Environment:
 
 @dataclass(frozen=True)
 class Timed:
-    """Seconds for all copies together, a value for each repetition. `orders`: by the order of the
-    walk; `preprocessing`: of all shapes; `intersections`: placed at the copies' scales."""
+    """Seconds for all copies together, a value for each repetition. `orders`: seconds by
+    order; `preprocessing`: of all shapes; `intersections`: placed at the copies' scales."""
 
     shapes: int
     arithmetic: str

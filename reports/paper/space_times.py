@@ -125,7 +125,7 @@ def read(text: str) -> Times:
 
 
 def kept() -> Times | None:
-    """The times of the last full run, if there are any."""
+    """The last full run's times, if kept."""
     try:
         return read((resources.files(__package__) / FILE).read_text(encoding="utf-8"))
     except FileNotFoundError:

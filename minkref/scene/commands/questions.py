@@ -19,7 +19,7 @@ Points = Sequence[tuple[str, str]]
 
 
 def check_questions(request: SceneRequest) -> None:
-    """Refuse a rule that there is none, and two questions at once."""
+    """Refuse unknown rules, and two questions at once."""
     if request.contact is not None and request.contact not in CONTACTS:
         mend = choice(request.contact, CONTACTS)
         raise Refusal("there is no rule of this name", f"--contact {request.contact}", mend)
@@ -33,7 +33,7 @@ def needs_passages(request: SceneRequest) -> bool:
 
 
 def way_of(request: SceneRequest) -> tuple[Points, Path | None] | None:
-    """The vertices of the way that is asked about, a place has one, and the way's file."""
+    """The vertices to ask about (one for a place), and the way's file."""
     if request.at is not None:
         return [request.at], None
     if request.way is None:

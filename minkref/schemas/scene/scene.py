@@ -52,7 +52,7 @@ class ScenePassage(TypedDict):
 
 
 class FreeCell(TypedDict):
-    """A connected component of the complement of `result`."""
+    """A connected component beside `result`."""
 
     component: Annotated[Count, Meta(description="The free component that it belongs to.")]
     outer: Annotated[list[Point] | None, Meta(description="null: without bound.")]
@@ -78,7 +78,7 @@ class SceneHolder(TypedDict):
 
 
 class SceneStop(TypedDict):
-    """The contact at which the robot is stopped."""
+    """The contact that stops the robot."""
 
     copy: Count
     segment: Annotated[Count, Meta(description="Of the way.")]

@@ -1,4 +1,4 @@
-"""Random scenes, a third of them degenerate: operands of the families that also test sums."""
+"""Random scenes from the families for sums; every third scene degenerate."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SCALES = tuple(Fraction(n, 2) for n in (1, 2, 2, 3, 4))
 
 @dataclass(frozen=True)
 class DrawnScene:
-    """`kind`: the family of its operands; `name` makes it again."""
+    """`kind`: the operands' family; `name` makes the scene again."""
 
     name: str
     kind: str

@@ -1,4 +1,4 @@
-"""Unions by CGAL's join, through its adapter."""
+"""CGAL's join and sums, each through a process."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class CgalSums:
     def sum(
         self, shape: PolygonSet, scale: Fraction, turned: PolygonSet
     ) -> tuple[PolygonSet, float] | None:
-        """The sum as CGAL gives it, and the seconds of its own call; None where it has none."""
+        """CGAL's sum, and the seconds for its call; None if CGAL fails."""
         answer = self._oracle.sum(shape.scaled(str(scale)).to_json(), turned.to_json())
         if answer.rings_json is None:
             return None

@@ -27,7 +27,7 @@ MOST_POINTS = 60  # decided of a scene
 
 @dataclass
 class Found:
-    """Faults of one scene, by law, and what was tried."""
+    """A scene's faults by law, and how often each law was tried."""
 
     kind: str
     wrong: dict[str, list[str]] = field(default_factory=dict)
@@ -63,7 +63,7 @@ def examined(task: tuple[int, bool]) -> Found:
 
 
 def _by_cgal(one: DrawnScene, scene: Scene, found: Found) -> None:
-    """CGAL joins our sums; and its own, where it has them all and each is right."""
+    """CGAL joins our sums, then, if all exist and none has a fault, CGAL's sums."""
     join, sums = _cgal()
     ours = [scene.sum_of(k) for k in range(len(one.copies))]
     united = scene.union()
@@ -105,8 +105,7 @@ def _by_slow_engine(one: DrawnScene, scene: Scene, found: Found) -> None:
 
 
 def _by_points(one: DrawnScene, scene: Scene, found: Found) -> None:
-    """Vertices and middles of sides lie in some closed sum and in no open one; a point of each hole
-    lies in none."""
+    """At vertices and middles of sides some copy touches and no copy overlaps."""
     if not one.robot.is_region:
         return
     turned = one.robot.scaled("-1")
