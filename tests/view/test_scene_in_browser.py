@@ -45,16 +45,16 @@ def drawn_scene(seed: int, index: int) -> dict[str, Any]:
     dice = random.Random(f"{seed}, {index}")
     robot = ROBOTS[index % len(ROBOTS)]
     flat = {"segment", "point"} if not robot.startswith("POLYGON") else set()
-    names = [name for name in SHAPES if name not in flat]
+    shapes = {name: text for name, text in SHAPES.items() if name not in flat}
     copies = [
         {
-            "shape": dice.choice(names),
+            "shape": dice.choice(list(shapes)),
             "scale": dice.choice(["1/2", "1", "3/2", "2"]),
             "place": [str(Fraction(dice.randint(-8, 12), 2)) for _ in "xy"],
         }
         for _ in range(dice.randint(1, 7))
     ]
-    return {"robot": robot, "shapes": SHAPES, "copies": copies}
+    return {"robot": robot, "shapes": shapes, "copies": copies}
 
 
 def same_rings(got: list[list[float]], wanted: minkref.PolygonSet) -> bool:
