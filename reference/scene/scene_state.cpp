@@ -1,6 +1,7 @@
 #include "reference/scene/scene_state.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <tuple>
 
@@ -29,11 +30,11 @@ SceneState::SceneState(std::shared_ptr<SumStore> store, std::vector<Copy> copies
     refuse_bad_copy(copy, store_->shapes().size());
     copies_.push_back(std::make_shared<const Copy>(std::move(copy)));
   }
-  place_all(control);
+  place_all(options, control);
   find_all(control);
 }
 
-void SceneState::place_all(const BuildControl& control) {
+void SceneState::place_all(const BuildOptions& options, const BuildControl& control) {
   // Equal copies get the number of the first.
   std::map<SumStore::Key, std::uint32_t> sum_of_key;
   std::vector<SumStore::Key> keys;
@@ -50,7 +51,7 @@ void SceneState::place_all(const BuildControl& control) {
     if (is_first) places.emplace_back(entry->second, copy->place);
     sum_numbers_.push_back(place->second);
   }
-  const auto sums = store_->sums(keys, control, counts_.sums_evaluated);
+  const auto sums = store_->sums(keys, options, counts_);
   sums_.resize(places.size());
   in_parallel(places.size(), control, BuildProgress::Stage::patches, [&](unsigned) {
     return [&](std::size_t k) {
@@ -163,27 +164,34 @@ void SceneState::neighbours_of(std::uint32_t sum, std::vector<std::uint32_t>& re
 }
 
 void SceneState::redo(const Change& change, const BuildControl& control) {
-  std::vector<std::uint32_t> copies(sums_.size(), 0);
+  std::vector<std::uint32_t> copies(sums_.size(), 0), near;
   for (const std::uint32_t sum : sum_numbers_) ++copies[sum];
-  StretchFinder finder(sums_, store_->passages());
-  std::vector<std::uint32_t> neighbours;
   for (std::uint32_t k = 0; k < sums_.size(); ++k) {
-    if (!change.reaches(boxes_[k])) continue;
-    neighbours_of(k, neighbours);
-    finder.set(k, neighbours);
-    auto result = std::make_shared<SumStretches>(*stretches_[k]);
-    std::uint64_t edges = 0;
-    for (std::uint32_t edge = 0; edge < result->size(); ++edge) {
-      control.look();
-      if (k != change.came && !change.reaches(sums_[k]->boxes[edge])) continue;
-      (*result)[edge] = finder.find(edge);
-      ++edges;
-    }
-    if (edges == 0) continue;
-    stretches_[k] = std::move(result);
-    counts_.edges_redone += edges;
-    counts_.copies_redone += copies[k];
+    if (change.reaches(boxes_[k])) near.push_back(k);
   }
+  std::atomic<std::uint64_t> edges_redone{0}, copies_redone{0};
+  in_parallel(near.size(), control, BuildProgress::Stage::pairs, [&](unsigned) {
+    return [&, finder = StretchFinder(sums_, store_->passages()),
+            neighbours = std::vector<std::uint32_t>()](std::size_t number) mutable {
+      const std::uint32_t k = near[number];
+      neighbours_of(k, neighbours);
+      finder.set(k, neighbours);
+      auto result = std::make_shared<SumStretches>(*stretches_[k]);
+      std::uint64_t edges = 0;
+      for (std::uint32_t edge = 0; edge < result->size(); ++edge) {
+        control.look();
+        if (k != change.came && !change.reaches(sums_[k]->boxes[edge])) continue;
+        (*result)[edge] = finder.find(edge);
+        ++edges;
+      }
+      if (edges == 0) return;
+      stretches_[k] = std::move(result);
+      edges_redone += edges;
+      copies_redone += copies[k];
+    };
+  });
+  counts_.edges_redone += edges_redone;
+  counts_.copies_redone += copies_redone;
 }
 
 }  // namespace minkref::inline scene

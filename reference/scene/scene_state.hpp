@@ -7,19 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "reference/build/build_control.hpp"
 #include "reference/scene/edge_stretches.hpp"
 #include "reference/scene/scene.hpp"
 #include "reference/scene/sum_store.hpp"
 
 namespace minkref::inline scene {
-
-/// Work since the last change, or all work for a new scene.
-struct SceneCounts {
-  std::uint64_t copies_redone = 0;  ///< whose edges met the old or the new placed sum
-  std::uint64_t edges_redone = 0;
-  std::uint64_t sums_evaluated = 0;  ///< of a shape at a scale
-  std::uint64_t indices_built = 0;
-};
 
 /// Copies with equal shapes, scales and places share a placed sum.
 class SceneState {
@@ -47,7 +40,7 @@ class SceneState {
  private:
   struct Change;
 
-  void place_all(const BuildControl& control);
+  void place_all(const BuildOptions& options, const BuildControl& control);
   void find_all(const BuildControl& control);
   void drop_if_unused(std::uint32_t sum, Change& change);
   std::uint32_t number_of(const Copy& copy, Change& change);

@@ -58,44 +58,6 @@ void add_passage(SceneSum& sum, const TightPassage& passage) {
   }
 }
 
-/// Convolution edges of the same direction that share more than a point with an edge.
-class ContactFinder {
- public:
-  ContactFinder(const PolygonSet& shape, const PolygonSet& reflected_robot,
-                const std::vector<ConvolutionEdge>& convolution, const Rational& scale)
-      : convolution_(convolution) {
-    std::vector<Box> boxes;
-    for (const ConvolutionEdge& edge : convolution) {
-      const Segment at = at_scale(edge, shape, reflected_robot, scale);
-      const auto& [a, b] = segments_.emplace_back(FilteredPoint(at.start), FilteredPoint(at.end));
-      boxes.push_back(box_around(a, b));
-    }
-    tree_ = BoxTree(std::move(boxes));
-  }
-
-  void add(const FilteredPoint& from, const FilteredPoint& to,
-           std::vector<ConvolutionEdge>& contacts) const {
-    found_.clear();
-    const int way = compare_xy(from, to);
-    tree_.query(box_around(from, to), [&](std::uint32_t k) {
-      const auto& [a, b] = segments_[k];
-      if (compare_xy(a, b) == way && orientation(from, to, a) == 0 &&
-          orientation(from, to, b) == 0 && compare_xy(from, b) == way && compare_xy(a, to) == way) {
-        found_.push_back(k);
-      }
-      return false;
-    });
-    std::sort(found_.begin(), found_.end());
-    for (const std::uint32_t k : found_) contacts.push_back(convolution_[k]);
-  }
-
- private:
-  const std::vector<ConvolutionEdge>& convolution_;
-  std::vector<std::pair<FilteredPoint, FilteredPoint>> segments_;
-  BoxTree tree_;
-  mutable std::vector<std::uint32_t> found_;
-};
-
 void find_touches(SceneSum& sum, const std::vector<FilteredPoint>& points) {
   const BoxTree tree(edge_boxes(sum, points));
   for (std::uint32_t p = 0; p < points.size(); ++p) {
@@ -113,11 +75,7 @@ void find_touches(SceneSum& sum, const std::vector<FilteredPoint>& points) {
 
 }  // namespace
 
-SceneSum scene_sum(const PolygonSet& shape, const PolygonSet& reflected_robot,
-                   const std::vector<ConvolutionEdge>& convolution, const Rational& scale,
-                   Passages passages) {
-  const Sum found =
-      minkowski_sum(shape, reflected_robot, scale, Route::paper, "rational", passages);
+SceneSum scene_sum(const Sum& found, const SceneConvolution& convolution, const Rational& scale) {
   SceneSum sum;
   for (const Polygon& polygon : found.region.polygons) {
     add_ring(sum, polygon.outer);
@@ -125,18 +83,18 @@ SceneSum scene_sum(const PolygonSet& shape, const PolygonSet& reflected_robot,
   }
   sum.boundary = static_cast<std::uint32_t>(sum.edges.size());
   sum.first_contact.push_back(0);
-  {
-    const ContactFinder finder(shape, reflected_robot, convolution, scale);
-    const std::vector<FilteredPoint> points = filtered(sum.points, {});
-    for (const SceneSum::Edge& edge : sum.edges) {
-      finder.add(points[edge.from], points[edge.to], sum.contacts);
-      sum.first_contact.push_back(static_cast<std::uint32_t>(sum.contacts.size()));
-    }
+  std::vector<FilteredPoint> points(sum.points.begin(), sum.points.end());
+  ContactFinder finder(convolution, scale);
+  for (const SceneSum::Edge& edge : sum.edges) {
+    finder.add(points[edge.from], points[edge.to], sum.contacts);
+    sum.first_contact.push_back(static_cast<std::uint32_t>(sum.contacts.size()));
   }
   if (found.tight_passages) {
     for (const TightPassage& passage : *found.tight_passages) add_passage(sum, passage);
+    for (std::size_t k = points.size(); k < sum.points.size(); ++k)
+      points.emplace_back(sum.points[k]);
   }
-  find_touches(sum, filtered(sum.points, {}));
+  find_touches(sum, points);
   return sum;
 }
 

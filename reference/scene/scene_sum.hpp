@@ -10,6 +10,7 @@
 #include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/point_predicates.hpp"
 #include "reference/plane/sum.hpp"
+#include "reference/scene/scene_convolution.hpp"
 
 namespace minkref::inline scene {
 
@@ -32,11 +33,8 @@ struct SceneSum {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> touches;
 };
 
-/// The sum with `shape` as P and the reflected robot as Q; `convolution` is their reduced
-/// convolution. Exact. The static route's cost.
-SceneSum scene_sum(const PolygonSet& shape, const PolygonSet& reflected_robot,
-                   const std::vector<ConvolutionEdge>& convolution, const Rational& scale,
-                   Passages passages);
+/// From the sum at a scale, with its tight passages if they are asked for. Exact. O(n log n).
+SceneSum scene_sum(const Sum& found, const SceneConvolution& convolution, const Rational& scale);
 
 /// A sum moved to its place, ready to be asked for contacts.
 struct PlacedSum {

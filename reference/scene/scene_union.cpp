@@ -97,6 +97,7 @@ SceneUnion::SceneUnion(SceneState state, std::shared_ptr<const SceneUnion> obsta
   counts_.copies_redone = obstacles_->size();
   counts_.edges_redone += obstacles_->counts().edges_redone;
   counts_.sums_evaluated += obstacles_->counts().sums_evaluated;
+  counts_.indices_built += obstacles_->counts().indices_built;
 }
 
 std::uint32_t SceneUnion::size() const {

@@ -8,11 +8,20 @@
 #include <utility>
 #include <vector>
 
-#include "reference/build/build_control.hpp"
+#include "reference/build/build_options.hpp"
+#include "reference/plane/index/scale_index.hpp"
 #include "reference/scene/scene.hpp"
 #include "reference/scene/scene_sum.hpp"
 
 namespace minkref::inline scene {
+
+/// Work since the last change, or all work for a new scene.
+struct SceneCounts {
+  std::uint64_t copies_redone = 0;  ///< whose edges met the old or the new placed sum
+  std::uint64_t edges_redone = 0;
+  std::uint64_t sums_evaluated = 0;  ///< of a shape at a scale
+  std::uint64_t indices_built = 0;   ///< of shapes with many scales
+};
 
 /// Shared by all scenes with the same robot and shapes; safe to ask from several threads.
 class SumStore {
@@ -31,24 +40,34 @@ class SumStore {
   /// A shape, and its scale.
   using Key = std::pair<std::uint32_t, Rational>;
 
-  /// Kept as long as somebody else keeps it. Counts in `evaluated` a sum found anew.
+  /// Read off the shape's index, if its window has the scale; else found by the static route. Kept
+  /// as long as somebody else keeps it. Counts in `evaluated` a sum found anew.
   std::shared_ptr<const SceneSum> sum(const Key& key, std::uint64_t& evaluated);
 
-  /// The sums of distinct keys.
+  /// The sums of distinct keys. A shape with many scales first gets an index of all sums between
+  /// its least and its greatest one, which saves as many arrangements.
   std::vector<std::shared_ptr<const SceneSum>> sums(const std::vector<Key>& keys,
-                                                    const BuildControl& control,
-                                                    std::uint64_t& evaluated);
+                                                    const BuildOptions& options,
+                                                    SceneCounts& counts);
 
  private:
-  const std::vector<ConvolutionEdge>& convolution(std::uint32_t shape);
+  struct Shape {
+    std::optional<SceneConvolution> convolution;
+    std::shared_ptr<const ScaleIndex> index;
+  };
+  void build_indices(const std::vector<Key>& keys, const BuildOptions& options,
+                     SceneCounts& counts);
+  SceneSum found_sum(const Key& key);
   void forget_unused();
+
+  static constexpr std::size_t many_scales = 200;  ///< so many static sums cost more than an index
 
   PolygonSet robot_, reflected_;
   std::vector<PolygonSet> shapes_;
   bool passages_;
   std::vector<std::uint32_t> same_;
   std::mutex mutex_;
-  std::vector<std::optional<std::vector<ConvolutionEdge>>> convolutions_;
+  std::vector<Shape> prepared_;
   std::map<Key, std::weak_ptr<const SceneSum>> sums_;
   std::size_t kept_ = 0;
 };

@@ -201,6 +201,29 @@ std::string refusal(Ask&& ask) {
   return "";
 }
 
+TEST(SceneUnion, OfManyScalesIsReadOffAnIndexAndTheSame) {
+  Source random(14);
+  Scene scene{random_convex_polygon(random), {random_region(random)}, {}};
+  std::vector<Copy> late;
+  for (int k = 0; k < 230; ++k) {
+    late.push_back({0, Rational(k + 20, 100), {random.between(-99, 99), random.between(-99, 99)}});
+    if (k < 190) scene.copies.push_back(late.back());
+  }
+  SceneUnion one_by_one(scene, true);
+  EXPECT_EQ(one_by_one.counts().indices_built, 0U);
+  for (std::size_t k = scene.copies.size(); k < late.size(); ++k)
+    one_by_one = one_by_one.added(late[k]);
+  scene.copies = late;
+  const SceneUnion found(scene, true);
+  EXPECT_EQ(found.counts().indices_built, 1U);
+  expect_equal(found, one_by_one);
+  // Within the index's window, at its end, and beside it.
+  for (const Rational& scale :
+       {Rational(99, 41), Rational(249, 100), Rational(1, 7), Rational(9)}) {
+    expect_equal(found.changed(7, scale, {1, 2}), one_by_one.changed(7, scale, {1, 2}));
+  }
+}
+
 TEST(SceneUnion, RefusesWhatIsNoScene) {
   EXPECT_EQ(refusal([] { SceneUnion({unit, {unit}, {{0, 0, {}}}}); }), "bad-scale");
   EXPECT_EQ(refusal([] { SceneUnion({unit, {unit}, {{1, 1, {}}}}); }), "no-shape");
