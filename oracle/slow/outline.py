@@ -126,6 +126,8 @@ def stretches(line: Line) -> tuple[list[Stretch], list[Stretch], list[Stretch], 
         had_edge = along > 0 or against > 0
         was_inside = inside > 0
         through = inside - e[2]
+        # Three lines may cross where every edge ends, and the boundary go on along each of them.
+        pinched = (state == 0 and along == e[0]) or (state == 1 and against == e[1])
         along += b[0] - e[0]
         against += b[1] - e[1]
         inside += b[2] - e[2]
@@ -138,7 +140,7 @@ def stretches(line: Line) -> tuple[list[Stretch], list[Stretch], list[Stretch], 
             now = 2 if against > 0 else 0
         else:
             now = 1 if against > 0 else -1
-        if now != state:
+        if now != state or pinched:
             if state >= 0 and since is not None:
                 found[state].append((since, place))
             state, since = now, place

@@ -44,6 +44,15 @@ def test_square_plus_diamond_is_an_octagon_of_area_seven() -> None:
     assert len(found.polygons[0].outer) == 8
 
 
+def test_triangles_in_every_other_wedge_of_three_lines_are_three_components() -> None:
+    """The boundary goes straight on through their common corner, along each of the lines."""
+    wedges = ([[0, 0], [2, 0], [2, 2]], [[0, 0], [-2, 2], [-2, 0]], [[0, 0], [-2, -2], [2, -2]])
+    origin = Operand([], points((0, 0)))
+    found = minkowski_sum(polygons(*((wedge,) for wedge in wedges)), origin)
+    assert (found.components, found.holes, found.area) == (3, 0, 8)
+    assert [len(polygon.outer) for polygon in found.polygons] == [3, 3, 3]
+
+
 def test_square_that_fits_a_square_hole_leaves_one_point() -> None:
     frame = polygons((box(0, 0, 4, 4), box(1, 1, 2, 2)))
     assert minkowski_sum(frame, UNIT).tight == [points((2, 2))]
