@@ -22,8 +22,8 @@ FILE = Path(__file__).parents[2] / "degeneracies" / "known_unions.json"
 
 @dataclass(frozen=True)
 class KnownUnion:
-    """`area`, of the union, comes by hand or by another program than the digest. `witness`: a point
-    where the first victim is wrong."""
+    """`area`, of the union: by hand, or from another program than the digest. `witness`: a point
+    where the first victim is wrong; None if it gave no answer."""
 
     title: str
     story: str
