@@ -40,7 +40,8 @@ class Library:
     """`targets`: the prefix of target names. `place`: the position in lists. `has_program`: whether
     `program.py` beside it shows a finding with the library alone. `read`: makes a method of a name
     that begins with the prefix and is not listed, or refuses the name; None if all names are
-    listed. `in_all`: whether the group of all targets includes it. All the library's adapters share
+    listed. `in_all`: whether the group of all targets includes it. `shows_unions`:
+    whether its program shows wrong unions, and no sums. All the library's adapters share
     the other members."""
 
     title: str
@@ -55,6 +56,7 @@ class Library:
     has_program: bool = True
     read: Callable[[str], Method] | None = None
     in_all: bool = True
+    shows_unions: bool = False
 
     @property
     def adapters(self) -> tuple[Adapter, ...]:

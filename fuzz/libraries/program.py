@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import dataclass
 from importlib import resources
 from string import Template
 
+from minkref.fuzz.libraries.grid import Ring, polygons_of
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.verdicts.verdict import Outcome
 
@@ -35,6 +37,13 @@ def observed(outcome: Outcome) -> str:
     signal = f", {outcome.signal}" if outcome.signal else ""
     text = f"{outcome.target} {outcome.was or outcome.verdict}: {', '.join(outcome.kinds)}{signal}"
     return re.sub(r"[^\w .,:@+-]", " ", text)
+
+
+def united_sets(finding: Finding) -> list[list[list[Ring]]] | None:
+    """For each set its polygons, each a list of rings; None if the finding is no union."""
+    if finding.case.union is None:
+        return None
+    return [polygons_of(json.dumps(each)) for each in json.loads(finding.case.union)["sets"]]
 
 
 def scaled_operands(finding: Finding, dimension: int | None = None) -> tuple[str, str] | None:

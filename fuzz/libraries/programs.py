@@ -14,14 +14,14 @@ Maker = Callable[[Finding, str], Program | None]
 
 def program(finding: Finding, name: str) -> Program | None:
     """Returns the program, its file called `name`; None if none exists (`why_none`)."""
-    maker = _maker(finding.outcome.target) if finding.case.union is None else None
+    maker = _maker(finding.outcome.target, finding.case.union is not None)
     return maker(finding, name) if maker else None
 
 
 def why_none(finding: Finding) -> str:
     """A sentence for a finding that has no program."""
-    if finding.case.union is not None:
-        return "No program: only sums have programs so far."
+    if _maker(finding.outcome.target) and finding.case.union is not None:
+        return "No program: this library's programs show sums."
     if _maker(finding.outcome.target):
         return "No program: the library is not called with such operands."
     if finding.outcome.target.startswith("minkref"):
@@ -35,8 +35,10 @@ def library(target: str) -> str:
     return next(found, target)
 
 
-def _maker(target: str) -> Maker | None:
+def _maker(target: str, union: bool = False) -> Maker | None:
     for folder, library in LIBRARIES.items():
+        if union and not library.shows_unions:
+            continue
         if library.has_program and target.startswith(library.targets):
             module = import_module(f"minkref.fuzz.libraries.{folder}.program")
             names = {adapter.name for adapter in library.adapters}

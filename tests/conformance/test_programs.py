@@ -13,13 +13,19 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.own_folders import adapters_folder
 from minkref.fuzz.libraries.catalogue import absence
 from minkref.fuzz.libraries.installation import interpreter
 from minkref.fuzz.libraries.program import Program
 from minkref.fuzz.libraries.programs import program, why_none
 from minkref.fuzz.run.runner import Finding
-from minkref.fuzz.verdicts.verdict import Reason, Verdict
+from minkref.fuzz.run.worker import CaseResult
+from minkref.fuzz.unions.asked_union import AskedUnion
+from minkref.fuzz.unions.known import KnownUnion, known_unions
+from minkref.fuzz.unions.union_witness import UnionOf, some_point
+from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
+from thoroughness import THOROUGH
 
 LOST = (
     '{"P":{"polygons":[{"outer":[[0,0],[1,0],[0,1]]}]},"Q":{"polygons":[{"outer":[[5,2],[0,4],[0,0]],'
@@ -187,3 +193,63 @@ def test_numbers_beyond_the_digits_of_doubles_are_in_the_program(
     made = program(finding(text, "pysfcgal", ("1", "1")), "fault")
     assert made is not None
     assert "3/7 0" in made.text
+
+
+FIRST = {"geos": "GEOS", "boost-geometry": "Boost.Geometry"}
+UNIONS = known_unions()
+
+
+def union_finding(known: KnownUnion, target: str, witness: Witness | None) -> Finding:
+    case = AskedUnion(CaseName("union", "named"), known.sets)
+    result = CaseResult(0, case.name, "1", [], "P", "Q", case.size, literal=case.literal)
+    return Finding(Outcome(target, Verdict.WRONG, (Reason.MISSING,), witness=witness), result)
+
+
+def target_of(known: KnownUnion) -> str:
+    victim = known.victims[0]
+    if victim.endswith("on a grid"):
+        return "geos-grid"
+    return next(target for target, name in FIRST.items() if victim.startswith(name))
+
+
+def shown() -> list[KnownUnion]:
+    """Of each target the first, as a C++ program is compiled; all when thorough."""
+    found = [known for known in UNIONS if known.witness is not None]
+    firsts = {target_of(known): known for known in found[::-1]}
+    return found if THOROUGH else list(firsts.values())
+
+
+@pytest.mark.parametrize("known", shown(), ids=lambda known: known.title)
+def test_a_program_shows_a_known_fault(known: KnownUnion, tmp_path: Path) -> None:
+    target = target_of(known)
+    skip_without(target)
+    made = program(union_finding(known, target, known.witness), "fault")
+    assert made is not None and "minkref" not in made.text
+    code, said = built_and_run(made, "shapely" if made.file.endswith(".py") else target, tmp_path)
+    assert code == 1, said
+    assert "in this union: " in said
+
+
+def test_a_program_finds_right_what_is_right(tmp_path: Path) -> None:
+    skip_without("geos")
+    for known in UNIONS[1:4]:
+        witness = some_point(AskedUnion(CaseName(known.title, "known"), known.sets))
+        inner = replace(witness, point=_moved(witness.point))
+        assert UnionOf(AskedUnion(CaseName(known.title, "known"), known.sets)).holds(inner)
+        made = program(union_finding(known, "geos", inner), "fault")
+        assert made is not None
+        code, said = built_and_run(made, "shapely", tmp_path)
+        assert code == 0, said
+
+
+def _moved(point: tuple[str, ...]) -> tuple[str, ...]:
+    """A little to the upper right of a lower left corner."""
+    return tuple(f"{int(number) * 8 + 1}/8" for number in point)
+
+
+def test_other_libraries_have_none() -> None:
+    for target in ("clipper2-region", "boost-polygon", "cgal-join"):
+        found = union_finding(UNIONS[1], target, None)
+        assert program(found, "fault") is None
+        assert "show sums" in why_none(found)
+    assert "is itself" in why_none(union_finding(UNIONS[1], "./mine", None))

@@ -12,5 +12,5 @@ LIBRARY = Library(
     source="Boost of the system (Debian: libboost-dev)",
     licence="BSL-1.0",
     home="boost-geometry",
-    has_program=False,
+    shows_unions=True,
 )

@@ -15,5 +15,5 @@ LIBRARY = Library(
     source="shapely 2.2.0 (PyPI), with the GEOS in its wheel",
     licence="LGPL-2.1-or-later",
     home="shapely",
-    has_program=False,
+    shows_unions=True,
 )
