@@ -13,8 +13,8 @@ from minkref.space.operand import in_space
 
 @dataclass(frozen=True)
 class Setting:
-    """`takes`: whether the operands lie in it, beside which these options are given. `where` says
-    that to people."""
+    """`takes(operands, options)`: tell whether operands belong to the setting; `where`: the
+    setting in messages."""
 
     name: str
     where: str
@@ -35,8 +35,8 @@ SETTINGS = (SCENE, MOTION, DISC, SPACE, PLANE)  # the first one that takes the o
 def setting_of(
     operands: Sequence[str], given: Collection[str], known: Collection[Setting]
 ) -> Setting | None:
-    """The setting, of those that a command knows; None if a single operand is no scene. Refuses
-    operands of two settings."""
+    """Choose a setting among those known to a command; None for a single operand that is no scene.
+    Refuses operands of two settings."""
     alone = len(operands) == 1
     found = (s for s in SETTINGS if s in known and (s is SCENE) == alone)
     return next((s for s in found if s.takes(operands, given)), None)

@@ -70,9 +70,9 @@ def _field(field: dataclasses.Field[Any], kind: Any, *metadata: Any) -> Field:
 
 
 def union_of(requests: Sequence[type]) -> list[Field]:
-    """The fields of all requests, as the first that has one says it; a required field that some
-    request lacks may be absent. Each request keeps its order; where that leaves a choice, what only
-    an earlier request has comes first."""
+    """Merge the fields of all requests; the first request with a field defines it. A required field
+    becomes optional if some request lacks it. Each request keeps its order; among free choices,
+    fields of earlier requests come first."""
     lists = [fields_of(request) for request in requests]
     first: dict[str, Field] = {}
     for field in (field for fields in lists for field in fields):
@@ -83,7 +83,7 @@ def union_of(requests: Sequence[type]) -> list[Field]:
 
 
 def _optional(field: Field) -> Field:
-    """The field, with None for its absence if it was required."""
+    """Give a required field the default None."""
     if not field.is_required:
         return field
     kind, *metadata = get_args(field.parameter.annotation)

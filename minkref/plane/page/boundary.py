@@ -1,4 +1,4 @@
-"""The boundary of a sum over a window of scales, as scripts of pages read it."""
+"""The boundary of a sum over a window of scales, for scripts of pages."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Sums = _core.ScaleIndex | _core.DynamicSum
 Progress = Callable[[int, int], None]  # states done, states in all
 
 NARROWEST = 1e-12
-# The count that says how many states there are.
+# Names of counts: the number of states.
 GROUPS = {_core.DynamicSum: "boundary_groups", _core.ScaleIndex: "boundary_events"}
 
 
@@ -90,9 +90,9 @@ def states_of(sums: Sums, window: Window, progress: Progress) -> States:
 def ring_data(
     sums: Sums, states: States, window: Window, P: _core.PolygonSet, Q: _core.PolygonSet
 ) -> dict[str, Any]:
-    """The fields that give the rings of the sums of sP and Q at any scale of the window: `window`,
-    `about` (the scales of the states but the first), `states`, `tracks`, `centres`, `lives`.
-    Doubles, computed from exact tracks."""
+    """Return fields for the rings of sP + Q at any scale of the window: `window`, `about` (scales
+    of all states but the first), `states`, `tracks`, `centres`, `lives`. Doubles, computed from
+    exact tracks."""
     first, last = window.doubles
     return {
         "window": [[window.first, first], [window.last, last]],

@@ -1,10 +1,9 @@
-"""`minkref view SCENE`: a page on which the copies of a scene are dragged and scaled."""
+"""`minkref view SCENE`: a page to drag and scale copies."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from minkref import _core
 from minkref.cli.memory import memory_wall
 from minkref.cli.output import give, print_lines
 from minkref.errors import refusing
@@ -13,7 +12,6 @@ from minkref.output.terminal import counted
 from minkref.plane.commands.scale_index import cores
 from minkref.plane.commands.view import ring_progress
 from minkref.plane.operand import Operand
-from minkref.plane.page.boundary import Window
 from minkref.scene.commands.scene import FEWER, parts_of
 from minkref.scene.page.picture import picture
 from minkref.scene.page.write_page import page
@@ -31,7 +29,7 @@ def run(request: ViewOfScene) -> None:
         sets = {name: operand.set for name, operand in scene.shapes.items()}
         with ring_progress() as progress:
             data = refusing(
-                scene.name, lambda: picture(scene.robot.set, sets, scene.copies, _index, progress)
+                scene.name, lambda: picture(scene.robot.set, sets, scene.copies, cores(), progress)
             )
         count = target.write_pieces([page(scene.name, _robot(scene.robot), data)])
     if target.is_standard_output:
@@ -51,12 +49,8 @@ def run(request: ViewOfScene) -> None:
     give(value, request.json, _print)
 
 
-def _index(P: _core.PolygonSet, Q: _core.PolygonSet, window: Window) -> _core.ScaleIndex:
-    return _core.ScaleIndex(P, Q, window.first, window.last, cores())
-
-
 def _robot(robot: Operand) -> str:
-    """The robot's name; for a set that the scene's file itself holds, no more than that."""
+    """Name the robot; sets within the scene's file have no name of their own."""
     return robot.name if robot.source != robot.name else "robot"
 
 

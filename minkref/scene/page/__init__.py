@@ -1,1 +1,1 @@
-"""The page of a scene: copies to drag and to scale, and the free space that is left."""
+"""A scene's page: drag and scale copies, see free space change."""

@@ -1,36 +1,34 @@
-"""The page of a scene as the JSON document that its scripts read."""
+"""Data for the scripts of a scene's page."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 from minkref import _core
 from minkref.errors import Refusal
-from minkref.plane.page.boundary import Progress, Sums, Window, ring_data, rings_of, states_of
+from minkref.plane.page.boundary import Progress, Window, ring_data, rings_of, states_of
 from minkref.plane.page.linear import double
 from minkref.plane.page.passages import passages_at
 from minkref.scene.copies_text import CopyRow
 
 MOST_COPIES = 10_000
-ROOM = 2  # scales on the page reach so many times beyond the smallest and the greatest of a shape
-
-Find = Callable[[_core.PolygonSet, _core.PolygonSet, Window], Sums]
+ROOM = 2  # factor from a shape's smallest and greatest scale to the window's ends
 
 
 def picture(
     robot: _core.PolygonSet,
     shapes: Mapping[str, _core.PolygonSet],
     copies: Sequence[CopyRow],
-    find: Find,
+    threads: int,
     progress: Progress,
 ) -> dict[str, Any]:
-    """The fields of the page's data: docs/command-line.md, "minkref view of a scene". Scales,
-    places and sets are exact texts; rings are doubles. `find(P, Q, window)` gives the sums of a
-    shape and the robot turned by 180 degrees. Equal shapes share their sums. Refuses numbers beyond
-    doubles, and more than MOST_COPIES copies."""
+    """Return the fields of the page's data (docs/command-line.md, "minkref view of a scene").
+    Scales, places and sets are exact texts; rings are doubles. Equal shapes share one index of
+    their sums with the robot turned by 180 degrees. Refuses numbers beyond doubles, and more than
+    MOST_COPIES copies."""
     if len(copies) > MOST_COPIES:
         what = f"the scene has {len(copies):,} copies, and a page holds {MOST_COPIES:,}"
         raise Refusal(what, "view", "see `minkref scene`, or leave copies out", "limit")
@@ -48,13 +46,13 @@ def picture(
             {"name": name, "sum": numbers.get(key), **_set(shape)}
             for key, (name, shape) in zip(keys, shapes.items(), strict=True)
         ],
-        "sums": [_sum(sets[key], turned, used, find, progress) for key, used in scales.items()],
+        "sums": [_sum(sets[key], turned, used, threads, progress) for key, used in scales.items()],
         "copies": [list(copy) for copy in copies],
     }
 
 
 def window_of(scales: Sequence[Fraction]) -> Window:
-    """The scales that a page offers for copies of a shape with these scales."""
+    """Widen a shape's scales to the window that its copies may use on the page."""
     return Window(str(min(scales) / ROOM), str(max(scales) * ROOM))
 
 
@@ -62,11 +60,11 @@ def _sum(
     P: _core.PolygonSet,
     Q: _core.PolygonSet,
     used: Sequence[Fraction],
-    find: Find,
+    threads: int,
     progress: Progress,
 ) -> dict[str, Any]:
     window = window_of(used)
-    sums = find(P, Q, window)
+    sums = _core.ScaleIndex(P, Q, window.first, window.last, threads)
     states = states_of(sums, window, progress)
     data = ring_data(sums, states, window, P, Q)
     del data["lives"]
@@ -80,8 +78,8 @@ def _passages(
     events: list[str],
     edges: int,
 ) -> dict[str, Any] | None:
-    """The tight passages of the sum by its exact scale: at the scales of copies, and at events too
-    unless that takes too long; None if already the first takes too long."""
+    """Map exact scales to tight passages: always for scales of copies, for events if time allows;
+    None if even copies have too many scales."""
     own = list(map(str, sorted(set(used))))
     for scales in (sorted({*own, *events}, key=Fraction), own):
         found = passages_at(P, Q, scales, edges)
@@ -91,17 +89,17 @@ def _passages(
 
 
 def _key(shape: _core.PolygonSet) -> str:
-    """A text that equal shapes share; the canonical form has neither points nor segments."""
+    """Equal shapes share a text; canonical forms lack points and segments."""
     return shape.canonical_json() if shape.is_region else shape.to_json()
 
 
 def _set(operand: _core.PolygonSet) -> dict[str, Any]:
-    """The rings as drawn, and the set exactly, as a scene's file has it."""
+    """Rings in doubles, and the exact set as scene files write it."""
     return {"rings": rings_of(operand), "set": json.loads(operand.to_json())}
 
 
 def _refuse_beyond_doubles(copies: Sequence[CopyRow]) -> None:
-    """Refuse numbers that are infinite or zero as doubles."""
+    """Refuse numbers that round to infinity, and scales that round to zero."""
     for number, copy in enumerate(copies):
         where = f"copy {number}"
         scale = Fraction(copy.scale)

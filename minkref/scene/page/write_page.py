@@ -9,7 +9,7 @@ from minkref.page.template import json_for_script, page_template
 
 
 def page(scene: str, robot: str, data: dict[str, Any]) -> str:
-    """The text of the file. `data`: from `picture`; the others: names."""
+    """Render the file's text. `data`: from `picture`; `scene`, `robot`: names."""
     template, usual = page_template("scene", "sum")
     return template.render(
         scene=escaped(scene), robot=escaped(robot), data=json_for_script(data), **usual

@@ -1,4 +1,4 @@
-"""The page of a scene of 100 copies: frames a second while a copy is dragged, moved or scaled."""
+"""A scene's page with 100 copies: frames per second while dragging or scaling a copy."""
 
 from __future__ import annotations
 
@@ -66,13 +66,7 @@ def run(findings: Findings, size: Size) -> None:
     began = time.perf_counter()
     robot, copies = operand(ROBOT).set, drawn_copies()
     shapes = {name: operand(name).set for name in SHAPES}
-    data = picture(
-        robot,
-        shapes,
-        copies,
-        lambda P, Q, window: _core.ScaleIndex(P, Q, window.first, window.last, 2),
-        lambda done, total: None,
-    )
+    data = picture(robot, shapes, copies, 2, lambda done, total: None)
     text = page("scene", "robot", data)
     findings.figures |= {
         "copies": len(copies),
@@ -135,19 +129,19 @@ def _look(findings: Findings, window: Browser, path: Path, frames: int) -> None:
 
 
 def _asked(window: Browser, script: str, *arguments: Any) -> Any:
-    """The value that a script hands to its last argument, a function."""
+    """Run a script; return the value passed to its callback."""
     return window.execute_async_script(script, *arguments)
 
 
 def rate(times: list[float]) -> float:
-    """Frames a second, of the times of frames in milliseconds."""
+    """Frames per second from frame times in milliseconds."""
     return 1000 * (len(times) - 1) / (times[-1] - times[0])
 
 
 def _compare(
     findings: Findings, window: Browser, robot: _core.PolygonSet, shapes: list[_core.PolygonSet]
 ) -> None:
-    """The placed sums of the copies that were dragged and scaled, against the exact ones."""
+    """Compare dragged and scaled copies with exact placed sums."""
     copies: list[dict[str, Any]] = window.run("return window.minkref.copies")
     drawn: list[list[list[float]]] = window.run("return window.minkref.sums()")
     turned = robot.scaled("-1")
@@ -162,7 +156,7 @@ def _compare(
 
 
 def same_vertices(rings: list[list[float]], wanted: _core.PolygonSet) -> bool:
-    """Whether the rings have these vertices, up to roundings."""
+    """Compare vertices of rings, up to roundings."""
     found = sorted(point for ring in rings for point in zip(ring[::2], ring[1::2], strict=True))
     exact = [tuple(p) for each in wanted.approximate_rings() for ring in each for p in ring]
     reach = CLOSE * APART * math.isqrt(COPIES)
