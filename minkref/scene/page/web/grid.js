@@ -18,12 +18,13 @@ function sideOf(width, height, isFine) {
   return side;
 }
 
+const blank = () => ({ key: "", side: 1, raster: new Raster(1, 1, { x: 0, y: 0, unit: 1 }) });
+
 export class Grid {
   constructor() {
     this.names = new Names();
-    this.key = "";
-    this.side = 1;
-    this.raster = new Raster(1, 1, { x: 0, y: 0, unit: 1 });
+    this.kept = { coarse: blank(), fine: blank() };
+    this.shown = this.kept.coarse;
     this.free = document.createElement("canvas");
     this.seams = document.createElement("canvas");
     /** @type {number[]} */
@@ -43,15 +44,24 @@ export class Grid {
    */
   fit(copies, view, width, height, isFine) {
     const side = sideOf(width, height, isFine), key = [view.x, view.y, view.unit, width, height, side].join();
-    if (key !== this.key) {
-      this.key = key;
-      this.side = side;
+    const shown = this.shown = isFine ? this.kept.fine : this.kept.coarse;
+    if (key !== shown.key) {
       const frame = { x: view.x - width / 2 / view.unit, y: view.y + height / 2 / view.unit, unit: view.unit / side };
-      this.raster = new Raster(Math.ceil(width / side), Math.ceil(height / side), frame);
+      Object.assign(shown, { key, side, raster: new Raster(Math.ceil(width / side), Math.ceil(height / side), frame) });
     }
     const left = new Set(this.raster.spans.keys());
     for (const copy of copies) if (!left.delete(copy)) this.raster.put(copy);
     for (const copy of left) this.raster.remove(copy);
+  }
+
+  get raster() { return this.shown.raster; }
+  get side() { return this.shown.side; }
+
+  /** Counts a copy anew that moved or grew: among coarse cells at once, among fine ones when these are shown. @param {Copy} copy */
+  change(copy) {
+    const { coarse, fine } = this.kept;
+    if (coarse.raster.spans.has(copy)) coarse.raster.put(copy);
+    fine.raster.remove(copy);
   }
 
   /** The free space. @param {Copy[]} copies @param {Contact} contact */

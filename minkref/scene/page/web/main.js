@@ -67,7 +67,7 @@ function change() { isStale = true; ask(); }
 
 /** @param {Copy} copy */
 function changed(copy) {
-  if (drawing.grid.raster.spans.has(copy)) drawing.grid.raster.put(copy);
+  drawing.grid.change(copy);
   apart = copy;
   panel.changed.add(copy);
   change();
