@@ -17,7 +17,7 @@ from minkref.fuzz.plane.families.holed_pairs import plate
 from minkref.fuzz.plane.families.integer_rings import scattered, untangled
 from minkref.fuzz.unions.asked_union import AskedUnion
 from minkref.fuzz.unions.degenerate_unions import KINDS, Sets, degenerate_sets
-from minkref.fuzz.unions.scene_unions import scene_sets
+from minkref.fuzz.unions.placed_sums import scene_sets
 
 GRID = "-grid"
 FAMILIES = {
