@@ -144,6 +144,32 @@ TEST(SceneUnion, AfterAChangeIsThatFromScratchAndAfterTheChangeBackTheSame) {
   }
 }
 
+/// The scene under x -> factor x + shift.
+Scene image(Scene scene, const Rational& factor, const Point& shift) {
+  scene.robot = scaled(scene.robot, factor);
+  for (PolygonSet& shape : scene.shapes) shape = scaled(shape, factor);
+  for (Copy& copy : scene.copies) copy.place = factor * copy.place + shift;
+  return scene;
+}
+
+TEST(SceneUnion, HoldsBeyondTheRangeOfDoublesAndFarFromTheOrigin) {
+  Source random(15);
+  const Rational huge(Integer(1) << 1022), far(Integer(1) << 70);
+  for (int k = 0; k < 60; ++k) {
+    const Scene plain = k % 2 == 0 ? lattice_scene(random) : random_scene(random);
+    const Rational factor = k % 3 == 0 ? huge : k % 3 == 1 ? Rational(1 / huge / far) : 1 / far;
+    const Point shift = k % 3 == 2 ? Point{far, Rational(1, 3)} : Point{};
+    const Scene scene = image(plain, factor, shift);
+    SCOPED_TRACE(text(scene));
+    const SceneUnion found(scene, true), before(plain, true);
+    ASSERT_EQ(found.region().region, united_sums(scene).region);
+    EXPECT_EQ(found.owners(), before.owners());
+    ASSERT_EQ(found.passages().size(), before.passages().size());
+    for (std::size_t i = 0; i < found.passages().size(); ++i)
+      EXPECT_EQ(found.passages()[i].owners, before.passages()[i].owners);
+  }
+}
+
 const PolygonSet unit = box(0, 0, 1, 1);
 
 Scene boxes(std::vector<Point> places) {
