@@ -30,6 +30,11 @@ def boxes(*places: tuple[Any, Any], robot: minkref.PolygonSet = UNIT) -> Scene:
     return Scene(robot, [UNIT], [Copy(0, 1, place) for place in places], passages=True)
 
 
+def free(scene: Scene) -> tuple[int, int]:
+    """Numbers of free components, with contact forbidden and allowed."""
+    return len(scene.free_components("forbidden")), len(scene.free_components("allowed"))
+
+
 def sides(scene: Scene) -> dict[Any, set[int]]:
     """The copies behind each side of the union, by the side's ends."""
     rings = [ring for polygon in scene.union().rings() for ring in polygon]
@@ -44,6 +49,7 @@ def test_no_copy_leaves_everything_free() -> None:
     scene = Scene(UNIT, [UNIT], passages=True)
     assert (scene.union(), scene.components, scene.holes) == (minkref.PolygonSet(), 0, 0)
     assert (scene.owners(), scene.passages(), scene.copies) == ([], [], [])
+    assert free(scene) == (1, 1)
     again = scene.add(0).remove(0)
     assert again == scene and again.digest == scene.digest
 
@@ -56,7 +62,7 @@ def test_two_equal_copies_are_one_set_with_two_owners() -> None:
     for copy in (0, 1):
         left = two.remove(copy)
         assert left.digest == two.digest and sides(left) == sides(one)
-    assert two.passages() == []
+    assert two.passages() == [] and free(two) == (1, 1)
 
 
 def test_sums_of_obstacles_that_share_an_edge_overlap_there() -> None:
@@ -70,6 +76,14 @@ def test_a_seam_between_obstacles_blocks_a_point() -> None:
     """Obstacles make one regular set; its interior contains the seam."""
     scene = boxes((0, 0), (1, 0), robot=POINT)
     assert (scene.union(), scene.components, scene.passages()) == (box(0, 0, 2, 1), 1, [])
+    walls = {"left": box(0, 0, 2, 5), "low": box(0, 0, 5, 2), "top": box(0, 3, 5, 5),
+             "right": box(3, 0, 5, 5)}  # fmt: skip
+    closed = Scene(POINT, walls, [Copy(wall) for wall in walls], passages=True)
+    assert free(closed) == (2, 2)
+    apart = {"left": box(0, 0, 2, 5), "right": box(2, 0, 4, 2), "roof": box(2, 3, 4, 5),
+             "door": box(4, 0, 5, 5)}  # fmt: skip
+    seams = Scene(POINT, apart, [Copy(wall) for wall in apart], passages=True)
+    assert (free(seams), seams.passages()) == ((2, 2), [])
 
 
 def test_a_seam_between_obstacles_blocks_a_segment_that_would_slide_along_it() -> None:
@@ -95,6 +109,18 @@ def test_a_gap_exactly_as_wide_as_the_robot_is_a_tight_passage() -> None:
     assert [{owner.copy for owner in side} for side in passage.owners] == [{0, 1}]
 
 
+def test_a_door_exactly_as_wide_as_the_robot_lets_it_out_if_it_may_touch() -> None:
+    walls = {
+        "left": box(-5, -5, -3, 5), "low": box(-5, -5, 5, -3), "top": box(-5, 3, 5, 5),
+        "below the door": box(3, -5, 5, 0), "above the door": box(3, 1, 5, 5),
+    }  # fmt: skip
+    scene = Scene(UNIT, walls, [Copy(wall) for wall in walls], passages=True)
+    assert passages(scene) == [points((2, 0), (5, 0))]
+    assert free(scene) == (2, 1)
+    assert free(scene.change(4, place=(0, TINY))) == (1, 1)
+    assert free(scene.change(4, place=(0, -TINY))) == (2, 2)
+
+
 def test_a_passage_of_a_copy_ends_where_another_copy_covers_it() -> None:
     scene = boxes((0, 0), (2, 0)).add(0, "1/2", ("3/2", "1/2"))
     # The sum of the third square is [1/2, 2] x [-1/2, 1].
@@ -112,6 +138,7 @@ def test_sums_that_touch_at_a_corner_are_two_components() -> None:
 def test_four_sums_in_a_ring_that_touch_at_corners_enclose_a_hole() -> None:
     scene = boxes((2, 0), (0, 2), (-2, 0), (0, -2))
     assert (scene.components, scene.holes) == (4, 1)
+    assert free(scene) == (2, 1)
 
 
 def test_a_robot_that_fits_exactly_between_three_copies_has_a_point() -> None:
@@ -125,7 +152,8 @@ def test_a_robot_that_fits_exactly_between_three_copies_has_a_point() -> None:
     assert passages(scene) == [points((0, 0))]
     [passage] = scene.passages()
     assert [{owner.copy for owner in side} for side in passage.owners] == [{0, 1, 2}]
-    assert scene.holes == 0
+    assert scene.holes == 0 and free(scene) == (1, 2)
+    assert scene.free_components("allowed")[1].cells == ()
     assert scene.change(2, place=(TINY, TINY)).holes == 1
     assert passages(scene.change(2, place=(-TINY, -TINY))) == []
 
@@ -135,6 +163,8 @@ def test_a_hole_partly_covered_by_another_copy_has_edges_of_both() -> None:
     scene = Scene(UNIT, shapes, [Copy("frame"), Copy("bar")], passages=True)
     # The frame's sum has the hole (-2, 1) x (-2, 1), the bar's sum is [-1, 1] x [-5, 4].
     assert scene.holes == 1
+    # The robot also fits exactly between the bar and the frame's right wall.
+    assert passages(scene) == [points((1, -2), (1, 1))] and free(scene) == (2, 3)
     [[_, hole]] = scene.union().rings()
     assert set(hole) == set(points((-2, -2), (-1, -2), (-1, 1), (-2, 1)))
     owners = {key: copies for key, copies in sides(scene).items() if set(key) <= set(hole)}
@@ -178,9 +208,10 @@ def test_an_obstacle_inside_the_hole_of_a_robot_has_a_ring_as_its_sum() -> None:
     scene = Scene(robot, {"pin": pin}, [Copy("pin")], passages=True)
     ring = minkref.subtract(box(-4, -4, 4, 4), [box(-1, -1, 1, 1)])
     assert (scene.union(), scene.components, scene.holes) == (ring, 1, 1)
-    assert scene.passages() == []
+    assert scene.passages() == [] and free(scene) == (2, 2)
     # A pin as wide as the hole: the free place in the middle is a point, and then gone.
     assert passages(scene.change(0, 2)) == [points((0, 0))]
+    assert free(scene.change(0, 2)) == (1, 2)
     assert passages(scene.change(0, 2 + TINY)) == []
 
 
