@@ -1,4 +1,4 @@
-"""CGAL's join and sums, each through a process."""
+"""Unions and sums by other libraries, each through a process."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ from minkref.fuzz.unions.asked_union import AskedUnion
 SECONDS, BYTES = 900.0, 8 << 30
 
 
-class CgalJoin:
-    """A process with CGAL's join, kept open."""
+class Joining:
+    """A process with a library's union, kept open; `name`: of the target, by default CGAL's."""
 
-    def __init__(self) -> None:
-        target = ALL_TARGETS.target("cgal-join", Limits(SECONDS, BYTES))
+    def __init__(self, name: str = "cgal-join") -> None:
+        target = ALL_TARGETS.target(name, Limits(SECONDS, BYTES))
         assert isinstance(target, AdapterTarget)
-        self._target = target
+        self._name, self._target = name, target
 
     def join(self, sets: Sequence[PolygonSet]) -> tuple[PolygonSet, float]:
         """The union, canonical, and the seconds of the call, reading and writing included. Raises
-        RuntimeError where CGAL has no answer."""
+        RuntimeError where the library has no answer."""
         if len(sets) < 2:
             return (sets[0] if sets else PolygonSet.from_json('{"polygons":[]}')), 0.0
         case = AskedUnion(CaseName("scene", "evidence"), tuple(sets))
         answer = self._target.union(case, case.texts)
         if answer.region is None:
-            raise RuntimeError(f"CGAL's join: {answer.verdict}: {answer.message}")
+            raise RuntimeError(f"{self._name}: {answer.verdict}: {answer.message}")
         return answer.region.set, answer.seconds
 
-    def __enter__(self) -> CgalJoin:
+    def __enter__(self) -> Joining:
         return self
 
     def __exit__(self, *_: object) -> None:

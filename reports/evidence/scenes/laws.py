@@ -14,7 +14,7 @@ from minkref.fuzz.judges.plane.slow_scene import slow_scene
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.scenes.draws import DrawnScene, drawn
-from minkref.reports.evidence.scenes.joined import CgalJoin, CgalSums
+from minkref.reports.evidence.scenes.joined import CgalSums, Joining
 
 MINUTES = Minutes(0.5, 3, 15)
 
@@ -86,9 +86,9 @@ def _by_cgal(one: DrawnScene, scene: Scene, found: Found) -> None:
 
 
 @cache
-def _cgal() -> tuple[CgalJoin, CgalSums]:
+def _cgal() -> tuple[Joining, CgalSums]:
     """Of this process."""
-    return CgalJoin(), CgalSums()
+    return Joining(), CgalSums()
 
 
 def _by_slow_engine(one: DrawnScene, scene: Scene, found: Found) -> None:

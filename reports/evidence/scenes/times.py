@@ -15,10 +15,11 @@ from statistics import median
 from typing import Any
 
 from minkref import Copy, PolygonSet, Scene, _core
+from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.plane.operand import read_operand
 from minkref.reports.copies_cost_plot import draw
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
-from minkref.reports.evidence.scenes.joined import CgalJoin, CgalSums
+from minkref.reports.evidence.scenes.joined import CgalSums, Joining
 
 MINUTES = Minutes(None, 4, 20)
 ALONE = True
@@ -144,8 +145,10 @@ def _scene(
     scene = whole.value
     dice = random.Random(f"minkref scene changes {count}")
     changes, with_form, redone = [], [], []
+    changed = scene
     for _ in range(CHANGES):
         at = dice.randrange(count)
+        del changed  # its end is no part of the next change
         scale = Fraction(dice.randint(300, 2000), 1000)
         began = time.perf_counter()
         changed = scene.change(at, scale)
@@ -187,8 +190,9 @@ def _beside_cgal(
             return
         seconds += answer[1]
         totals.append(answer[0].translated(*map(str, copy.place)))
-    with CgalJoin() as cgal:
+    with Joining() as cgal:
         joined, join_seconds = cgal.join(totals)
+    _in_doubles(findings, count, totals, row["union"])
     row["cgal"] = seconds + join_seconds
     ratio = row["cgal"] / row["union"]
     least = 5 if count < 1_000 else 15
@@ -199,6 +203,20 @@ def _beside_cgal(
     findings.law(f"{count:,} copies: CGAL's sums joined by CGAL are our union", same, True, same)
     findings.target(f"{count:,} copies, union from end to end, against CGAL", ratio >= least,
                     f"at least {least} times faster", f"{ratio:,.1f} times")  # fmt: skip
+
+
+def _in_doubles(findings: Findings, count: int, totals: list[PolygonSet], seconds: float) -> None:
+    """GEOS's union in doubles, stated: it has no sums, and is not exact."""
+    entry = next(entry for entry in ALL_TARGETS.entries() if entry.name == "geos")
+    if not entry.available:
+        findings.note(f"GEOS is not at hand: {entry.reason}")
+        return
+    with Joining("geos") as geos:
+        _, taken = geos.join(totals)
+    findings.note(
+        f"{count:,} copies, the union of the finished sums by GEOS in doubles, once, reading and "
+        f"writing included: {taken:,.3f} s; ours with all sums {seconds:,.3f} s"
+    )
 
 
 #: In a process of its own, whose memory is its own.
