@@ -17,6 +17,7 @@
 #include "formats/write.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/convex/convex_ring.hpp"
+#include "reference/plane/point_predicates.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -61,6 +62,14 @@ std::tuple<double, double, double, double> bounding_box(const Set& set) {
 
 std::string canonical_text(const Set& set) {
   return canonical_json(set.canonical ? set.value : canonicalize(set.value).region);
+}
+
+/// Equal for equal sets of points: a canonical form has no points and segments.
+std::string compared_text(const Set& set) {
+  if (!set.value.is_point() && !set.value.is_segment()) return canonical_text(set);
+  Ring ends = set.value.polygons[0].outer;
+  if (ends.size() == 2 && compare_xy(ends[1], ends[0]) < 0) std::swap(ends[0], ends[1]);
+  return canonical_json({{{std::move(ends), {}}}});
 }
 
 /// The rings as written: no ring is turned or validated.
@@ -112,11 +121,11 @@ void bind_polygon_set(nb::module_& module) {
       .def(
           "__eq__",
           [](const Set& a, const Set& b) {
-            return a.value == b.value || canonical_text(a) == canonical_text(b);
+            return a.value == b.value || compared_text(a) == compared_text(b);
           },
           nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__hash__",
-           [](const Set& set) { return std::hash<std::string>()(canonical_text(set)) >> 1; })
+           [](const Set& set) { return std::hash<std::string>()(compared_text(set)) >> 1; })
       .def("__repr__", [](const Set& set) { return shown(set); })
       .def("_repr_svg_", [](const Set& set) { return write(set.value, Format::svg); })
       .def_prop_ro(

@@ -229,6 +229,19 @@ def test_arrays_hold_the_nearest_doubles_and_no_infinity() -> None:
                 read(PolygonSet(shape))
 
 
+def test_sets_without_area_are_equal_iff_they_have_the_same_points() -> None:
+    """Their canonical form, that of a regular set, is empty."""
+    texts = ("POINT (1 1)", "POINT (2 2)", "LINESTRING (0 0, 2 1)", "POLYGON EMPTY")
+    sets = [PolygonSet(text) for text in texts]
+    for k, one in enumerate(sets):
+        for other in sets[:k]:
+            assert one != other
+    assert len(set(sets)) == len(sets)
+    turned = PolygonSet("LINESTRING (2 1, 0 0)")
+    assert turned == sets[2] and hash(turned) == hash(sets[2])
+    assert PolygonSet("POINT (1 1)") == sets[0]
+
+
 def test_a_set_is_equal_to_sets_only() -> None:
     for other in (None, 0, "POLYGON EMPTY", [[(0, 0), (1, 0), (0, 1)]]):
         assert TRIANGLE != other and not TRIANGLE == other
