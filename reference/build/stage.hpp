@@ -32,7 +32,9 @@ void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::
   const std::size_t step = std::max<std::size_t>(count / 100, 1);
   StageControl look{control, stage, count, step, step};
   control.report(stage, 0, count);
-  minkref::in_parallel(count, 16, look, std::forward<MakeWorker>(make_worker));
+  // Few and long pieces of work are shared out one by one.
+  const std::size_t chunk = std::clamp<std::size_t>(count / (8 * control.threads()), 1, 16);
+  minkref::in_parallel(count, chunk, look, std::forward<MakeWorker>(make_worker));
   control.look_now();
   control.report(stage, count, count);
 }
