@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import os
 import random
@@ -31,7 +32,6 @@ APART = 120  # between places, about as large as the shapes: many sums overlap
 ROBOT = "POLYGON ((0 0, 6 0, 6 2, 2 2, 2 6, 0 6, 0 0))"
 FRAMES = Counts(60, 240, 900)  # of each drag
 DRAGGED = 3  # copies, the last of them the largest shape
-Pair = tuple[float, float]
 WANTED = 59  # frames a second; a screen shows 60
 CLOSE = 1e-9  # sizes of the scene
 DRIVE = """
@@ -176,28 +176,23 @@ def _compare(
         copy = copies[number]
         scale, x, y = (str(Fraction(text)) for text in (copy["scale"], *copy["place"]))
         wanted = _core.minkowski_sum(shapes[copy["shape"]], turned, scale).region.translated(x, y)
-        right += same_boundary(drawn[number], wanted)
+        right += same_set(drawn[number], wanted)
     findings.equal(
         "copies that were changed, with the boundaries of their sums", len(changed), right
     )
 
 
-def same_boundary(rings: list[list[float]], wanted: _core.PolygonSet) -> bool:
-    """Compare rings with exact ones, up to roundings: each exact vertex is drawn, and each drawn
-    vertex lies on the boundary. At an event the page may keep a straight vertex."""
-    found = [point for ring in rings for point in zip(ring[::2], ring[1::2], strict=True)]
-    exact = [ring for each in wanted.approximate_rings() for ring in each]
-    sides = [(ring[k - 1], p) for ring in exact for k, p in enumerate(ring)]
-    reach = CLOSE * APART * math.isqrt(COPIES)
-    return all(min(math.dist(p, q) for q in found) < reach for ring in exact for p in ring) and all(
-        min(distance(p, *side) for side in sides) < reach for p in found
-    )
+def same_set(rings: list[list[float]], wanted: _core.PolygonSet) -> bool:
+    """Whether drawn rings bound the exact set, up to roundings: the areas on one side only are
+    small. At an event the page may keep straight vertices, and slits that have just closed."""
+    polygons = [{"outer": _exact(ring), "holes": []} for ring in rings]
+    drawn = _core.PolygonSet.from_json(json.dumps({"polygons": polygons}))
+    reach = CLOSE * (APART * math.isqrt(COPIES)) ** 2
+    apart = [_core.combined("difference", pair)[0] for pair in ([drawn, wanted], [wanted, drawn])]
+    return all(Fraction(each.area()) < reach for each in apart)
 
 
-def distance(p: Pair, a: Pair, b: Pair) -> float:
-    """Measure from a point to a segment."""
-    way = (b[0] - a[0], b[1] - a[1])
-    length = way[0] ** 2 + way[1] ** 2
-    t = ((p[0] - a[0]) * way[0] + (p[1] - a[1]) * way[1]) / length if length else 0.0
-    t = min(max(t, 0.0), 1.0)
-    return math.dist(p, (a[0] + t * way[0], a[1] + t * way[1]))
+def _exact(ring: list[float]) -> list[tuple[str, str]]:
+    return [
+        (str(Fraction(x)), str(Fraction(y))) for x, y in zip(ring[::2], ring[1::2], strict=True)
+    ]
