@@ -177,9 +177,7 @@ def _compare(
         scale, x, y = (str(Fraction(text)) for text in (copy["scale"], *copy["place"]))
         wanted = _core.minkowski_sum(shapes[copy["shape"]], turned, scale).region.translated(x, y)
         right += same_set(drawn[number], wanted)
-    findings.equal(
-        "copies that were changed, with the boundaries of their sums", len(changed), right
-    )
+    findings.equal("changed copies whose sums are the exact ones", len(changed), right)
 
 
 def same_set(rings: list[list[float]], wanted: _core.PolygonSet) -> bool:
