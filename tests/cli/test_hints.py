@@ -40,6 +40,10 @@ CUBE = """OFF
 #: Refusals that depend on the numbers, not on an option.
 OF_THE_NUMBERS = ("undecided-sign", "no-proof", "not-star-shaped")
 CUBES = ["cube.off", "cube.off"]
+SCENE = (
+    '{"schema":"scene-v1","robot":"POINT (0 0)",'
+    '"shapes":{"box":"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"},"copies":[]}'
+)
 WINDOW = ["--from", "1", "--to", "2"]
 #: Arguments that each command takes in each setting.
 TAKEN: dict[str, dict[str, Words]] = {
@@ -66,8 +70,9 @@ TAKEN: dict[str, dict[str, Words]] = {
     "view": {
         "plane": [SQUARE, NOTCH, "-o", "v.html"], "disc": [NOTCH, "disc", "-o", "v.html"],
         "path": [SQUARE, NOTCH, "--path", WAY, "-o", "v.html"],
-        "space": [*CUBES, "-o", "v.html"],
+        "space": [*CUBES, "-o", "v.html"], "scene": [SCENE, "-o", "v.html"],
     },
+    "scene": {"plane": [SCENE]},
     "certify": {
         "plane": [SQUARE, SQUARE, "-o", "c.cert.json"],
         "space": [*CUBES, "-o", "s.cert.json"],
@@ -101,6 +106,8 @@ VALUES: dict[str, list[str]] = {
     "--check": ["1"],
     "--threads": ["1"],
     "--at": ["0,0"],
+    "--way": [WAY],
+    "--copies": ["copies.csv"],
 }
 #: Options that refuse a misspelt value.
 WORDS = (
@@ -144,6 +151,7 @@ def test_what_a_hint_recommends_is_accepted(
     monkeypatch.chdir(tmp_path)
     (tmp_path / "cube.off").write_text(CUBE, encoding="utf-8")
     (tmp_path / "scales.txt").write_text("1\n2\n", encoding="utf-8")
+    (tmp_path / "copies.csv").write_text("shape,scale,x,y\nbox,1,0,0\n", encoding="utf-8")
     refusals: list[dict[str, str]] = []
     told = minkref_errors.refusal_text
 

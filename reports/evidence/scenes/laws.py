@@ -16,7 +16,7 @@ from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, S
 from minkref.reports.evidence.scenes.draws import DrawnScene, drawn
 from minkref.reports.evidence.scenes.joined import CgalSums, Joining
 
-MINUTES = Minutes(0.5, 3, 15)
+MINUTES = Minutes(0.1, 0.3, 1)
 
 SCENES = Counts(24, 120, 500)
 CHANGED = Counts(2, 6, 20)  # scenes that are changed

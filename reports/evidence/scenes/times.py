@@ -21,7 +21,7 @@ from minkref.reports.copies_cost_plot import draw
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.scenes.joined import CgalSums, Joining
 
-MINUTES = Minutes(None, 4, 20)
+MINUTES = Minutes(None, 1.5, 5)
 ALONE = True
 
 SIZES: Counts[tuple[int, ...]] = Counts((12, 100), (12, 100, 1_000), (12, 100, 1_000, 10_000))
