@@ -82,7 +82,8 @@ def test_a_table_has_them_row_by_row(
 
 
 def test_parts_of_a_window_follow_each_other(operands: tuple[Path, Path]) -> None:
-    """Limits the events in memory to very few, many of them at scales where parts meet."""
+    """Limits the events in memory to very few, many of them at scales where parts meet. The limit is
+    for each thread, and threads share the events as they come: the parts are few at least."""
     P, Q = (read_summand(str(path)).surface for path in operands)
 
     def all_of(most: int | None) -> tuple[list[Any], Any, int]:
@@ -92,9 +93,9 @@ def test_parts_of_a_window_follow_each_other(operands: tuple[Path, Path]) -> Non
 
     rows, counts, parts = all_of(None)
     assert parts == 1 and len(rows) > 200
-    for most in (50, 7):
+    for most, least in ((50, 2), (7, 5)):
         again, same, more = all_of(most)
-        assert again == rows and more > 4
+        assert again == rows and more >= least
         for name in ("vertex", "edge", "parallel", "triple", "four", "distinct", "facets"):
             assert same[name] == counts[name], name
 
