@@ -82,8 +82,7 @@ def test_a_table_has_them_row_by_row(
 
 
 def test_parts_of_a_window_follow_each_other(operands: tuple[Path, Path]) -> None:
-    """Limits the events in memory to very few, many of them at scales where parts meet. The limit is
-    for each thread, and threads share the events as they come: the parts are few at least."""
+    """Limits events in memory to very few per thread, many at scales where parts meet."""
     P, Q = (read_summand(str(path)).surface for path in operands)
 
     def all_of(most: int | None) -> tuple[list[Any], Any, int]:
