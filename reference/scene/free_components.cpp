@@ -6,8 +6,8 @@
 #include "reference/box_tree.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/no_entry.hpp"
-#include "reference/plane/kernel/box.hpp"
 #include "reference/plane/location.hpp"
+#include "reference/scene/scene_sum.hpp"
 
 namespace minkref::inline scene {
 namespace {
@@ -85,10 +85,6 @@ class CellFinder {
   }
 
  private:
-  static Box box_of(const FilteredPoint& p) {
-    return {below(p.x()), below(p.y()), above(p.x()), above(p.y())};
-  }
-
   const BoundaryGraph& boundary_;
   const std::vector<std::uint32_t>&cell_of_edge_, &cell_of_point_;
   std::vector<FilteredPoint> points_;

@@ -154,7 +154,7 @@ std::optional<Growth> SceneQuestions::growth(const std::vector<Point>& path,
   const FloatEnvironment standard;
   if (!scene_.robot.is_region() && rule == ContactRule::allowed) {
     throw BadInput("no-area", "copies that grow about a robot without area may close a seam",
-                   "forbid contact, or give the robot an area");
+                   "ask with contact forbidden: its factor is a lower bound");
   }
   if (!way(path, rule).free) return std::nullopt;
   const ExactBox box = box_of(path);
