@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from cells import cells
 from circle import regular
-from creatures import animal, bird, dog
+from creatures import animal, beetle, bird, dog
 from drawing import Canvas, Ring
 from letters import g1, g2, g3, g4
 from shapes import Drawing
@@ -76,6 +76,7 @@ MODELS = [
     Model("g3", 24, 0, "a post on a base, two bars on either side; right angles only", g3, 0),
     Model("g4", 43, 0, "a walking figure", g4, 0),
     Model("dog145", 145, 0, "a dog", lambda: outline(dog, 800, 145)),
+    Model("beetle", 156, 0, "a beetle seen from above", lambda: outline(beetle, 800, 156), 5),
     Model("disc1", 32, 0, "a regular 32-gon of radius 0.3669092445",
           lambda: [regular(32, Decimal("0.3669092445"), 7)], 7),
     Model("disc5", 32, 0, "a regular 32-gon of radius 1.834546223",
