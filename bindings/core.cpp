@@ -9,6 +9,7 @@
 #include <new>
 
 #include "bindings/core_convolution.hpp"
+#include "bindings/core_features.hpp"
 #include "bindings/core_paper_space_update.hpp"
 #include "bindings/core_paths.hpp"
 #include "bindings/core_scene.hpp"
@@ -121,6 +122,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_disc_events(module);
   minkref::python::bind_disc_index(module);
   minkref::python::bind_disc_pair_events(module);
+  minkref::python::bind_features(module);
   minkref::python::bind_convolution(module);
   minkref::python::bind_conditions(module);
   minkref::python::bind_events(module);

@@ -18,8 +18,7 @@
 #include "bindings/diagram_row.hpp"
 #include "bindings/stopwatch.hpp"
 #include "bindings/vector_caster.hpp"
-#include "reference/disc/diagram/edge_names.hpp"
-#include "reference/disc/diagram/rounded_event.hpp"
+#include "reference/number/radicals/nearest_double.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 
 namespace nb = nanobind;
@@ -60,22 +59,59 @@ FeatureName edge_row(const VertexId& id) {
   return {"edge", std::to_string(id.ring), std::to_string(id.index)};
 }
 
+SquareRow square_row(const RootNumber& squared_radius) {
+  const Polynomial polynomial = without_multiple_roots(squared_radius.polynomial());
+  const Enclosure radius = enclose(root_of(squared_radius));
+  SquareRow row{std::nullopt, {}, {radius.lower, radius.upper}};
+  for (const Rational& c : polynomial) row.polynomial.push_back(to_string(c));
+  if (polynomial.size() == 2) row.rational = to_string(Rational(-polynomial[0]));
+  return row;
+}
+
 DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event) {
   const Equidistant<RootNumber> exact = found.exact(event);
-  const RoundedEvent near = rounded(exact);
-  const Polynomial polynomial = without_multiple_roots(exact.squared_radius.polynomial());
-  std::vector<std::string> coefficients;
-  for (const Rational& c : polynomial) coefficients.push_back(to_string(c));
-  std::optional<std::string> rational;
-  if (polynomial.size() == 2) rational = to_string(Rational(-polynomial[0]));
+  const SquareRow square = square_row(exact.squared_radius);
   std::vector<FeatureName> features;
   for (std::size_t k = 0; k < event.features.size(); ++k) {
     features.push_back(event.edges[k] == OffsetPatch::none
                            ? vertex_name(found, event.features[k])
                            : edge_row(edge_name(found, event.edges[k], event)));
   }
-  return {name(event.kind), rational, coefficients, {near.radius.lower, near.radius.upper},
-          {near.x, near.y}, features};
+  return {name(event.kind),
+          square.rational,
+          square.polynomial,
+          square.radius,
+          {nearest_double(exact.at.x), nearest_double(exact.at.y)},
+          features};
+}
+
+FeatureName side_name(const DiagramEvents& diagram, std::uint32_t node, std::uint32_t number,
+                      Past past) {
+  const BoundarySide& side = diagram.walks.sides[number];
+  if (side.is_arc) return vertex_name(diagram, side.feature);
+  if (node < diagram.events.size()) {
+    return edge_row(edge_name(diagram, side.edge, diagram.events[node], past));
+  }
+  // A reflex vertex: the side starts there, or ends.
+  const std::uint32_t vertex = past == Past::ends ? side.to : side.from;
+  return edge_row(edge_name(diagram, side.edge, diagram.curves.features[vertex].centre, past));
+}
+
+PartEnd part_end(const DiagramEvents& diagram, const DiagramGraph& graph, std::uint32_t node,
+                 std::uint32_t vertex) {
+  if (graph.is_event(node)) return {"event", {std::to_string(node)}};
+  std::vector<std::uint32_t> vertices{vertex};
+  if (graph.is_infinite(node)) {
+    const HullGap& gap = diagram.gaps[node - graph.events];
+    vertices = {gap.from, gap.to};
+  }
+  std::vector<std::string> told;
+  for (const std::uint32_t each : vertices) {
+    const Point at = diagram.vertex(each);
+    told.push_back(to_string(at.x));
+    told.push_back(to_string(at.y));
+  }
+  return {graph.is_infinite(node) ? "infinity" : "vertex", told};
 }
 
 std::vector<DiagramRow> diagram_rows(const DiagramEvents& found, std::size_t first,

@@ -186,50 +186,19 @@ std::vector<JoinRow> joins(const BoundIndex& self) {
   return rows;
 }
 
-/// An end of a part of the diagram: "event" and its number; "vertex" and a reflex vertex's
-/// coordinates; "infinity" and two hull vertices around the end.
-using PartEnd = std::pair<std::string, std::vector<std::string>>;
 /// Both ends, and the features on the left and right of the way between them, at its start.
 using PartRow = std::tuple<PartEnd, PartEnd, FeatureName, FeatureName>;
-
-/// The feature of a boundary side, seen from the graph node in front of the side.
-FeatureName side_name(const DiagramEvents& diagram, std::uint32_t node, std::uint32_t number,
-                      Past past) {
-  const BoundarySide& side = diagram.walks.sides[number];
-  if (side.is_arc) return vertex_name(diagram, side.feature);
-  if (node < diagram.events.size()) {
-    return edge_row(edge_name(diagram, side.edge, diagram.events[node], past));
-  }
-  // A reflex vertex: the side starts there, or ends.
-  const std::uint32_t vertex = past == Past::ends ? side.to : side.from;
-  return edge_row(edge_name(diagram, side.edge, diagram.curves.features[vertex].centre, past));
-}
 
 std::vector<PartRow> graph_parts(const BoundIndex& self) {
   const DiagramEvents& diagram = self.index.diagram();
   const DiagramGraph& graph = self.index.graph();
-  const auto end = [&](std::uint32_t node, std::uint32_t vertex) -> PartEnd {
-    if (graph.is_event(node)) return {"event", {std::to_string(node)}};
-    std::vector<std::uint32_t> vertices{vertex};
-    if (graph.is_infinite(node)) {
-      const HullGap& gap = diagram.gaps[node - graph.events];
-      vertices = {gap.from, gap.to};
-    }
-    std::vector<std::string> told;
-    for (const std::uint32_t each : vertices) {
-      const Point at = diagram.vertex(each);
-      told.push_back(to_string(at.x));
-      told.push_back(to_string(at.y));
-    }
-    return {graph.is_infinite(node) ? "infinity" : "vertex", told};
-  };
   std::vector<PartRow> rows;
   for (std::uint32_t k = 0; k < graph.halves.size(); ++k) {
     const DiagramHalf& half = graph.halves[k];
     if (half.twin < k) continue;
     const auto& sides = diagram.walks.sides;
-    rows.emplace_back(end(half.from, sides[half.from_side].from),
-                      end(half.to, sides[half.to_side].to),
+    rows.emplace_back(part_end(diagram, graph, half.from, sides[half.from_side].from),
+                      part_end(diagram, graph, half.to, sides[half.to_side].to),
                       side_name(diagram, half.from, half.from_side, Past::goes_on),
                       side_name(diagram, half.from, graph.halves[half.twin].to_side, Past::ends));
   }

@@ -35,6 +35,14 @@ from minkref.certify.space.solid_certificate import SolidCertificate as SolidCer
 from minkref.disc.disc_index import DiscIndex as DiscIndex
 from minkref.disc.disc_index import OffsetEvent as OffsetEvent
 from minkref.disc.disc_index import square_of
+from minkref.disc.features import Bridge as Bridge
+from minkref.disc.features import BridgeTrack as BridgeTrack
+from minkref.disc.features import FeatureBar as FeatureBar
+from minkref.disc.features import FeatureNode as FeatureNode
+from minkref.disc.features import Features as Features
+from minkref.disc.features import LiveFeature as LiveFeature
+from minkref.disc.features import Notch as Notch
+from minkref.disc.features import features as features
 from minkref.errors import Refusal as Refusal
 from minkref.motion.held_values import HeldEnd as HeldEnd
 from minkref.motion.held_values import HeldRange as HeldRange

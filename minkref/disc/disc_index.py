@@ -69,7 +69,7 @@ class DiscIndex:
 
     def events(self) -> list[OffsetEvent]:
         """List all events by radius. About 30 µs each."""
-        return [_event(*row) for row in self._index.rows(0, len(self._index.kinds()))]
+        return [event_of(row) for row in self._index.rows(0, len(self._index.kinds()))]
 
     def components_and_holes(
         self, radius: Number | None = None, squared_radius: Number | None = None
@@ -101,8 +101,9 @@ class DiscIndex:
         return self._index.vertices(double("radius", radius))
 
 
-def _event(kind: str, square: str | None, polynomial: Any, radius: Bounds, place: Any,
-           features: Any) -> OffsetEvent:  # fmt: skip
+def event_of(row: Any) -> OffsetEvent:
+    """An event from the row of the extension module."""
+    kind, square, polynomial, radius, place, features = row
     return OffsetEvent(
         kind, radius, None if square is None else Fraction(square),
         tuple(map(Fraction, polynomial)), place, tuple(features),

@@ -115,6 +115,15 @@ CALLS |= {
     "canonical_json radius": (grown.canonical_json, (*NUMBERS, type(None))),
     "vertices radius": (grown.vertices, (int, float)),
 }
+features = minkref.features(SQUARE)
+CALLS |= {
+    "features P": (minkref.features, (minkref.PolygonSet,)),
+    "features threads": (lambda x: minkref.features(SQUARE, x), (int,)),
+    "at alpha": (features.at, NUMBERS),
+    "notches alpha": (features.notches, NUMBERS),
+    "notches persistence": (lambda x: features.notches(1, x), NUMBERS),
+    "notches alpha_to": (lambda x: features.notches(1, 0, x), (*NUMBERS, type(None))),
+}
 ORIGIN = [(0, 0)]
 CALLS |= {
     "valid_scales part": (

@@ -40,4 +40,12 @@ VertexId edge_name(const DiagramEvents& diagram, std::uint32_t edge, const Point
                      [&](const Point& from) { return sign(dot(along, from_to(from, vertex))); });
 }
 
+VertexId edge_name(const DiagramEvents& diagram, std::uint32_t edge, const RootPoint& foot,
+                   Past past) {
+  const Direction& along = diagram.curves.edges[edge].along;
+  return last_before(diagram.curves, edge, past, [&](const Point& from) {
+    return sign(dot(numbers<RootNumber>(along), foot - numbers<RootNumber>(from)));
+  });
+}
+
 }  // namespace minkref::inline disc

@@ -20,5 +20,8 @@ VertexId edge_name(const DiagramEvents& diagram, std::uint32_t edge, const Diagr
 /// Returns the same for a vertex on the edge, in the frame of the curves.
 VertexId edge_name(const DiagramEvents& diagram, std::uint32_t edge, const Point& vertex,
                    Past past = Past::ends);
+/// Returns the same for a foot on the edge, in the frame of the curves.
+VertexId edge_name(const DiagramEvents& diagram, std::uint32_t edge, const RootPoint& foot,
+                   Past past = Past::ends);
 
 }  // namespace minkref::inline disc

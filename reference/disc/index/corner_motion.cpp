@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "reference/disc/index/corner_place.hpp"
 #include "reference/number/radicals/nearest_double.hpp"
 
 namespace minkref::inline disc {
@@ -70,18 +71,22 @@ class Corner {
     return between_lines(a, b);
   }
 
-  RootPoint at(const Site& a, const Site& b, const Rational& squared_radius) const {
-    if (a.is_point && b.is_point) return at_points(a.point, b.point, squared_radius);
-    if (a.is_point) return at_point_and_line(a.point, b, squared_radius);
-    if (b.is_point) return at_point_and_line(b.point, a, squared_radius);
-    return at_lines(a, b, squared_radius);
+  int side_of_end(const Point& from, const Direction& along) const {
+    if (graph_.is_infinite(high_)) {
+      const HullGap& gap = diagram_.gaps[high_ - graph_.events];
+      const auto& features = diagram_.curves.features;
+      const Direction way = from_to(features[gap.from].centre, features[gap.to].centre);
+      return sign(Rational(way.y * along.x - way.x * along.y));
+    }
+    const DiagramEvent& event = diagram_.events[high_];
+    const auto by = [&]<class N>(const Vector<N>& at) {
+      return dot(numbers<N>(along), at - numbers<N>(from));
+    };
+    if (const auto certain = certified_sign(by(event.at))) return *certain;
+    return sign(by(equidistant_places<RootNumber>(diagram_.curves, event.of)[event.branch].at));
   }
 
  private:
-  static Point middle_of(const Point& p, const Point& q) {
-    return {(p.x + q.x) / 2, (p.y + q.y) / 2};
-  }
-
   /// w = ρ - d/2 for points at the distance d: half a chord is √(ρ² - d²/4) = √(w (d + w)).
   CornerMotion between_points(const Point& p, const Point& q) const {
     const Direction way = from_to(p, q), across = turned(way);
@@ -102,15 +107,6 @@ class Corner {
     motion.error = error_of_rounding(motion);
     return motion;
   }
-  RootPoint at_points(const Point& p, const Point& q, const Rational& squared_radius) const {
-    const Direction way = from_to(p, q), across = turned(way);
-    const Point middle = middle_of(p, q);
-    const Rational quotient = squared_radius / dot(way, way) - Rational(1, 4);
-    const RootNumber far = sqrt(RootNumber(std::max(quotient, Rational(0))));
-    return numbers<RootNumber>(middle) +
-           (RootNumber(side_of_end(middle, across)) * far) * numbers<RootNumber>(across);
-  }
-
   /// With the distance g of the point from the line and w = ρ - g/2: across the line the corner has
   /// gone w from the middle between both, and along it √(2 g w).
   CornerMotion between_point_and_line(const Point& v, const Site& line) const {
@@ -132,21 +128,6 @@ class Corner {
     motion.cy = turn * onwards.y;
     motion.error = error_of_rounding(motion);
     return motion;
-  }
-  RootPoint at_point_and_line(const Point& v, const Site& line,
-                              const Rational& squared_radius) const {
-    const Direction &normal = line.normal, along = turned(normal);
-    const Rational square = line.squared_length(), height = height_over(v, line);
-    const RootNumber reach = sqrt(RootNumber(Rational(squared_radius * square)));
-    RootNumber under = RootNumber(Rational(2 * height)) * reach - RootNumber(height * height);
-    if (sign(under) < 0) under = RootNumber(0);
-    const RootNumber far = sqrt(under), inverse(Rational(1 / square));
-    return numbers<RootNumber>(v) +
-           ((reach - RootNumber(height)) * inverse) * numbers<RootNumber>(normal) +
-           (RootNumber(side_of_end(v, along)) * far * inverse) * numbers<RootNumber>(along);
-  }
-  static Rational height_over(const Point& v, const Site& line) {
-    return line.normal.x * v.x + line.normal.y * v.y - line.level();
   }
 
   CornerMotion between_lines(const Site& a, const Site& b) const {
@@ -189,33 +170,6 @@ class Corner {
     return motion;
   }
 
-  /// The corner between two lines that are not parallel.
-  static RootPoint at_lines(const Site& a, const Site& b, const Rational& squared_radius) {
-    const RootNumber reach_a = sqrt(RootNumber(Rational(squared_radius * a.squared_length()))),
-                     reach_b = sqrt(joined(
-                         RootNumber(Rational(squared_radius * b.squared_length())), reach_a));
-    const RootNumber e = RootNumber(a.level()) + reach_a, f = RootNumber(b.level()) + reach_b,
-                     inverse(Rational(1 / cross(a.normal, b.normal)));
-    return {inverse * (e * RootNumber(b.normal.y) - f * RootNumber(a.normal.y)),
-            inverse * (f * RootNumber(a.normal.x) - e * RootNumber(b.normal.x))};
-  }
-
-  /// Whether the farther end is on the left of a point, looked at against a vector: 1 or -1.
-  int side_of_end(const Point& from, const Direction& along) const {
-    if (graph_.is_infinite(high_)) {
-      const HullGap& gap = diagram_.gaps[high_ - graph_.events];
-      const auto& features = diagram_.curves.features;
-      const Direction way = from_to(features[gap.from].centre, features[gap.to].centre);
-      return sign(Rational(way.y * along.x - way.x * along.y));
-    }
-    const DiagramEvent& event = diagram_.events[high_];
-    const auto by = [&]<class N>(const Vector<N>& at) {
-      return dot(numbers<N>(along), at - numbers<N>(from));
-    };
-    if (const auto certain = certified_sign(by(event.at))) return *certain;
-    return sign(by(equidistant_places<RootNumber>(diagram_.curves, event.of)[event.branch].at));
-  }
-
   /// A half with a reflex vertex as its lower end.
   Point reflex_vertex() const {
     const auto& sides = diagram_.walks.sides;
@@ -251,10 +205,17 @@ CornerMotion corner_motion(const DiagramEvents& diagram, const DiagramGraph& gra
   return Corner(diagram, graph, half).motion(a, b);
 }
 
+int side_of_end(const DiagramEvents& diagram, const DiagramGraph& graph, std::uint32_t half,
+                const Point& from, const Direction& along) {
+  return Corner(diagram, graph, half).side_of_end(from, along);
+}
+
 RootPoint corner_at(const DiagramEvents& diagram, const DiagramGraph& graph, std::uint32_t half,
                     const Rational& squared_radius) {
   const auto [a, b] = sites_of(diagram, graph, half);
-  return Corner(diagram, graph, half).at(a, b, squared_radius);
+  return corner_place<RootNumber>(a, b, RootNumber(squared_radius), [&](const auto&... way) {
+    return side_of_end(diagram, graph, half, way...);
+  });
 }
 
 JointMotion joint_motion(const Point& end, const Direction& normal) {

@@ -30,6 +30,11 @@ struct JointMotion {
 CornerMotion corner_motion(const DiagramEvents& diagram, const DiagramGraph& graph,
                            std::uint32_t half);
 
+/// Whether the farther end of a half lies on the left of a point, looked at against a vector: 1 or
+/// -1; 0 in line with it. Exact.
+int side_of_end(const DiagramEvents& diagram, const DiagramGraph& graph, std::uint32_t half,
+                const Point& from, const Direction& along);
+
 /// The same corner at one radius, given by its square within the frame: exact.
 RootPoint corner_at(const DiagramEvents& diagram, const DiagramGraph& graph, std::uint32_t half,
                     const Rational& squared_radius);

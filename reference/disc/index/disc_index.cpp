@@ -214,6 +214,11 @@ FrameRadius DiscIndex::in_frame(const Rational& squared_radius) const {
   return {squared, near, 0x1p-99 * near.high + least};
 }
 
+BoundedPoint DiscIndex::rounded_corner(std::uint32_t half, const TwoDoubles& radius,
+                                       double off) const {
+  return corner_of(motions_[half], radius, off);
+}
+
 BoundedPoint DiscIndex::corner(std::uint32_t half, const FrameRadius& radius) const {
   const FloatEnvironment standard;
   const BoundedPoint found = corner_of(motions_[half], radius.near, radius.off);

@@ -94,6 +94,8 @@ class DiscIndex {
   FrameRadius in_frame(const Rational& squared_radius) const;
   /// The corner on a half that has one, within the frame; error as above.
   BoundedPoint corner(std::uint32_t half, const FrameRadius& radius) const;
+  /// The same from doubles alone, with whatever error; of a radius known up to `off`.
+  BoundedPoint rounded_corner(std::uint32_t half, const TwoDoubles& radius, double off) const;
 
  private:
   struct Radius {
