@@ -1,6 +1,7 @@
 // Features of a growing disc for Python.
 #include "bindings/core_features.hpp"
 
+#include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -24,6 +26,7 @@
 #include "bindings/stopwatch.hpp"
 #include "bindings/vector_caster.hpp"
 #include "reference/disc/features/merge_text.hpp"
+#include "reference/disc/features/near_bridges.hpp"
 #include "reference/disc/features/notches.hpp"
 #include "reference/disc/features/tracks.hpp"
 #include "reference/number/radicals/polynomial.hpp"
@@ -44,7 +47,8 @@ struct BoundFeatures {
         tree(merge_tree(index)),
         bridges(index),
         codes(barcode(bridges, tree)),
-        tracks(bridge_tracks(index)) {}
+        tracks(bridge_tracks(index)),
+        near(index, tree, codes) {}
 
   /// Of radius numbers between 0 and infinity.
   RootNumber squared(std::uint32_t number) const {
@@ -58,6 +62,7 @@ struct BoundFeatures {
   Bridges bridges;
   Barcode codes;
   std::vector<BridgeTrack> tracks;
+  NearBridges near;
   double seconds = 0;
 };
 
@@ -287,6 +292,31 @@ std::vector<NotchRow> notch_rows(const BoundFeatures& self, const std::string& a
   return rows;
 }
 
+/// Rows of seven doubles, and rows of the feature's node and its bar.
+nb::object near_arrays(const BoundFeatures& self, double alpha) {
+  if (!(alpha > 0) || !std::isfinite(alpha)) {
+    throw BadInput("bad-alpha", "alpha is " + std::to_string(alpha), "give a number above 0");
+  }
+  auto found = std::make_unique<std::vector<NearBridge>>();
+  self.near.at(alpha / 2, *found);
+  struct Arrays {
+    std::vector<std::array<double, 7>> places;
+    std::vector<std::array<std::uint32_t, 2>> owners;
+  };
+  auto arrays = std::make_unique<Arrays>();
+  for (const NearBridge& own : *found) {
+    arrays->places.push_back({own.from_x, own.from_y, own.to_x, own.to_y, own.x, own.y, own.error});
+    arrays->owners.push_back({own.feature, own.bar});
+  }
+  Arrays* all = arrays.release();
+  const nb::capsule owner(all, [](void* p) noexcept { delete static_cast<Arrays*>(p); });
+  const std::size_t count = all->places.size();
+  const double* places = count == 0 ? nullptr : all->places.front().data();
+  const std::uint32_t* owners = count == 0 ? nullptr : all->owners.front().data();
+  return nb::make_tuple(nb::ndarray<nb::numpy, const double>(places, {count, 7}, owner),
+                        nb::ndarray<nb::numpy, const std::uint32_t>(owners, {count, 2}, owner));
+}
+
 void bind_tree(nb::class_<BoundFeatures>& bound) {
   bound.def_ro("seconds", &BoundFeatures::seconds, "Of the build.")
       .def_prop_ro("exact_signs",
@@ -340,6 +370,11 @@ void bind_features(nb::module_& module) {
           "(tree node, bar, reflex leaves, (leaf, squared depth or None, bounds of the depth, tie) "
           "of the deepest or None, bridges) of each feature at a diameter. A bridge: (foot, "
           "feature, foot, feature, centre of the disc), each point (x, y, nearest doubles).")
+      .def("near", &near_arrays, "alpha"_a,
+           nb::sig("def near(self, alpha: float) -> tuple[typing.Any, typing.Any]"),
+           "All bridges at a diameter in doubles: rows of both ends, the disc's centre and a bound "
+           "of the error of each coordinate; and rows of the feature's tree node and its bar. At "
+           "an event's own diameter those just below.")
       .def("notches", &notch_rows, "alpha"_a, "persistence"_a, "alpha_to"_a = nb::none(),
            Released(),
            "(x, y, bar, bounds of the depth, tie): the deepest reflex vertex of each feature whose "

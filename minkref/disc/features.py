@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from minkref import _core
-from minkref.argument_types import expect_sets, number, whole
+from minkref.argument_types import double, expect_sets, number, whole
 from minkref.disc.disc_index import Bounds, Number, OffsetEvent, event_of
 from minkref.errors import Refusal
 from minkref.exact import digest, read_number
@@ -199,6 +199,13 @@ class Features:
     def at(self, alpha: Number) -> list[LiveFeature]:
         """List the features alive at alpha > 0, birth < alpha <= death, with exact bridges."""
         return [_live(*row) for row in self._found.at(str(exact_alpha("alpha", alpha, least=None)))]
+
+    def near(self, alpha: float) -> tuple[Any, Any]:
+        """Read all bridges at alpha > 0 in doubles, quickly, as two NumPy arrays: rows (x, y of one
+        end, of the other, of the disc's centre, and a bound of the error of each), and rows (number
+        of the feature's node, number of its bar), by feature. Which features and bridges there are
+        is exact; at an event's own alpha those just below."""
+        return self._found.near(double("alpha", alpha))
 
     def notches(
         self, alpha: Number, persistence: Number = 0, alpha_to: Number | None = None

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double rounding = 0x1p-48;      // of the numbers of a motion
 constexpr double widest_error = 0x1p-43;  // in the frame, of its size and the radius
+constexpr double rounded_up = 1 + 0x1p-40;
 constexpr double least = 0x1p-1070;       // more than what is lost below the range of doubles
 constexpr std::uint32_t most_spans = 64;  // of gaps
 
@@ -239,6 +240,13 @@ void DiscIndex::for_joints(std::uint32_t walk, std::uint32_t side, std::uint32_t
   if (end > stop) act(joints_before_[own.first], joints_before_[own.first + (end - stop)]);
 }
 
+BoundedPoint DiscIndex::as_given(const BoundedPoint& in_frame) const {
+  const double x = in_frame.x * scale_, y = in_frame.y * scale_;
+  const double error =
+      in_frame.error * scale_ + origin_error_ + 0x1p-52 * (std::abs(x) + std::abs(y)) + least;
+  return {x + x_, y + y_, error * rounded_up};
+}
+
 void DiscIndex::vertices(const IndexBoundary& boundary, double radius,
                          std::vector<BoundedPoint>& found,
                          std::vector<std::uint32_t>& starts) const {
@@ -266,16 +274,9 @@ void DiscIndex::vertices(const IndexBoundary& boundary, double radius,
   const Rational exact = from_double(radius);
   const FrameRadius in_frame = this->in_frame(exact * exact);
   const double joint_error = rounding * radius + least;
-  constexpr double rounded_up = 1 + 0x1p-40;
   BoundedPoint* next = found.data();
   for_all([&] { starts.push_back(static_cast<std::uint32_t>(next - found.data())); },
-          [&](std::uint32_t half) {
-            const BoundedPoint there = corner(half, in_frame);
-            const double x = there.x * scale_, y = there.y * scale_;
-            const double error = there.error * scale_ + origin_error_ +
-                                 0x1p-52 * (std::abs(x) + std::abs(y)) + least;
-            *next++ = {x + x_, y + y_, error * rounded_up};
-          },
+          [&](std::uint32_t half) { *next++ = as_given(corner(half, in_frame)); },
           [&](std::uint32_t first, std::uint32_t last) {
             for (const JointMotion* joint = &joints_[first]; first < last; ++first, ++joint) {
               *next++ = {joint->ax + radius * joint->bx, joint->ay + radius * joint->by,

@@ -96,6 +96,8 @@ class DiscIndex {
   BoundedPoint corner(std::uint32_t half, const FrameRadius& radius) const;
   /// The same from doubles alone, with whatever error; of a radius known up to `off`.
   BoundedPoint rounded_corner(std::uint32_t half, const TwoDoubles& radius, double off) const;
+  /// A point within the frame as one of P's plane; the error grows by what is rounded.
+  BoundedPoint as_given(const BoundedPoint& in_frame) const;
 
  private:
   struct Radius {
