@@ -17,6 +17,7 @@ HEADINGS = {
         "events": "The scales at which something changes, exact and sorted.",
         "sweep": "The exact sums at many scales.",
         "index": "The sums at all scales of a window, found once and written to a file.",
+        "features": "Bays, corridors and holes by size: a merge tree, bars and bridges.",
         "path": "The scales at which a part passes along a path.",
         "fit": "The scales at which a part fits into a container.",
         "trap": "The scales at which no translation takes a part out of obstacles.",

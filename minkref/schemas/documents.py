@@ -7,6 +7,7 @@ from minkref.schemas.cases import GenerateDocument
 from minkref.schemas.certificates import CertifyDocument, CheckDocument
 from minkref.schemas.disc.convolution import DiscConvolutionDocument
 from minkref.schemas.disc.events import DiscEventsDocument
+from minkref.schemas.disc.features import FeaturesDocument
 from minkref.schemas.disc.index import DiscIndexDocument
 from minkref.schemas.disc.pair_events import DiscPairEventsDocument
 from minkref.schemas.disc.sum import DiscSumDocument
@@ -62,6 +63,7 @@ DOCUMENTS = {
     "events_with_disc": DiscEventsDocument,
     "events_with_disc_pairs": DiscPairEventsDocument,
     "families": FamiliesDocument,
+    "features": FeaturesDocument,
     "fit": FitDocument,
     "fit_in_space": SpaceFitDocument,
     "generate": GenerateDocument,

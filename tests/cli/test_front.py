@@ -26,6 +26,7 @@ COMMANDS = (
     "sweep",
     "events",
     "index",
+    "features",
     "path",
     "fit",
     "trap",

@@ -81,6 +81,8 @@ STEPS = (
     step("view gs3 gs4 -o space.html", extra="view", files=("space.html",)),
     step("index g1 disc -o disc.json", files=("disc.json",)),
     step("sum g1 disc:1/2 --index disc.json"),
+    step("features g1 --alpha 2 -o features.svg", files=("features.svg",)),
+    step("features g1 --alpha 2 -o bridges.dxf", extra="dxf", files=("bridges.dxf",)),
     step("fit g2 g1 --at 0,0", "93/1360"),
     step("trap g2 g1 --at 0,0 --from 1 --to 2", "by translation"),
     step(f"hold disc1 g2 {WAY}", "way valid"),

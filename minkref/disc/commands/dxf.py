@@ -1,9 +1,11 @@
-"""Sums with a disc as DXF: closed polylines, whose arcs are bulges."""
+"""DXF: sums with a disc as closed polylines, whose arcs are bulges; bridges as lines."""
 
 from __future__ import annotations
 
 import io
 import math
+from collections.abc import Callable, Iterable
+from typing import Any
 
 from minkref import _core
 from minkref.errors import Refusal
@@ -18,6 +20,38 @@ def dxf_text(found: _core.Offset, where: str) -> str:
     of the corner where it starts: the tangent of a quarter of its angle. Each number is the double
     nearest to the exact one. The same sum gives the same text. Refuses without ezdxf, and what is
     beyond doubles."""
+
+    def draw(space: Any) -> None:
+        for rings in found.drawn_rings():
+            for ring in rings:
+                corners = [(x, y, bulge) for _, x, y, _, _, _, _, bulge in ring]
+                _check(corners, where)
+                space.add_lwpolyline(corners, format="xyb", close=True, dxfattribs={"layer": LAYER})
+
+    return _text(draw, LAYER, where)
+
+
+Point = tuple[float, float]
+
+
+def dxf_of_lines(lines: Iterable[tuple[Point, Point]], layer: str, where: str) -> str:
+    """A line for each pair of points. The same lines give the same text. Refuses as dxf_text."""
+
+    def draw(space: Any) -> None:
+        for line in lines:
+            _check(line, where)
+            space.add_line(*line, dxfattribs={"layer": layer})
+
+    return _text(draw, layer, where)
+
+
+def _check(points: Iterable[tuple[float, ...]], where: str) -> None:
+    if not all(math.isfinite(x) for point in points for x in point):
+        mend = "write the exact form: .json"
+        raise Refusal("coordinates are beyond doubles", where, mend, "beyond-doubles")
+
+
+def _text(draw: Callable[[Any], None], layer: str, where: str) -> str:
     try:
         from ezdxf import new, options  # type: ignore[attr-defined]  # not in its __all__
     except ImportError as error:
@@ -32,15 +66,8 @@ def dxf_text(found: _core.Offset, where: str) -> str:
     try:
         drawing = new(VERSION)
         drawing.header["$INSUNITS"] = NO_UNIT
-        drawing.layers.add(LAYER)
-        space = drawing.modelspace()
-        for rings in found.drawn_rings():
-            for ring in rings:
-                corners = [(x, y, bulge) for _, x, y, _, _, _, _, bulge in ring]
-                if not all(math.isfinite(x) for corner in corners for x in corner):
-                    mend = "write the exact form: .json"
-                    raise Refusal("coordinates are beyond doubles", where, mend, "beyond-doubles")
-                space.add_lwpolyline(corners, format="xyb", close=True, dxfattribs={"layer": LAYER})
+        drawing.layers.add(layer)
+        draw(drawing.modelspace())
         text = io.StringIO()
         drawing.write(text)
     finally:

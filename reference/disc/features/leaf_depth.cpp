@@ -40,6 +40,12 @@ SquaredDistance<Surd> LeafDepth::of_half(std::size_t k) const {
   return squared_distance(numbers<Surd>(vertex_), bridges_->chord<Surd>((*halves_)[k], *radius_));
 }
 
+const SquaredDistance<Surd>& LeafDepth::exact() const {
+  if (!exact_ && is_zero()) exact_ = SquaredDistance<Surd>{Surd(0), Surd(1)};
+  if (!exact_) exact_ = of_half(nearest_number());
+  return *exact_;
+}
+
 std::size_t LeafDepth::nearest_number() const {
   const double high = near().upper();
   std::vector<std::size_t> open;
@@ -63,11 +69,7 @@ int compare(const LeafDepth& a, const LeafDepth& b) {
   if (near_a.upper() < near_b.lower()) return -1;
   if (near_b.upper() < near_a.lower()) return 1;
   if (a.is_zero() && b.is_zero()) return 0;
-  const auto exact = [](const LeafDepth& depth) -> SquaredDistance<Surd> {
-    if (depth.is_zero()) return {Surd(0), Surd(1)};
-    return depth.of_half(depth.nearest_number());
-  };
-  return order(exact(a), exact(b));
+  return order(a.exact(), b.exact());
 }
 
 }  // namespace minkref::inline disc

@@ -1,6 +1,7 @@
 // How deep a reflex vertex lies behind the bridges of its feature.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "reference/disc/features/bridge.hpp"
@@ -43,6 +44,7 @@ class LeafDepth {
 
  private:
   SquaredDistance<Surd> of_half(std::size_t k) const;
+  const SquaredDistance<Surd>& exact() const;
   std::size_t nearest_number() const;
 
   const Bridges* bridges_ = nullptr;
@@ -50,6 +52,7 @@ class LeafDepth {
   Point vertex_{};
   const BridgeRadius* radius_ = nullptr;
   std::vector<Interval> near_;  ///< by half
+  mutable std::optional<SquaredDistance<Surd>> exact_;
 };
 
 int compare(const LeafDepth& a, const LeafDepth& b);

@@ -1,0 +1,76 @@
+"""`minkref features P`: its options."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from minkref.cli.memory import Memory
+from minkref.cli.options import READ_SCALE, Json
+from minkref.cli.verb import Verb, command_anywhere
+from minkref.plane.commands.scale_index import IndexFile
+
+EXAMPLES = """Examples:
+
+minkref features glyph1204
+
+minkref features glyph1204 --alpha 5
+
+minkref features g1 --from 1/2 --to 3 --json
+
+minkref features glyph1204 --alpha 5 -o bridges.svg
+
+minkref features glyph1204 --alpha 5 -o bridges.dxf"""
+
+TOLD = """\
+The concave features of a set under a growing disc: where bays, corridors and holes of a diameter
+alpha begin and become one, as a merge tree and a barcode, exact; at one alpha the bridges that
+close each feature."""
+
+Operand = Annotated[str, typer.Argument(help="A set in the plane: a file or a model.")]
+Alpha = Annotated[
+    Fraction | None,
+    typer.Option("--alpha", help="Show the features at this diameter, with bridges.", metavar="A"),
+    READ_SCALE,
+]
+FirstAlpha = Annotated[
+    Fraction | None,
+    typer.Option("--from", help="Only bars that go on beyond this diameter.", metavar="A0"),
+    READ_SCALE,
+]
+LastAlpha = Annotated[
+    Fraction | None,
+    typer.Option("--to", help="Only bars that begin before this diameter.", metavar="A1"),
+    READ_SCALE,
+]
+Output = Annotated[
+    Path | None,
+    typer.Option(
+        "-o",
+        help="Write FILE.json (all of it, exact), .svg (the set and the barcode) or, with --alpha, "
+        ".dxf (the bridges).",
+        metavar="FILE",
+    ),
+]
+Format = Annotated[
+    str | None, typer.Option("--format", help="Format of the file: json, svg or dxf.", metavar="F")
+]
+
+
+@dataclass(frozen=True)
+class FeaturesRequest:
+    P: Operand
+    alpha: Alpha = None
+    from_alpha: FirstAlpha = None
+    to_alpha: LastAlpha = None
+    output: Output = None
+    form: Format = None
+    index: IndexFile = None
+    memory: Memory = None
+    json: Json = False
+
+
+command = command_anywhere(TOLD, Verb(FeaturesRequest, "minkref.disc.commands.features:run"))
