@@ -1,0 +1,173 @@
+#include "reference/disc/features/rest_arcs.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "reference/interrupt.hpp"
+#include "reference/number/radicals/surd_of_root.hpp"
+#include "reference/number/scalar.hpp"
+
+namespace minkref::inline disc {
+namespace {
+
+Vector<Surd> surds(const RootPoint& p) { return {surd_of(p.x), surd_of(p.y)}; }
+Vector<Interval> intervals(const RootPoint& p) { return {p.x.enclosure(), p.y.enclosure()}; }
+
+}  // namespace
+
+RestArcs::RestArcs(const RegionOutlines& outlines)
+    : outlines_(outlines), squared_(outlines.regions().radius.squared.value()) {
+  const DiscIndex& index = outlines.index();
+  const DiagramGraph& graph = index.graph();
+  const auto& features = index.diagram().curves.features;
+  for (const Chord& chord : outlines.chords()) {
+    rounded_.push_back(intervals(*chord.corner));
+    const DiagramHalf& half = graph.halves[chord.half];
+    Features near{half.feature, graph.halves[half.twin].feature};
+    const bool is_event = outlines.regions().radius.at_event && graph.is_event(half.to) &&
+                          index.high(chord.half) == outlines.regions().radius.level + 1;
+    if (is_event) near = index.diagram().events[half.to].features;
+    upper_.push_back(is_event ? half.to : DiagramGraph::none);
+    std::erase_if(near, [&](std::uint32_t k) { return features[k].edge != OffsetPatch::none; });
+    std::sort(near.begin(), near.end());
+    touched_.push_back(std::move(near));
+  }
+  exact_.resize(rounded_.size());
+}
+
+template <class N>
+const Vector<N>& RestArcs::centre(std::uint32_t chord) {
+  if constexpr (std::is_same_v<N, Interval>) {
+    return rounded_[chord];
+  } else {
+    if (!exact_[chord]) exact_[chord] = surds(*outlines_.chords()[chord].corner);
+    return *exact_[chord];
+  }
+}
+
+/// The sign of a number, from intervals of doubles or from roots.
+template <class Of>
+int RestArcs::decided(Of&& of) {
+  if (const auto certain = certified_sign(of(Interval()))) return *certain;
+  return sign(of(Surd()));
+}
+
+bool RestArcs::are_one_circle(std::uint32_t a, std::uint32_t b) const {
+  return upper_[a] != DiagramGraph::none && upper_[a] == upper_[b];
+}
+
+std::uint32_t RestArcs::shared_foot(std::uint32_t a, std::uint32_t b) const {
+  for (const std::uint32_t vertex : touched_[a]) {
+    if (std::binary_search(touched_[b].begin(), touched_[b].end(), vertex)) return vertex;
+  }
+  return DiagramGraph::none;
+}
+
+bool RestArcs::is_vertex_foot(std::uint32_t chord, std::uint32_t vertex, bool at_start) const {
+  const std::vector<DiagramHalf>& halves = outlines_.index().graph().halves;
+  const DiagramHalf& half = halves[outlines_.chords()[chord].half];
+  return (at_start ? half.feature : halves[half.twin].feature) == vertex;
+}
+
+/// The place, from the centre, at which a cover starts or ends.
+template <class N>
+Vector<N> RestArcs::place(std::uint32_t chord, const Cover& cover, bool at_start) {
+  const OffsetCurves& curves = outlines_.index().diagram().curves;
+  // A free arc ends where a cover starts.
+  return arc_end(curves, cover.end(), centre<N>(chord), centre<N>(cover.other), N(squared_),
+                 N(Rational(1, 2)), !at_start);
+}
+
+/// The part of an arc that the disc about another corner covers. A disc covers neither foot, so it
+/// covers a part inside the arc, or nothing, which the direction of its centre tells.
+std::optional<RestArcs::Cover> RestArcs::cover_of(std::uint32_t chord, std::uint32_t other) {
+  if (are_one_circle(chord, other)) return std::nullopt;
+  const auto way = [&]<class N>(const N&) { return centre<N>(other) - centre<N>(chord); };
+  const Chord& own = outlines_.chords()[chord];
+  const auto to_foot = [&]<class N>(const N&, const RootPoint& foot) {
+    if constexpr (std::is_same_v<N, Interval>) {
+      return intervals(foot) - centre<N>(chord);
+    } else {
+      return surds(foot) - centre<N>(chord);
+    }
+  };
+  const std::uint32_t vertex = shared_foot(chord, other);
+  const int near = vertex != DiagramGraph::none ? 1 : decided([&]<class N>(const N& n) {
+    const Vector<N> w = way(n);
+    return N(Rational(4 * squared_)) - dot(w, w);
+  });
+  if (near < 0) return std::nullopt;
+  const bool is_behind =
+      decided([&](const auto& n) { return cross(to_foot(n, own.from), way(n)); }) > 0 &&
+      decided([&](const auto& n) { return cross(way(n), to_foot(n, own.to)); }) > 0;
+  if (!is_behind) return std::nullopt;
+  Cover cover{other, false, false, near == 0, vertex};
+  for (const std::uint32_t shared : touched_[chord]) {
+    if (!std::binary_search(touched_[other].begin(), touched_[other].end(), shared)) continue;
+    cover.from_foot |= is_vertex_foot(chord, shared, true);
+    cover.to_foot |= is_vertex_foot(chord, shared, false);
+  }
+  return cover;
+}
+
+/// Along an arc, of less than half a turn.
+int RestArcs::order(std::uint32_t chord, const Cover& a, bool a_start, const Cover& b,
+                    bool b_start) {
+  const auto rank = [](const Cover& cover, bool start) {
+    if (start) return cover.from_foot ? -1 : 0;
+    return cover.to_foot ? 1 : 0;
+  };
+  const int of_a = rank(a, a_start), of_b = rank(b, b_start);
+  if (of_a != 0 || of_b != 0) return of_a - of_b;
+  return -decided([&]<class N>(const N&) {
+    return cross(place<N>(chord, a, a_start), place<N>(chord, b, b_start));
+  });
+}
+
+/// Adds what the covers leave of an arc.
+void RestArcs::add_free(std::uint32_t chord, std::vector<Cover> covers,
+                        std::vector<FreeArc>& found) {
+  std::sort(covers.begin(), covers.end(), [&](const Cover& a, const Cover& b) {
+    return order(chord, a, true, b, true) < 0;
+  });
+  ArcEnd last;  // behind the covers so far
+  std::optional<Cover> first, farthest;
+  for (const Cover& cover : covers) {
+    const int gap = farthest ? order(chord, cover, true, *farthest, false) : 1;
+    if (gap > 0) {
+      if (farthest || !cover.from_foot) found.push_back({chord, last, cover.end()});
+      first = farthest = cover;
+      last = cover.end();
+      continue;
+    }
+    // Several covers may start at one point, behind a free arc.
+    if (order(chord, cover, true, *first, true) == 0 && !cover.from_foot) {
+      found.back().to.with.push_back(cover.other);
+    }
+    const int further = order(chord, cover, false, *farthest, false);
+    if (further > 0) {
+      farthest = cover;
+      last = cover.end();
+    } else if (further == 0) {
+      last.with.push_back(cover.other);
+    }
+  }
+  if (!farthest || !farthest->to_foot) found.push_back({chord, last, {}});
+}
+
+std::vector<FreeArc> RestArcs::of(const std::vector<std::uint32_t>& chords) {
+  std::vector<FreeArc> found;
+  for (const std::uint32_t chord : chords) {
+    std::vector<Cover> covers;
+    for (const std::uint32_t other : chords) {
+      look_for_interrupt();
+      if (other == chord) continue;
+      if (const auto cover = cover_of(chord, other)) covers.push_back(*cover);
+    }
+    add_free(chord, std::move(covers), found);
+  }
+  return found;
+}
+
+}  // namespace minkref::inline disc
