@@ -1,0 +1,26 @@
+// Regions and rest material as doubles, for pictures.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "reference/disc/features/rest_material.hpp"
+
+namespace minkref::inline disc {
+
+/// A line, or an arc counter-clockwise about a centre, from start to end.
+struct DrawnStep {
+  bool is_arc;
+  double x0, y0, x1, y1, cx, cy;
+};
+
+/// A closed curve's steps in coordinates of P. Each number is the nearest double.
+std::vector<DrawnStep> drawn_outline(const RegionOutlines& outlines, const PartRing& ring,
+                                     bool is_hidden);
+std::vector<DrawnStep> drawn_rest(const RegionOutlines& outlines, const RestMaterial& rest,
+                                  const RestRing& ring);
+
+/// A point of the frame in coordinates of P, as the nearest doubles.
+std::pair<double, double> drawn_point(const RegionOutlines& outlines, const RootPoint& point);
+
+}  // namespace minkref::inline disc
