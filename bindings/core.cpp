@@ -126,7 +126,6 @@ NB_MODULE(_core, module) {
   minkref::python::bind_convolution(module);
   minkref::python::bind_conditions(module);
   minkref::python::bind_events(module);
-  minkref::python::bind_feature_regions(module);
   minkref::python::bind_arrangement(module);
   minkref::python::bind_dynamic(module);
   minkref::python::bind_index(module);

@@ -88,7 +88,6 @@ void bind_disc_index(nanobind::module_& module);
 void bind_disc_pair_events(nanobind::module_& module);
 void bind_convolution(nanobind::module_& module);
 void bind_events(nanobind::module_& module);
-void bind_feature_regions(nanobind::module_& module);
 void bind_conditions(nanobind::module_& module);
 void bind_arrangement(nanobind::module_& module);
 void bind_dynamic(nanobind::module_& module);

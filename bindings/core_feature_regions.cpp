@@ -5,8 +5,8 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <algorithm>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "bindings/core.hpp"
-#include "bindings/core_build.hpp"
+#include "bindings/core_features.hpp"
 #include "bindings/vector_caster.hpp"
+#include "reference/disc/features/feature_level.hpp"
 #include "reference/disc/features/region_drawing.hpp"
 #include "reference/disc/features/rest_measures.hpp"
 
@@ -30,15 +31,16 @@ using AreaTerms = std::map<std::string, std::string>;
 using PointText = std::pair<std::string, std::string>;
 /// "line" or "arc", both ends, and an arc's centre.
 using StepRow = std::tuple<std::string, double, double, double, double, double, double>;
-/// Numbers of events, reflex vertices, the region's area, and its exact terms.
-using FeatureRow =
-    std::tuple<std::vector<std::uint32_t>, std::vector<PointText>, DiscBounds, AreaTerms>;
+/// The feature's node of the merge tree (none once it has ended, in a filled hole), numbers of
+/// events, reflex vertices, the region's area, and its exact terms.
+using RegionRow = std::tuple<std::optional<std::uint32_t>, std::vector<std::uint32_t>,
+                             std::vector<PointText>, DiscBounds, AreaTerms>;
 /// A corner's two feet.
 using ChordRow = std::pair<PointText, PointText>;
 /// An arc about a corner: the corner, both feet, and the corners whose circles it meets at both
 /// ends; none at a foot.
-using ArcRow = std::tuple<PointText, PointText, PointText, std::vector<PointText>,
-                          std::vector<PointText>>;
+using ArcRow =
+    std::tuple<PointText, PointText, PointText, std::vector<PointText>, std::vector<PointText>>;
 
 DiscBounds bounds_of(const Interval& value) { return {value.lower(), value.upper()}; }
 
@@ -60,21 +62,27 @@ std::vector<StepRow> rows_of(const std::vector<DrawnStep>& steps) {
 /// All regions at one radius; the rest material is found when first asked for.
 class RegionsAt {
  public:
-  RegionsAt(std::shared_ptr<const DiscIndex> index, const std::optional<std::string>& squared)
-      : index_(std::move(index)),
-        regions_(feature_regions(
-            *index_, squared ? std::optional(parse_rational(*squared)) : std::nullopt)),
-        outlines_(*index_, regions_) {
-    if (regions_.radius.squared) rest_ = rest_material(outlines_);
+  RegionsAt(const BoundFeatures& all, const std::optional<std::string>& squared)
+      : all_(all),
+        regions_(feature_regions(all.index,
+                                 squared ? std::optional(parse_rational(*squared)) : std::nullopt)),
+        outlines_(all.bridges, regions_) {
+    const bool is_finite = regions_.radius.squared.has_value();
+    if (is_finite) rest_ = rest_material(outlines_);
+    const DiscIndex::Place place = is_finite ? all.index.place(parse_rational(*squared))
+                                             : DiscIndex::Place{all.index.radii(), false};
+    for (const LiveFeature& feature : features_at(all.index, all.tree, all.codes, place)) {
+      live_.push_back(feature.node);
+    }
   }
 
   std::size_t components() const { return regions_.components; }
   std::size_t holes() const { return regions_.holes; }
 
-  std::vector<FeatureRow> features() const {
-    const std::vector<std::uint32_t> vertices = reflex_vertices(*index_);
-    const DiagramGraph& graph = index_->graph();
-    std::vector<FeatureRow> rows;
+  std::vector<RegionRow> features() const {
+    const std::vector<std::uint32_t> vertices = reflex_vertices(all_.index);
+    const DiagramGraph& graph = all_.index.graph();
+    std::vector<RegionRow> rows;
     for (const FeatureRegion& feature : regions_.features) {
       std::vector<std::uint32_t> events;
       std::vector<PointText> leaves;
@@ -83,12 +91,12 @@ class RegionsAt {
           events.push_back(node);
         } else {
           leaves.push_back(
-              to_strings(index_->diagram().vertex(vertices[node - graph.events - graph.gaps])));
+              to_strings(all_.index.diagram().vertex(vertices[node - graph.events - graph.gaps])));
         }
       }
       const OutlineArea area = region_area(outlines_, feature);
-      rows.emplace_back(std::move(events), std::move(leaves), bounds_of(area.bounds),
-                        rows_of(area.terms));
+      rows.emplace_back(live_node(feature), std::move(events), std::move(leaves),
+                        bounds_of(area.bounds), rows_of(area.terms));
     }
     return rows;
   }
@@ -110,7 +118,7 @@ class RegionsAt {
     std::vector<ChordRow> rows;
     for (const PartRing& ring : feature(number).rings) {
       for (const std::uint32_t part : ring.parts) {
-        const Chord& chord = outlines_.chords()[part];
+        const Chord<RootNumber>& chord = outlines_.corners()[part].chord;
         rows.emplace_back(text_of(chord.from), text_of(chord.to));
       }
     }
@@ -167,15 +175,25 @@ class RegionsAt {
       for (const RestPiece& piece : ring.pieces) {
         if (!piece.is_arc) continue;
         const FreeArc& arc = found_rest().arcs[piece.number];
-        const Chord& chord = outlines_.chords()[arc.chord];
-        rows.emplace_back(text_of(*chord.corner), text_of(chord.from), text_of(chord.to),
-                          met(arc.from), met(arc.to));
+        const CornerBridge& corner = outlines_.corners()[arc.corner];
+        rows.emplace_back(text_of(*corner.corner), text_of(corner.chord.from),
+                          text_of(corner.chord.to), met(arc.from), met(arc.to));
       }
     }
     return rows;
   }
 
  private:
+  /// The last node tells which feature it is just above.
+  std::optional<std::uint32_t> live_node(const FeatureRegion& feature) const {
+    const std::uint32_t last = *std::max_element(
+        feature.nodes.begin(), feature.nodes.end(), [&](std::uint32_t a, std::uint32_t b) {
+          return all_.index.radius_number(a) < all_.index.radius_number(b);
+        });
+    const std::uint32_t node = all_.tree.feature_of[last];
+    if (std::find(live_.begin(), live_.end(), node) == live_.end()) return std::nullopt;
+    return node;
+  }
   const FeatureRegion& feature(std::size_t number) const {
     if (number < regions_.features.size()) return regions_.features[number];
     throw BadInput("no-feature",
@@ -189,39 +207,36 @@ class RegionsAt {
                    "give a radius");
   }
   PointText text_of(const RootPoint& point) const {
-    const RootPoint at = outlines_.placed(point);
+    const RootPoint at = placed(outlines_, point);
     return {expression(at.x), expression(at.y)};
   }
   std::vector<PointText> met(const ArcEnd& end) const {
     std::vector<PointText> found;
-    for (const std::uint32_t chord : end.with) {
-      found.push_back(text_of(*outlines_.chords()[chord].corner));
+    for (const std::uint32_t corner : end.with) {
+      found.push_back(text_of(*outlines_.corners()[corner].corner));
     }
     return found;
   }
 
-  std::shared_ptr<const DiscIndex> index_;
+  const BoundFeatures& all_;
   FeatureRegions regions_;
   RegionOutlines outlines_;
   std::optional<RestMaterial> rest_;
-};
-
-/// P and the index of its sums with discs.
-struct RegionSource {
-  std::shared_ptr<const DiscIndex> index;
+  std::vector<std::uint32_t> live_;  ///< nodes of the merge tree
 };
 
 }  // namespace
 
-void bind_feature_regions(nb::module_& module) {
+void bind_feature_regions(nb::module_& module, nb::class_<BoundFeatures>& bound) {
   nb::class_<RegionsAt>(module, "RegionsAt",
                         "The regions of features, the alpha-shape and the rest at one radius.")
       .def_prop_ro("components", &RegionsAt::components,
                    "Of the alpha-shape, as a closed set: sets that touch are one.")
       .def_prop_ro("holes", &RegionsAt::holes, "Bounded components of the complement.")
       .def("features", &RegionsAt::features, Released(),
-           "By feature: numbers of its events, its reflex vertices, its region's area between two "
-           "doubles, and exactly as factors by products of roots.")
+           "By feature: its node of the merge tree (None once a hole is filled), numbers of "
+           "its events, its reflex vertices, its region's area between two doubles, and exactly as "
+           "factors by products of roots.")
       .def("shape_area", &RegionsAt::shape_area, Released(),
            "The area of the alpha-shape, between two doubles and exactly.")
       .def("shape_rings", &RegionsAt::shape_rings, Released(),
@@ -242,23 +257,12 @@ void bind_feature_regions(nb::module_& module) {
       .def("rest_arcs", &RegionsAt::rest_arcs, "feature"_a, Released(),
            "Arcs that bound the rest, as expressions: the corner, both feet, and the corners whose "
            "circles the arc meets at its start and at its end; none at a foot.");
-  nb::class_<RegionSource>(module, "FeatureRegions", "Regions of features at all radii.")
-      .def(
-          "at",
-          [](const RegionSource& self,
-             const std::optional<std::string>& squared_radius) -> RegionsAt* {
-            return new RegionsAt(self.index, squared_radius);
-          },
-          "squared_radius"_a.none() = nb::none(), Released(),
-          "The regions at a radius; None: infinity. Raises BadInput.");
-  module.def(
-      "feature_regions",
-      [](const Set& P, unsigned threads) {
-        return RegionSource{std::make_shared<const DiscIndex>(P.value, build_on(threads))};
-      },
-      "P"_a, "threads"_a = 1, Released(),
-      "Features of P by their regions (Behar & Lien 2012, Sec. 8.2). Raises BadInput, "
-      "LimitExceeded.");
+  bound.def(
+      "regions",
+      [](const BoundFeatures& self, const std::optional<std::string>& squared_radius)
+          -> RegionsAt* { return new RegionsAt(self, squared_radius); },
+      "squared_radius"_a.none() = nb::none(), Released(), nb::keep_alive<0, 1>(),
+      "Regions, alpha-shape and rest material at a radius; None: infinity. Raises BadInput.");
 }
 
 }  // namespace minkref::python

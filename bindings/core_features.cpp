@@ -41,31 +41,6 @@ namespace {
 using Bounds = std::pair<double, double>;
 using Numbers = std::vector<std::uint32_t>;
 
-struct BoundFeatures {
-  explicit BoundFeatures(DiagramEvents diagram)
-      : index(std::move(diagram)),
-        tree(merge_tree(index)),
-        bridges(index),
-        codes(barcode(bridges, tree)),
-        tracks(bridge_tracks(index)),
-        near(index, tree, codes) {}
-
-  /// Of radius numbers between 0 and infinity.
-  RootNumber squared(std::uint32_t number) const {
-    const DiagramEvents& diagram = index.diagram();
-    if (number == 0 || number > index.radii()) throw std::out_of_range("no radius of events");
-    return diagram.exact(diagram.events.at(index.event_at(number - 1))).squared_radius;
-  }
-
-  DiscIndex index;
-  MergeTree tree;
-  Bridges bridges;
-  Barcode codes;
-  std::vector<BridgeTrack> tracks;
-  NearBridges near;
-  double seconds = 0;
-};
-
 /// A diameter's half, squared.
 Rational squared_radius(const std::string& alpha) {
   const Rational value = parse_rational(alpha);
@@ -360,6 +335,7 @@ void bind_tree(nb::class_<BoundFeatures>& bound) {
 void bind_features(nb::module_& module) {
   nb::class_<BoundFeatures> bound(module, "Features", "Features of a set under a growing disc.");
   bind_tree(bound);
+  bind_feature_regions(module, bound);
   bound
       .def(
           "at",

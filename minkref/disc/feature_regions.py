@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from minkref import _core
-from minkref.argument_types import expect_sets, whole
-from minkref.disc.disc_index import Bounds, Number, square_of
+from minkref.disc.disc_index import Bounds
 
 Place = tuple[str, str]
 """A drawn line or arc: kind, start, end, and an arc's centre; arcs run counter-clockwise."""
@@ -17,10 +16,12 @@ Step = tuple[str, float, float, float, float, float, float]
 @dataclass(frozen=True)
 class FeatureRegion:
     """A feature's region: the space between hidden parts of the boundary of P and the chords at the
-    feature's corners. `events` counts as DiscIndex.events does; `reflex_vertices` has one entry for
-    each wedge. `area` equals a double or lies between two neighbouring doubles; `terms` gives the
-    area exactly, as factors by products of square roots ("" for 1)."""
+    feature's corners. `node`: of the merge tree; none of a hole that has ended. `events` counts as
+    DiscIndex.events does; `reflex_vertices` has one entry for each wedge. `area` equals a double or
+    lies between two neighbouring doubles; `terms` gives the area exactly, as factors by products of
+    square roots ("" for 1)."""
 
+    node: int | None
     events: tuple[int, ...]
     reflex_vertices: tuple[Place, ...]
     area: Bounds
@@ -35,10 +36,26 @@ class FeatureRest:
     area: Bounds
 
 
+@dataclass(frozen=True)
+class RestArc:
+    """An arc that bounds rest material, or a part of one: about a corner of a feature,
+    counter-clockwise from one foot towards the other. Points are expressions. `from_circles` and
+    `to_circles`: corners whose circles end the part at its start and at its end; none at a foot. So
+    all numbers follow exactly: the rest's area is that within its boundary's chords, less the
+    arcs' segments."""
+
+    corner: Place
+    feet: tuple[Place, Place]
+    from_circles: tuple[Place, ...]
+    to_circles: tuple[Place, ...]
+
+
 class RegionsAt:
-    """Regions, alpha-shape and rest material at one radius. The alpha-shape consists of P and all
+    """Regions, alpha-shape and rest material at one alpha, twice the radius of the disc (Behar &
+    Lien 2012, Sec. 8.2; docs/disc.md). Exact: O(n) for all regions, and O(k²) comparisons of
+    doubles for the rest of a feature with k corners. The alpha-shape consists of P and all
     regions; its components and holes are those of the closed sum of P and the disc between events.
-    At the radius of an event: the state just below."""
+    At an event: the state just below."""
 
     def __init__(self, found: _core.RegionsAt) -> None:
         self._found = found
@@ -58,8 +75,8 @@ class RegionsAt:
         """All features with their regions, by their first events. Exact; microseconds for each
         corner. Raises LimitExceeded if 2^14 bits do not tell an area from a double."""
         return [
-            FeatureRegion(tuple(events), tuple(leaves), area, _fractions(terms))
-            for events, leaves, area, terms in self._found.features()
+            FeatureRegion(node, tuple(events), tuple(leaves), area, _fractions(terms))
+            for node, events, leaves, area, terms in self._found.features()
         ]
 
     @property
@@ -89,29 +106,16 @@ class RegionsAt:
         """The area of all rest material: closing minus P, enclosed like `FeatureRegion.area`."""
         return self._found.rest_area()
 
+    def rest_arcs(self, feature: int) -> list[RestArc]:
+        """List the arcs that bound a feature's rest, exactly."""
+        return [
+            RestArc(corner, (foot, other), tuple(first), tuple(last))
+            for corner, foot, other, first, last in self._found.rest_arcs(feature)
+        ]
+
     def rest_outlines(self, feature: int) -> list[list[Step]]:
         """Draw the rest's rings, with the rest on the right, in nearest doubles."""
         return self._found.rest_outlines(feature)
-
-
-class FeatureRegions:
-    """Regions of the features of `P` at all radii: finds the outer Voronoi diagram of P once, then
-    answers for any radius. Exact. Building costs and refuses what DiscIndex does; an answer takes
-    O(n), rest material O(k²) comparisons of doubles for k corners of one feature. Behar & Lien
-    2012, Sec. 8.2."""
-
-    def __init__(self, P: _core.PolygonSet, threads: int = 1) -> None:
-        expect_sets(P=P)
-        P.validate("P")
-        self._regions = _core.feature_regions(P, max(1, whole("threads", threads)))
-
-    def at(self, radius: Number | None = None, squared_radius: Number | None = None) -> RegionsAt:
-        """Find the regions at a radius, given by itself or by its square."""
-        return RegionsAt(self._regions.at(square_of(radius, squared_radius, "at")))
-
-    def at_infinity(self) -> RegionsAt:
-        """Find the regions at an infinite radius: they fill the convex hull."""
-        return RegionsAt(self._regions.at(None))
 
 
 def _fractions(terms: dict[str, str]) -> dict[str, Fraction]:

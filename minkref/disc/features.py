@@ -11,6 +11,7 @@ from typing import Any
 from minkref import _core
 from minkref.argument_types import double, expect_sets, number, whole
 from minkref.disc.disc_index import Bounds, Number, OffsetEvent, event_of
+from minkref.disc.feature_regions import RegionsAt
 from minkref.errors import Refusal
 from minkref.exact import digest, read_number
 
@@ -206,6 +207,14 @@ class Features:
         of the feature's node, number of its bar), by feature. Which features and bridges there are
         is exact; at an event's own alpha those just below."""
         return self._found.near(double("alpha", alpha))
+
+    def regions(self, alpha: Number | None = None) -> RegionsAt:
+        """Find the features' regions at alpha > 0, the alpha-shape, and the rest material of a
+        closing with the disc. Without alpha: at infinity, where regions fill the convex hull."""
+        if alpha is None:
+            return RegionsAt(self._found.regions(None))
+        radius = exact_alpha("alpha", alpha, least=None) / 2
+        return RegionsAt(self._found.regions(str(radius**2)))
 
     def notches(
         self, alpha: Number, persistence: Number = 0, alpha_to: Number | None = None

@@ -41,7 +41,8 @@ std::vector<Rational> inside(const DiscIndex& index, std::uint32_t gap) {
     return index.diagram().radius(index.diagram().events[index.event_at(number)]);
   };
   const Rational low = gap == 0 ? Rational(0) : Rational(radius(gap - 1).upper());
-  const Rational high = gap == index.radii() ? Rational(2 * low + 1) : Rational(radius(gap).lower());
+  const Rational high =
+      gap == index.radii() ? Rational(2 * low + 1) : Rational(radius(gap).lower());
   std::vector<Rational> found;
   for (int k = 1; k < 4; ++k) {
     const Rational at = from_double(to_double(low + (high - low) * k / 4));
@@ -51,13 +52,14 @@ std::vector<Rational> inside(const DiscIndex& index, std::uint32_t gap) {
 }
 
 void expect_counts(const PolygonSet& P, const DiscIndex& index, std::uint32_t gap) {
+  const Bridges bridges(index);
   for (const Rational& radius : inside(index, gap)) {
     const FeatureRegions found = feature_regions(index, radius * radius);
     const OffsetRegion sum = offset_region(P, radius * radius);
     ASSERT_EQ(found.components, sum.components.size()) << to_string(radius);
     ASSERT_EQ(found.holes, sum.holes) << to_string(radius);
     // Rings around holes of the alpha-shape run clockwise, those around components do not.
-    const RegionOutlines outlines(index, found);
+    const RegionOutlines outlines(bridges, found);
     std::size_t holes = 0;
     Interval shape(0), regions(0);
     for (const PartRing& ring : found.parts.visible_rings) {
@@ -79,9 +81,10 @@ TEST(FeatureRegions, AlphaShapeHasTheCountsOfTheClosedSum) {
   for (unsigned seed = 0; seed < testing::repetitions(40U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
-    const PolygonSet P = seed % 2 == 0 ? testing::random_region(random, 3)
-                                       : testing::random_mesh_region(random, 3);
+    const PolygonSet P =
+        seed % 2 == 0 ? testing::random_region(random, 3) : testing::random_mesh_region(random, 3);
     const DiscIndex index(P);
+    const Bridges bridges(index);
     for (int k = 0; k < 6; ++k) {
       const auto gap =
           static_cast<std::uint32_t>(random.between(0, static_cast<int>(index.radii())));
@@ -94,11 +97,12 @@ TEST(FeatureRegions, FillTheConvexHullAtInfinity) {
   for (unsigned seed = 0; seed < testing::repetitions(150U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
-    const PolygonSet P = seed % 2 == 0 ? testing::random_region(random, 4)
-                                       : testing::random_mesh_region(random, 4);
+    const PolygonSet P =
+        seed % 2 == 0 ? testing::random_region(random, 4) : testing::random_mesh_region(random, 4);
     const DiscIndex index(P);
+    const Bridges bridges(index);
     const FeatureRegions found = feature_regions(index, std::nullopt);
-    const RegionOutlines outlines(index, found);
+    const RegionOutlines outlines(bridges, found);
     Rational sum = area(P);
     for (const FeatureRegion& feature : found.features) {
       const auto area = rational(region_area(outlines, feature).terms);
@@ -134,8 +138,8 @@ class Tiles {
       const auto end = [&](std::uint32_t half_side, std::uint32_t node) {
         return is_cut && node == high ? near(outlines_.foot(half_side)) : foot_at(half_side, node);
       };
-      sum += area({end(k, half.from), end(k, half.to), end(half.twin, half.to),
-                   end(half.twin, half.from)});
+      sum += area(
+          {end(k, half.from), end(k, half.to), end(half.twin, half.to), end(half.twin, half.from)});
     }
     return sum;
   }
@@ -162,8 +166,7 @@ class Tiles {
     const DiagramHalf& own = graph_.halves[half];
     const DiagramEvents& diagram = index_.diagram();
     if (graph_.is_event(node)) return foot_below(own.feature, diagram.events[node].at);
-    const BoundarySide& side =
-        diagram.walks.sides[node == own.from ? own.from_side : own.to_side];
+    const BoundarySide& side = diagram.walks.sides[node == own.from ? own.from_side : own.to_side];
     const std::uint32_t vertex = node == own.from ? side.from : side.to;
     return numbers<Interval>(diagram.curves.features[vertex].centre);
   }
@@ -190,16 +193,17 @@ TEST(FeatureRegions, AreTiledByChords) {
   for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
-    const PolygonSet P = seed % 2 == 0 ? testing::random_region(random, 3)
-                                       : testing::random_mesh_region(random, 3);
+    const PolygonSet P =
+        seed % 2 == 0 ? testing::random_region(random, 3) : testing::random_mesh_region(random, 3);
     const DiscIndex index(P);
+    const Bridges bridges(index);
     const Rational factor = index.diagram().factor;
     for (int k = 0; k < 6; ++k) {
       const auto gap =
           static_cast<std::uint32_t>(random.between(0, static_cast<int>(index.radii())));
       for (const Rational& radius : inside(index, gap)) {
         const FeatureRegions found = feature_regions(index, radius * radius);
-        const RegionOutlines outlines(index, found);
+        const RegionOutlines outlines(bridges, found);
         const Tiles tiles(index, found, outlines);
         for (const FeatureRegion& feature : found.features) {
           const Interval area = Interval(factor * factor) * region_area(outlines, feature).bounds;
@@ -217,12 +221,13 @@ TEST(FeatureRegions, AtTheRadiusOfAnEventAreThoseJustBelow) {
   const PolygonSet P =
       testing::region({{0, 0}, {9, 0}, {9, 6}, {5, 6}, {5, 2}, {4, 2}, {4, 6}, {0, 6}});
   const DiscIndex index(P);
+  const Bridges bridges(index);
   for (const auto& [radius, count, area] : std::vector<std::tuple<Rational, std::size_t, Rational>>{
            {Rational(1, 4), 2, Rational(1, 16)},
            {Rational(1, 2), 2, Rational(1, 4)},
            {Rational(3, 4), 1, Rational(4)}}) {
     const FeatureRegions found = feature_regions(index, radius * radius);
-    const RegionOutlines outlines(index, found);
+    const RegionOutlines outlines(bridges, found);
     EXPECT_EQ(found.features.size(), count);
     Rational sum = 0;
     for (const FeatureRegion& feature : found.features) {
@@ -233,9 +238,10 @@ TEST(FeatureRegions, AtTheRadiusOfAnEventAreThoseJustBelow) {
 }
 
 TEST(FeatureRegions, OfConvexSetsPointsAndSegmentsAreNone) {
-  for (const PolygonSet& P : {testing::box(0, 0, 2, 1), testing::point_set(1, 2),
-                              testing::segment_set({0, 0}, {2, 1})}) {
+  for (const PolygonSet& P :
+       {testing::box(0, 0, 2, 1), testing::point_set(1, 2), testing::segment_set({0, 0}, {2, 1})}) {
     const DiscIndex index(P);
+    const Bridges bridges(index);
     for (const auto& radius : {std::optional(Rational(3)), std::optional<Rational>()}) {
       const FeatureRegions found = feature_regions(index, radius);
       EXPECT_TRUE(found.features.empty());
@@ -247,8 +253,9 @@ TEST(FeatureRegions, OfConvexSetsPointsAndSegmentsAreNone) {
 
 /// Components and area of the rest material.
 std::pair<std::size_t, Interval> rest_of(const DiscIndex& index, const Rational& radius) {
+  const Bridges bridges(index);
   const FeatureRegions found = feature_regions(index, radius * radius);
-  const RegionOutlines outlines(index, found);
+  const RegionOutlines outlines(bridges, found);
   const RestMaterial rest = rest_material(outlines);
   std::vector<std::size_t> all;
   std::size_t components = 0;
@@ -265,6 +272,7 @@ TEST(RestMaterial, FallsApartBetweenFlatTipsWithoutAnEvent) {
       region({{0, Rational(-1, 2)}, {0, Rational(1, 2)}, {-4, Rational(3)}, {-4, Rational(-3)}}),
       region({{2, Rational(-1, 2)}, {6, Rational(-3)}, {6, Rational(3)}, {2, Rational(1, 2)}}));
   const DiscIndex index(P);
+  const Bridges bridges(index);
   for (const auto& [radius, components] :
        std::vector<std::pair<Rational, std::size_t>>{{Rational(101, 100), 2},
                                                      {Rational(124, 100), 2},

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-
 from minkref.fuzz.geometry.plane import Shape
 
 
@@ -46,27 +45,17 @@ def added_area(shape: Shape, radius: float, cells: int) -> tuple[float, float]:
         & (y <= points[:, 1].max() + step)
         & (distance > -half)
     )
-    asked = np.stack([x[box], y[box]], axis=1)
     # Some disc covers the whole cell; no disc meets the cell.
-    covered = _nearest(asked, x, y, centres) < radius - half
-    missed = _nearest(asked, x, y, nearby) >= radius + 2 * half
+    covered = step * cells_to(centres)[box] < radius - half
+    missed = step * cells_to(nearby)[box] >= radius + 2 * half
     outside = distance[box] >= half
     return float((missed & outside).sum()) * step**2, float((~covered).sum()) * step**2
 
 
-def _nearest(asked: np.ndarray, x: np.ndarray, y: np.ndarray, chosen: np.ndarray) -> np.ndarray:
-    """The distance of each point from the nearest chosen grid point."""
-    core = chosen.copy()
-    core[1:-1, 1:-1] &= ~(
-        chosen[:-2, 1:-1] & chosen[2:, 1:-1] & chosen[1:-1, :-2] & chosen[1:-1, 2:]
-    )
-    border = np.stack([x[core], y[core]], axis=1)
-    found = np.full(len(asked), np.inf)
-    for first in range(0, len(asked), 2000):
-        part = asked[first : first + 2000]
-        away = ((part[:, None, :] - border[None, :, :]) ** 2).sum(axis=2)
-        found[first : first + 2000] = np.sqrt(away.min(axis=1))
-    inside = {(round(float(a), 9), round(float(b), 9)) for a, b in zip(x[chosen], y[chosen],
-                                                                       strict=True)}  # fmt: skip
-    own = [(round(float(a), 9), round(float(b), 9)) in inside for a, b in asked]
-    return np.where(own, 0.0, found)
+def cells_to(chosen: np.ndarray) -> np.ndarray:
+    """Each grid point's distance from the nearest chosen one, in cells: axis by axis."""
+    far = 4.0 * chosen.size
+    away = [np.abs(np.subtract.outer(np.arange(n), np.arange(n))) for n in chosen.shape]
+    along = np.where(chosen[None, :, :], away[0][:, :, None], far).min(axis=1)
+    square = np.array([(away[1] ** 2 + row[None, :] ** 2).min(axis=1) for row in along])
+    return np.sqrt(square)

@@ -19,7 +19,8 @@ class RegionFinder {
     found_.radius = std::move(radius);
     found_.parts = boundary_parts(index, found_.radius.level);
     for (std::uint32_t k = 0; k < graph_.halves.size(); ++k) {
-      if (index.high(k) <= found_.radius.level) nodes_.join(graph_.halves[k].from, graph_.halves[k].to);
+      if (index.high(k) <= found_.radius.level)
+        nodes_.join(graph_.halves[k].from, graph_.halves[k].to);
     }
   }
 

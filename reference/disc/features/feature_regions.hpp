@@ -22,8 +22,8 @@ struct FeatureRegions {
   FeatureRadius radius;
   BoundaryParts parts;
   std::vector<FeatureRegion> features;  ///< by their first nodes
-  std::size_t components;  ///< of the alpha-shape as a closed set: what touches is one
-  std::size_t holes;       ///< bounded components of its complement
+  std::size_t components;               ///< of the alpha-shape as a closed set: what touches is one
+  std::size_t holes;                    ///< bounded components of its complement
 };
 
 /// Finds the features of points nearer to P than a radius, given by its square in coordinates of P;

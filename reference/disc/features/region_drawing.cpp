@@ -3,14 +3,11 @@
 #include "reference/interrupt.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/number/radicals/nearest_double.hpp"
-#include "reference/number/radicals/surd_of_root.hpp"
 
 namespace minkref::inline disc {
 namespace {
 
 using DrawnPoint = std::pair<double, double>;
-
-Vector<Surd> surds_of(const RootPoint& p) { return {surd_of(p.x), surd_of(p.y)}; }
 
 double nearest(const Surd& value) {
   if (const auto rational = value.rational()) return to_double(*rational) + 0.0;
@@ -22,14 +19,14 @@ double nearest(const Surd& value) {
 /// An arc's end: a foot, or where circles meet.
 DrawnPoint drawn_end(const RegionOutlines& outlines, const FreeArc& arc, bool at_start) {
   const ArcEnd& end = at_start ? arc.from : arc.to;
-  const Chord& chord = outlines.chords()[arc.chord];
+  const Chord<RootNumber>& chord = outlines.corners()[arc.corner].chord;
   if (end.is_foot()) return drawn_point(outlines, at_start ? chord.from : chord.to);
   const DiagramEvents& diagram = outlines.index().diagram();
-  const Vector<Surd> centre = surds_of(*chord.corner),
-                     other = surds_of(*outlines.chords()[end.with.front()].corner);
+  const Vector<Surd> centre = outlines.surd_corner(arc.corner),
+                     other = outlines.surd_corner(end.with.front());
   const Vector<Surd> place =
-      centre + arc_end(diagram.curves, end, centre, other,
-                       Surd(*outlines.regions().radius.squared), Surd(Rational(1, 2)), at_start);
+      centre + arc_end(diagram.curves, end, centre, other, Surd(*outlines.regions().radius.squared),
+                       Surd(Rational(1, 2)), at_start);
   const Surd scale(Rational(1 / diagram.factor));
   return {nearest(scale * place.x + Surd(diagram.origin.x)),
           nearest(scale * place.y + Surd(diagram.origin.y))};
@@ -48,8 +45,13 @@ void add_steps(const RegionOutlines& outlines, const std::vector<OutlineStep>& s
 
 }  // namespace
 
+RootPoint placed(const RegionOutlines& outlines, const RootPoint& point) {
+  const DiagramEvents& diagram = outlines.index().diagram();
+  return RootNumber(Rational(1 / diagram.factor)) * point + numbers<RootNumber>(diagram.origin);
+}
+
 DrawnPoint drawn_point(const RegionOutlines& outlines, const RootPoint& point) {
-  const RootPoint at = outlines.placed(point);
+  const RootPoint at = placed(outlines, point);
   return {nearest_double(at.x), nearest_double(at.y)};
 }
 
@@ -77,7 +79,7 @@ std::vector<DrawnStep> drawn_rest(const RegionOutlines& outlines, const RestMate
     const FreeArc& arc = rest.arcs[piece.number];
     const auto [x0, y0] = drawn_end(outlines, arc, true);
     const auto [x1, y1] = drawn_end(outlines, arc, false);
-    const auto [cx, cy] = drawn_point(outlines, *outlines.chords()[arc.chord].corner);
+    const auto [cx, cy] = drawn_point(outlines, *outlines.corners()[arc.corner].corner);
     found.push_back({true, x0, y0, x1, y1, cx, cy});
   }
   return found;

@@ -20,7 +20,8 @@ std::vector<DrawnStep> drawn_outline(const RegionOutlines& outlines, const PartR
 std::vector<DrawnStep> drawn_rest(const RegionOutlines& outlines, const RestMaterial& rest,
                                   const RestRing& ring);
 
-/// A point of the frame in coordinates of P, as the nearest doubles.
+/// A point of the frame in coordinates of P; as the nearest doubles.
+RootPoint placed(const RegionOutlines& outlines, const RootPoint& point);
 std::pair<double, double> drawn_point(const RegionOutlines& outlines, const RootPoint& point);
 
 }  // namespace minkref::inline disc

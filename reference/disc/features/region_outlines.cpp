@@ -1,6 +1,5 @@
 #include "reference/disc/features/region_outlines.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "reference/interrupt.hpp"
@@ -9,60 +8,53 @@
 namespace minkref::inline disc {
 namespace {
 
-/// The nearest point of a half's own feature.
-RootPoint foot_below(const DiscIndex& index, std::uint32_t half,
-                     const std::optional<RootPoint>& corner) {
-  const Site own = Site::of(index.diagram().curves, index.graph().halves[half].feature);
-  if (own.is_point) return numbers<RootNumber>(own.point);
-  if (!corner) throw std::logic_error("a part of the diagram goes to infinity before an edge");
-  const Direction along = turned(own.normal);
-  const RootNumber part =
-      RootNumber(Rational(1 / own.squared_length())) *
-      dot(numbers<RootNumber>(along), *corner - numbers<RootNumber>(own.point));
-  return numbers<RootNumber>(own.point) + part * numbers<RootNumber>(along);
-}
-
-/// The edge of a side, or of the line that a half is in front of.
+/// The edge that a half is in front of; none of a vertex.
 std::uint32_t edge_before(const DiscIndex& index, std::uint32_t half) {
   return index.diagram().curves.features[index.graph().halves[half].feature].edge;
 }
 
 }  // namespace
 
-RegionOutlines::RegionOutlines(const DiscIndex& index, const FeatureRegions& regions)
-    : index_(index), regions_(regions) {
+RegionOutlines::RegionOutlines(const Bridges& bridges, const FeatureRegions& regions)
+    : bridges_(bridges), regions_(regions), radius_(bridges.of_events(index().radii() + 1)) {
   const FloatEnvironment standard;
-  chord_of_half_.assign(index.graph().halves.size(), DiagramGraph::none);
+  const auto& squared = regions.radius.squared;
+  if (squared) radius_ = {DiagramGraph::none, *squared, {}, 0};
+  corner_of_half_.assign(index().graph().halves.size(), DiagramGraph::none);
   for (const BoundaryPart& part : regions.parts.hidden) {
     look_for_interrupt();
-    const std::uint32_t half = part.to, twin = index.graph().halves[half].twin;
-    chord_of_half_[half] = chord_of_half_[twin] = static_cast<std::uint32_t>(chords_.size());
-    Chord chord{half, std::nullopt, {}, {}};
-    if (regions.radius.squared) {
-      chord.corner = corner_at(index.diagram(), index.graph(), half, *regions.radius.squared);
-    }
-    chord.from = foot_below(index, half, chord.corner);
-    chord.to = foot_below(index, twin, chord.corner);
-    chords_.push_back(std::move(chord));
+    const std::uint32_t half = part.to, twin = index().graph().halves[half].twin;
+    corner_of_half_[half] = corner_of_half_[twin] = static_cast<std::uint32_t>(corners_.size());
+    CornerBridge corner{half, std::nullopt, bridges.chord<RootNumber>(half, radius_)};
+    if (squared) corner.corner = bridges.place<RootNumber>(half, radius_);
+    corners_.push_back(std::move(corner));
   }
 }
 
 const RootPoint& RegionOutlines::foot(std::uint32_t half) const {
-  const Chord& chord = chord_of(half);
-  return chord.half == half ? chord.from : chord.to;
+  const CornerBridge& corner = corners_[corner_of_half_[half]];
+  return corner.half == half ? corner.chord.from : corner.chord.to;
+}
+
+Vector<Surd> RegionOutlines::surd_corner(std::uint32_t number) const {
+  return bridges_.place<Surd>(corners_[number].half, radius_);
+}
+
+Chord<Surd> RegionOutlines::surd_chord(std::uint32_t number) const {
+  return bridges_.chord<Surd>(corners_[number].half, radius_);
 }
 
 void RegionOutlines::add_part(const BoundaryPart& part, std::vector<OutlineStep>& steps) const {
-  const auto& features = index_.diagram().curves.features;
+  const auto& features = index().diagram().curves.features;
   RootPoint at = foot(part.from);
-  std::uint32_t edge = edge_before(index_, part.from);
+  std::uint32_t edge = edge_before(index(), part.from);
   for (const std::uint32_t vertex : part.vertices) {
     const RootPoint next = numbers<RootNumber>(features[vertex].centre);
     steps.push_back({at, next, DiagramGraph::none, false});
     at = next;
     edge = DiagramGraph::none;
   }
-  const std::uint32_t last = edge_before(index_, part.to);
+  const std::uint32_t last = edge_before(index(), part.to);
   if (part.vertices.empty() && edge == DiagramGraph::none && last == edge) return;  // one vertex
   if (edge != last) edge = DiagramGraph::none;
   steps.push_back({at, foot(part.to), edge, false});
@@ -71,8 +63,8 @@ void RegionOutlines::add_part(const BoundaryPart& part, std::vector<OutlineStep>
 std::vector<OutlineStep> RegionOutlines::outline(const PartRing& ring, bool is_hidden) const {
   std::vector<OutlineStep> steps;
   if (ring.parts.empty()) {
-    const auto& features = index_.diagram().curves.features;
-    const std::vector<std::uint32_t> vertices = walk_vertices(index_, ring.walk);
+    const auto& features = index().diagram().curves.features;
+    const std::vector<std::uint32_t> vertices = walk_vertices(index(), ring.walk);
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       const std::uint32_t next = vertices[k + 1 == vertices.size() ? 0 : k + 1];
       steps.push_back({numbers<RootNumber>(features[vertices[k]].centre),
@@ -82,16 +74,10 @@ std::vector<OutlineStep> RegionOutlines::outline(const PartRing& ring, bool is_h
   for (const std::uint32_t number : ring.parts) {
     const auto& parts = is_hidden ? regions_.parts.hidden : regions_.parts.visible;
     add_part(parts[number], steps);
-    const std::uint32_t half = parts[number].to, twin = index_.graph().halves[half].twin;
+    const std::uint32_t half = parts[number].to, twin = index().graph().halves[half].twin;
     steps.push_back({foot(half), foot(twin), DiagramGraph::none, true});
   }
   return steps;
-}
-
-RootPoint RegionOutlines::placed(const RootPoint& point) const {
-  const DiagramEvents& diagram = index_.diagram();
-  return RootNumber(Rational(1 / diagram.factor)) * point +
-         numbers<RootNumber>(diagram.origin);
 }
 
 void add_cross(const DiscIndex& index, const OutlineStep& step, const Rational& factor,

@@ -5,17 +5,18 @@
 #include <optional>
 #include <vector>
 
+#include "reference/disc/features/bridge.hpp"
 #include "reference/disc/features/feature_regions.hpp"
 #include "reference/number/radicals/nearest_double.hpp"
 #include "reference/number/radicals/root_text.hpp"
 
 namespace minkref::inline disc {
 
-/// A corner of the sum's boundary and its feet, within the curves' frame.
-struct Chord {
+/// A corner of the sum's boundary and its bridge, within the curves' frame.
+struct CornerBridge {
   std::uint32_t half;               ///< that rises; hidden parts end there
   std::optional<RootPoint> corner;  ///< none at infinity
-  RootPoint from, to;               ///< the feet on the half's own side, and on the twin's
+  Chord<RootNumber> chord;          ///< from the half's own side
 };
 
 /// A step along a closed curve. Both ends lie on the line of an edge of P, or belong to one field.
@@ -27,16 +28,18 @@ struct OutlineStep {
 
 class RegionOutlines {
  public:
-  /// Both must outlive the object. Finds all chords from roots: some ten microseconds each.
-  RegionOutlines(const DiscIndex& index, const FeatureRegions& regions);
+  /// Both must outlive the object. Finds all bridges from roots: some ten microseconds each.
+  RegionOutlines(const Bridges& bridges, const FeatureRegions& regions);
 
-  /// By hidden part: the chord at its end.
-  const std::vector<Chord>& chords() const { return chords_; }
-  /// The chord on a half that carries a corner, or on its twin.
-  const Chord& chord_of(std::uint32_t half) const { return chords_[chord_of_half_[half]]; }
-  std::uint32_t chord_number(std::uint32_t half) const { return chord_of_half_[half]; }
+  const DiscIndex& index() const { return bridges_.index(); }
+  const FeatureRegions& regions() const { return regions_; }
+  /// By hidden part: the bridge at its end.
+  const std::vector<CornerBridge>& corners() const { return corners_; }
   /// The foot on a half that carries a corner.
   const RootPoint& foot(std::uint32_t half) const;
+  /// A corner and its feet in numbers that take operands of any fields.
+  Vector<Surd> surd_corner(std::uint32_t number) const;
+  Chord<Surd> surd_chord(std::uint32_t number) const;
 
   /// Steps along a part, without the chord that follows it.
   void add_part(const BoundaryPart& part, std::vector<OutlineStep>& steps) const;
@@ -46,14 +49,12 @@ class RegionOutlines {
   /// Converts a point from the frame to the coordinates of P.
   RootPoint placed(const RootPoint& point) const;
 
-  const DiscIndex& index() const { return index_; }
-  const FeatureRegions& regions() const { return regions_; }
-
  private:
-  const DiscIndex& index_;
+  const Bridges& bridges_;
   const FeatureRegions& regions_;
-  std::vector<Chord> chords_;
-  std::vector<std::uint32_t> chord_of_half_;
+  BridgeRadius radius_;
+  std::vector<CornerBridge> corners_;
+  std::vector<std::uint32_t> corner_of_half_;
 };
 
 /// An area with its terms: `bounds` are two neighbouring doubles around the area, or one double

@@ -5,13 +5,11 @@
 #include <utility>
 
 #include "reference/interrupt.hpp"
-#include "reference/number/radicals/surd_of_root.hpp"
 #include "reference/number/scalar.hpp"
 
 namespace minkref::inline disc {
 namespace {
 
-Vector<Surd> surds(const RootPoint& p) { return {surd_of(p.x), surd_of(p.y)}; }
 Vector<Interval> intervals(const RootPoint& p) { return {p.x.enclosure(), p.y.enclosure()}; }
 
 }  // namespace
@@ -21,12 +19,12 @@ RestArcs::RestArcs(const RegionOutlines& outlines)
   const DiscIndex& index = outlines.index();
   const DiagramGraph& graph = index.graph();
   const auto& features = index.diagram().curves.features;
-  for (const Chord& chord : outlines.chords()) {
-    rounded_.push_back(intervals(*chord.corner));
-    const DiagramHalf& half = graph.halves[chord.half];
+  for (const CornerBridge& corner : outlines.corners()) {
+    rounded_.push_back(intervals(*corner.corner));
+    const DiagramHalf& half = graph.halves[corner.half];
     Features near{half.feature, graph.halves[half.twin].feature};
     const bool is_event = outlines.regions().radius.at_event && graph.is_event(half.to) &&
-                          index.high(chord.half) == outlines.regions().radius.level + 1;
+                          index.high(corner.half) == outlines.regions().radius.level + 1;
     if (is_event) near = index.diagram().events[half.to].features;
     upper_.push_back(is_event ? half.to : DiagramGraph::none);
     std::erase_if(near, [&](std::uint32_t k) { return features[k].edge != OffsetPatch::none; });
@@ -37,12 +35,12 @@ RestArcs::RestArcs(const RegionOutlines& outlines)
 }
 
 template <class N>
-const Vector<N>& RestArcs::centre(std::uint32_t chord) {
+const Vector<N>& RestArcs::centre(std::uint32_t corner) {
   if constexpr (std::is_same_v<N, Interval>) {
-    return rounded_[chord];
+    return rounded_[corner];
   } else {
-    if (!exact_[chord]) exact_[chord] = surds(*outlines_.chords()[chord].corner);
-    return *exact_[chord];
+    if (!exact_[corner]) exact_[corner] = outlines_.surd_corner(corner);
+    return *exact_[corner];
   }
 }
 
@@ -64,55 +62,56 @@ std::uint32_t RestArcs::shared_foot(std::uint32_t a, std::uint32_t b) const {
   return DiagramGraph::none;
 }
 
-bool RestArcs::is_vertex_foot(std::uint32_t chord, std::uint32_t vertex, bool at_start) const {
+bool RestArcs::is_vertex_foot(std::uint32_t corner, std::uint32_t vertex, bool at_start) const {
   const std::vector<DiagramHalf>& halves = outlines_.index().graph().halves;
-  const DiagramHalf& half = halves[outlines_.chords()[chord].half];
+  const DiagramHalf& half = halves[outlines_.corners()[corner].half];
   return (at_start ? half.feature : halves[half.twin].feature) == vertex;
 }
 
 /// The place, from the centre, at which a cover starts or ends.
 template <class N>
-Vector<N> RestArcs::place(std::uint32_t chord, const Cover& cover, bool at_start) {
+Vector<N> RestArcs::place(std::uint32_t corner, const Cover& cover, bool at_start) {
   const OffsetCurves& curves = outlines_.index().diagram().curves;
   // A free arc ends where a cover starts.
-  return arc_end(curves, cover.end(), centre<N>(chord), centre<N>(cover.other), N(squared_),
+  return arc_end(curves, cover.end(), centre<N>(corner), centre<N>(cover.other), N(squared_),
                  N(Rational(1, 2)), !at_start);
 }
 
 /// The part of an arc that the disc about another corner covers. A disc covers neither foot, so it
 /// covers a part inside the arc, or nothing, which the direction of its centre tells.
-std::optional<RestArcs::Cover> RestArcs::cover_of(std::uint32_t chord, std::uint32_t other) {
-  if (are_one_circle(chord, other)) return std::nullopt;
-  const auto way = [&]<class N>(const N&) { return centre<N>(other) - centre<N>(chord); };
-  const Chord& own = outlines_.chords()[chord];
-  const auto to_foot = [&]<class N>(const N&, const RootPoint& foot) {
+std::optional<RestArcs::Cover> RestArcs::cover_of(std::uint32_t corner, std::uint32_t other) {
+  if (are_one_circle(corner, other)) return std::nullopt;
+  const auto way = [&]<class N>(const N&) { return centre<N>(other) - centre<N>(corner); };
+  const auto to_foot = [&]<class N>(const N&, bool at_start) {
     if constexpr (std::is_same_v<N, Interval>) {
-      return intervals(foot) - centre<N>(chord);
+      const Chord<RootNumber>& own = outlines_.corners()[corner].chord;
+      return intervals(at_start ? own.from : own.to) - centre<N>(corner);
     } else {
-      return surds(foot) - centre<N>(chord);
+      const Chord<Surd> own = outlines_.surd_chord(corner);
+      return (at_start ? own.from : own.to) - centre<N>(corner);
     }
   };
-  const std::uint32_t vertex = shared_foot(chord, other);
+  const std::uint32_t vertex = shared_foot(corner, other);
   const int near = vertex != DiagramGraph::none ? 1 : decided([&]<class N>(const N& n) {
     const Vector<N> w = way(n);
     return N(Rational(4 * squared_)) - dot(w, w);
   });
   if (near < 0) return std::nullopt;
   const bool is_behind =
-      decided([&](const auto& n) { return cross(to_foot(n, own.from), way(n)); }) > 0 &&
-      decided([&](const auto& n) { return cross(way(n), to_foot(n, own.to)); }) > 0;
+      decided([&](const auto& n) { return cross(to_foot(n, true), way(n)); }) > 0 &&
+      decided([&](const auto& n) { return cross(way(n), to_foot(n, false)); }) > 0;
   if (!is_behind) return std::nullopt;
   Cover cover{other, false, false, near == 0, vertex};
-  for (const std::uint32_t shared : touched_[chord]) {
+  for (const std::uint32_t shared : touched_[corner]) {
     if (!std::binary_search(touched_[other].begin(), touched_[other].end(), shared)) continue;
-    cover.from_foot |= is_vertex_foot(chord, shared, true);
-    cover.to_foot |= is_vertex_foot(chord, shared, false);
+    cover.from_foot |= is_vertex_foot(corner, shared, true);
+    cover.to_foot |= is_vertex_foot(corner, shared, false);
   }
   return cover;
 }
 
 /// Along an arc, of less than half a turn.
-int RestArcs::order(std::uint32_t chord, const Cover& a, bool a_start, const Cover& b,
+int RestArcs::order(std::uint32_t corner, const Cover& a, bool a_start, const Cover& b,
                     bool b_start) {
   const auto rank = [](const Cover& cover, bool start) {
     if (start) return cover.from_foot ? -1 : 0;
@@ -121,31 +120,30 @@ int RestArcs::order(std::uint32_t chord, const Cover& a, bool a_start, const Cov
   const int of_a = rank(a, a_start), of_b = rank(b, b_start);
   if (of_a != 0 || of_b != 0) return of_a - of_b;
   return -decided([&]<class N>(const N&) {
-    return cross(place<N>(chord, a, a_start), place<N>(chord, b, b_start));
+    return cross(place<N>(corner, a, a_start), place<N>(corner, b, b_start));
   });
 }
 
 /// Adds what the covers leave of an arc.
-void RestArcs::add_free(std::uint32_t chord, std::vector<Cover> covers,
+void RestArcs::add_free(std::uint32_t corner, std::vector<Cover> covers,
                         std::vector<FreeArc>& found) {
-  std::sort(covers.begin(), covers.end(), [&](const Cover& a, const Cover& b) {
-    return order(chord, a, true, b, true) < 0;
-  });
+  std::sort(covers.begin(), covers.end(),
+            [&](const Cover& a, const Cover& b) { return order(corner, a, true, b, true) < 0; });
   ArcEnd last;  // behind the covers so far
   std::optional<Cover> first, farthest;
   for (const Cover& cover : covers) {
-    const int gap = farthest ? order(chord, cover, true, *farthest, false) : 1;
+    const int gap = farthest ? order(corner, cover, true, *farthest, false) : 1;
     if (gap > 0) {
-      if (farthest || !cover.from_foot) found.push_back({chord, last, cover.end()});
+      if (farthest || !cover.from_foot) found.push_back({corner, last, cover.end()});
       first = farthest = cover;
       last = cover.end();
       continue;
     }
     // Several covers may start at one point, behind a free arc.
-    if (order(chord, cover, true, *first, true) == 0 && !cover.from_foot) {
+    if (order(corner, cover, true, *first, true) == 0 && !cover.from_foot) {
       found.back().to.with.push_back(cover.other);
     }
-    const int further = order(chord, cover, false, *farthest, false);
+    const int further = order(corner, cover, false, *farthest, false);
     if (further > 0) {
       farthest = cover;
       last = cover.end();
@@ -153,19 +151,19 @@ void RestArcs::add_free(std::uint32_t chord, std::vector<Cover> covers,
       last.with.push_back(cover.other);
     }
   }
-  if (!farthest || !farthest->to_foot) found.push_back({chord, last, {}});
+  if (!farthest || !farthest->to_foot) found.push_back({corner, last, {}});
 }
 
-std::vector<FreeArc> RestArcs::of(const std::vector<std::uint32_t>& chords) {
+std::vector<FreeArc> RestArcs::of(const std::vector<std::uint32_t>& corners) {
   std::vector<FreeArc> found;
-  for (const std::uint32_t chord : chords) {
+  for (const std::uint32_t corner : corners) {
     std::vector<Cover> covers;
-    for (const std::uint32_t other : chords) {
+    for (const std::uint32_t other : corners) {
       look_for_interrupt();
-      if (other == chord) continue;
-      if (const auto cover = cover_of(chord, other)) covers.push_back(*cover);
+      if (other == corner) continue;
+      if (const auto cover = cover_of(corner, other)) covers.push_back(*cover);
     }
-    add_free(chord, std::move(covers), found);
+    add_free(corner, std::move(covers), found);
   }
   return found;
 }

@@ -11,7 +11,7 @@
 
 namespace minkref::inline disc {
 
-/// Chords whose circles cross or touch an arc at its end; none at a foot.
+/// Corners whose circles cross or touch an arc at its end; none at a foot.
 struct ArcEnd {
   std::vector<std::uint32_t> with = {};
   std::uint32_t vertex = DiagramGraph::none;  ///< on the circle of the first, too, and on the arc's
@@ -20,9 +20,9 @@ struct ArcEnd {
   bool is_foot() const { return with.empty(); }
 };
 
-/// A part of the circle about a chord's corner, counter-clockwise, behind the chord.
+/// A part of the circle about a corner, counter-clockwise, behind the corner's bridge.
 struct FreeArc {
-  std::uint32_t chord;
+  std::uint32_t corner;
   ArcEnd from, to;
 };
 
@@ -62,11 +62,10 @@ class RestArcs {
   /// The outlines must outlive the object, at a finite radius.
   explicit RestArcs(const RegionOutlines& outlines);
 
-  /// The free arcs about the corners of one feature, whose chords are given. Exact: doubles, then
+  /// The free arcs about the corners of one feature, given by number. Exact: doubles, then
   /// roots; circles that touch, and circles that meet in one point, are told from others. O(n^2)
   /// comparisons of doubles for n corners.
-  std::vector<FreeArc> of(const std::vector<std::uint32_t>& chords);
-
+  std::vector<FreeArc> of(const std::vector<std::uint32_t>& corners);
 
  private:
   /// The part of an arc inside the disc about another corner.
@@ -79,24 +78,24 @@ class RestArcs {
   };
 
   template <class N>
-  const Vector<N>& centre(std::uint32_t chord);
+  const Vector<N>& centre(std::uint32_t corner);
   template <class N>
-  Vector<N> place(std::uint32_t chord, const Cover& cover, bool at_start);
+  Vector<N> place(std::uint32_t corner, const Cover& cover, bool at_start);
   template <class Of>
   int decided(Of&& of);
   bool are_one_circle(std::uint32_t a, std::uint32_t b) const;
   std::uint32_t shared_foot(std::uint32_t a, std::uint32_t b) const;
-  bool is_vertex_foot(std::uint32_t chord, std::uint32_t vertex, bool at_start) const;
-  std::optional<Cover> cover_of(std::uint32_t chord, std::uint32_t other);
-  int order(std::uint32_t chord, const Cover& a, bool a_start, const Cover& b, bool b_start);
-  void add_free(std::uint32_t chord, std::vector<Cover> covers, std::vector<FreeArc>& found);
+  bool is_vertex_foot(std::uint32_t corner, std::uint32_t vertex, bool at_start) const;
+  std::optional<Cover> cover_of(std::uint32_t corner, std::uint32_t other);
+  int order(std::uint32_t corner, const Cover& a, bool a_start, const Cover& b, bool b_start);
+  void add_free(std::uint32_t corner, std::vector<Cover> covers, std::vector<FreeArc>& found);
 
   const RegionOutlines& outlines_;
   Rational squared_;
   std::vector<Vector<Interval>> rounded_;            ///< centres
   std::vector<std::optional<Vector<Surd>>> exact_;   ///< centres, on demand
-  std::vector<std::vector<std::uint32_t>> touched_;  ///< by chord: vertices on the circle, sorted
-  std::vector<std::uint32_t> upper_;                 ///< by chord: the event at the corner, or none
+  std::vector<std::vector<std::uint32_t>> touched_;  ///< by corner: vertices on the circle, sorted
+  std::vector<std::uint32_t> upper_;  ///< by corner: the event at the corner, or none
 };
 
 }  // namespace minkref::inline disc

@@ -32,13 +32,13 @@ class RestRings {
  private:
   FeatureRest rest_of(const FeatureRegion& feature) {
     FeatureRest rest{{}, 0};
-    std::vector<std::uint32_t> chords;
+    std::vector<std::uint32_t> corners;
     for (const PartRing& ring : feature.rings) {
       if (ring.parts.empty()) rest.rings.push_back({{}, ring.walk});
-      chords.insert(chords.end(), ring.parts.begin(), ring.parts.end());
+      corners.insert(corners.end(), ring.parts.begin(), ring.parts.end());
     }
     const auto first = static_cast<std::uint32_t>(found_.arcs.size());
-    for (FreeArc& arc : arcs_of_.of(chords)) found_.arcs.push_back(std::move(arc));
+    for (FreeArc& arc : arcs_of_.of(corners)) found_.arcs.push_back(std::move(arc));
     link(first);
     std::vector<char> is_done(found_.arcs.size() - first, 0);
     for (std::uint32_t start = first; start < found_.arcs.size(); ++start) {
@@ -48,7 +48,7 @@ class RestRings {
         is_done[arc - first] = 1;
         ring.pieces.push_back({true, arc});
         if (found_.arcs[arc].to.is_foot()) {
-          const std::uint32_t part = part_behind(found_.arcs[arc].chord);
+          const std::uint32_t part = part_behind(found_.arcs[arc].corner);
           ring.pieces.push_back({false, part});
           arc = at_foot_.at(part);
         } else {
@@ -69,18 +69,18 @@ class RestRings {
     at_crossing_.clear();
     for (std::uint32_t k = first; k < found_.arcs.size(); ++k) {
       const FreeArc& arc = found_.arcs[k];
-      if (arc.from.is_foot()) at_foot_[arc.chord] = k;
-      for (const std::uint32_t other : arc.from.with) at_crossing_[{arc.chord, other}] = k;
+      if (arc.from.is_foot()) at_foot_[arc.corner] = k;
+      for (const std::uint32_t other : arc.from.with) at_crossing_[{arc.corner, other}] = k;
     }
   }
   /// The hidden part that starts at an arc's end.
-  std::uint32_t part_behind(std::uint32_t chord) const {
-    return part_from_[outlines_.index().graph().halves[outlines_.chords()[chord].half].twin];
+  std::uint32_t part_behind(std::uint32_t corner) const {
+    return part_from_[outlines_.index().graph().halves[outlines_.corners()[corner].half].twin];
   }
   std::uint32_t behind_crossing(std::uint32_t number) const {
     const FreeArc& arc = found_.arcs[number];
     for (const std::uint32_t other : arc.to.with) {
-      const auto found = at_crossing_.find({other, arc.chord});
+      const auto found = at_crossing_.find({other, arc.corner});
       if (found != at_crossing_.end()) return found->second;
     }
     throw std::logic_error("the boundary of the rest material ends");

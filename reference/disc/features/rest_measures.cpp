@@ -32,11 +32,12 @@ class RestSums {
   /// Within the frame.
   MpfrInterval area(long bits) const {
     MpfrInterval sum(0, bits);
-    for (const OutlineStep& step : steps_) sum = sum + cross(near(step.from, bits), near(step.to, bits));
+    for (const OutlineStep& step : steps_)
+      sum = sum + cross(near(step.from, bits), near(step.to, bits));
     for (const std::uint32_t number : arcs_) {
       look_for_interrupt();
       const FreeArc& arc = rest_.arcs[number];
-      const Vector<MpfrInterval> centre = near(*outlines_.chords()[arc.chord].corner, bits),
+      const Vector<MpfrInterval> centre = near(*outlines_.corners()[arc.corner].corner, bits),
                                  from = end(arc, true, bits), to = end(arc, false, bits);
       const MpfrInterval angle = atan2(cross(from, to), dot(from, to));
       sum = sum + MpfrInterval(squared(), bits) * angle + cross(centre, to - from);
@@ -60,10 +61,10 @@ class RestSums {
   /// From the centre.
   Vector<MpfrInterval> end(const FreeArc& arc, bool at_start, long bits) const {
     const ArcEnd& end = at_start ? arc.from : arc.to;
-    const Chord& chord = outlines_.chords()[arc.chord];
-    const Vector<MpfrInterval> centre = near(*chord.corner, bits);
-    if (end.is_foot()) return near(at_start ? chord.from : chord.to, bits) - centre;
-    const Vector<MpfrInterval> other = near(*outlines_.chords()[end.with.front()].corner, bits);
+    const CornerBridge& corner = outlines_.corners()[arc.corner];
+    const Vector<MpfrInterval> centre = near(*corner.corner, bits);
+    if (end.is_foot()) return near(at_start ? corner.chord.from : corner.chord.to, bits) - centre;
+    const Vector<MpfrInterval> other = near(*outlines_.corners()[end.with.front()].corner, bits);
     return arc_end(outlines_.index().diagram().curves, end, centre, other,
                    MpfrInterval(squared(), bits), MpfrInterval(Rational(1, 2), bits), at_start);
   }

@@ -10,7 +10,8 @@ from fractions import Fraction
 from itertools import combinations, pairwise
 
 from minkref import _core
-from minkref.disc.feature_regions import FeatureRegions, RegionsAt
+from minkref.disc.feature_regions import RegionsAt
+from minkref.disc.features import Features
 from minkref.fuzz.geometry.plane import Ring, Shape
 from minkref.fuzz.judges.disc.place_draws import KINDS, drawn_set, set_of
 from minkref.fuzz.plane.families.drawing import shape_text
@@ -46,19 +47,19 @@ def batch(first: int) -> Looked:
         name, shape = drawn_set(SEED, number)
         P = set_of(shape)
         try:
-            regions = FeatureRegions(P)
-            _counts(name, P, regions, number, looked)
-            _at_infinity(name, P, regions, looked)
-            _disjoint(name, P, regions, looked)
+            features = Features(P)
+            _counts(name, P, features, number, looked)
+            _at_infinity(name, P, features, looked)
+            _disjoint(name, P, features, looked)
         except Exception as error:  # noqa: BLE001 a fault too
             looked.wrong.append(f"{name}: {type(error).__name__}: {error}")
     return looked
 
 
 def _counts(
-    name: str, P: _core.PolygonSet, regions: FeatureRegions, number: int, looked: Looked
+    name: str, P: _core.PolygonSet, features: Features, number: int, looked: Looked
 ) -> None:
-    """Compares counts at three radii in gaps between events; the rest grows from each to the next."""
+    """Compares counts at three radii in gaps between events; the rest grows with the radius."""
     radii = _core.disc_index(P).radii()
     looked.counts["sets with several events at one radius"] += len(radii) < len(
         _core.disc_index(P).kinds()
@@ -72,7 +73,7 @@ def _counts(
         for share in SHARES:
             radius = (low + share * (high - low)).limit_denominator(10**12)
             where = f"{name} at {radius}"
-            found, sum_ = regions.at(radius), _core.offset(P, str(radius**2))
+            found, sum_ = features.regions(2 * radius), _core.offset(P, str(radius**2))
             looked.law("components are those of the closed sum",
                        found.components == sum_.components, where)  # fmt: skip
             looked.law("holes are those of the closed sum", found.holes == sum_.holes, where)
@@ -93,10 +94,8 @@ def _rest(found: RegionsAt, last: float, where: str, looked: Looked) -> float:
     return low
 
 
-def _at_infinity(
-    name: str, P: _core.PolygonSet, regions: FeatureRegions, looked: Looked
-) -> None:
-    terms = [feature.terms for feature in regions.at_infinity().features]
+def _at_infinity(name: str, P: _core.PolygonSet, features: Features, looked: Looked) -> None:
+    terms = [feature.terms for feature in features.regions().features]
     is_rational = all(set(each) <= {""} for each in terms)
     looked.law("areas at infinity are rational", is_rational, name)
     filled = sum((each.get("", Fraction(0)) for each in terms), Fraction(P.area()))
@@ -122,10 +121,10 @@ def _turn(a: tuple, b: tuple, c: tuple) -> Fraction:  # type: ignore[type-arg]
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def _disjoint(name: str, P: _core.PolygonSet, regions: FeatureRegions, looked: Looked) -> None:
+def _disjoint(name: str, P: _core.PolygonSet, features: Features, looked: Looked) -> None:
     """Intersects regions with rational corners and simple rings with each other and with P."""
     for radius in TILED:
-        found = regions.at(radius)
+        found = features.regions(2 * radius)
         sets = [P]
         for number, feature in enumerate(found.features):
             shape = _simple(found.corners(number))
@@ -175,7 +174,9 @@ def run(findings: Findings, size: Size) -> None:
     tied = looked.counts["sets with several events at one radius"]
     findings.law("sets with several events at one radius", tied * 2 >= count, "half", tied)
     compared = looked.counts["regions are disjoint"]
-    findings.law("compared pairs of a region and P, or of regions", compared > count, count, compared)
+    findings.law(
+        "compared pairs of a region and P, or of regions", compared > count, count, compared
+    )
     findings.figures = {"counts": dict(looked.counts), "sets": count, "kinds": len(KINDS)}
     findings.note(
         f"seed {SEED}: {count:,} sets; counts at "
