@@ -9,6 +9,7 @@ from html import escape
 from minkref import _core
 from minkref.disc.features import FeatureBar, Features, LiveFeature
 from minkref.output.terminal import escaped
+from minkref.reports.region_layers import REGION_STYLE, DrawnRegions
 
 WIDTH = 680.0  # of the set's longer side
 PAD = 12.0
@@ -23,11 +24,18 @@ STYLE = (
 
 
 def features_picture(
-    P: _core.PolygonSet, found: Features, alive: Sequence[LiveFeature] | None, caption: str
+    P: _core.PolygonSet,
+    found: Features,
+    alive: Sequence[LiveFeature] | None,
+    caption: str,
+    drawn: DrawnRegions | None = None,
 ) -> str:
-    """An SVG document. Without features `alive` at one alpha: all leaves, and no bridge."""
+    """An SVG document. Without features `alive` at one alpha: all leaves, and no bridge. `drawn`:
+    regions and rest material, where they are asked for."""
     rings = [ring for polygon in P.approximate_rings() for ring in polygon]
-    xs, ys = zip(*(point for ring in rings for point in ring), strict=True) if rings else ((0,), (0,))
+    xs, ys = (
+        zip(*(point for ring in rings for point in ring), strict=True) if rings else ((0,), (0,))
+    )
     unit = (WIDTH - 2 * PAD) / (max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0)
     low_x, high_y = min(xs), max(ys)
     width, height = unit * (max(xs) - low_x) + 2 * PAD, unit * (high_y - min(ys)) + 2 * PAD
@@ -37,6 +45,8 @@ def features_picture(
 
     path = "".join("M" + "L".join(" ".join(at(x, y)) for x, y in ring) + "Z" for ring in rings)
     layers = [f'<path class="set" d="{path}"/>']
+    if drawn is not None:
+        layers += drawn.layers(at, unit)
     deepest = {feature.deepest for feature in alive or []}
     for node in found.tree:
         if node.vertex is not None:
@@ -52,8 +62,8 @@ def features_picture(
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {full:.0f} {height:.0f}" '
         f'width="{full:.0f}" height="{height:.0f}" role="img" '
-        f'aria-label="features of {escape(escaped(caption), quote=True)}"><style>{STYLE}</style>'
-        f"{''.join(layers)}{bars}</svg>\n"
+        f'aria-label="features of {escape(escaped(caption), quote=True)}">'
+        f"<style>{STYLE}{REGION_STYLE}</style>{''.join(layers)}{bars}</svg>\n"
     )
 
 

@@ -3,18 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from typing import NamedTuple
 
 from minkref.disc.feature_regions import RegionsAt, Step
 
 COLOURS = ("#f2b134", "#7bb662", "#c77dba", "#5fb7b5", "#e07a5f", "#8d99ae")
 """Regions take turns; neighbours in the list seldom touch."""
-STYLE = ".region{stroke:none;fill-opacity:.45}.rest{fill:#7a3b2e;fill-opacity:.6;stroke:none}"
+REGION_STYLE = (
+    ".region{stroke:none;fill-opacity:.45}.rest{fill:#7a3b2e;fill-opacity:.6;stroke:none}"
+)
 
 At = Callable[[float, float], tuple[str, str]]
 
 
+class DrawnRegions(NamedTuple):
+    """All regions at one alpha, and what a picture shows."""
+
+    found: RegionsAt
+    regions: bool
+    rest: bool
+
+    def layers(self, at: At, unit: float) -> list[str]:
+        """Paths; `at` places a point in the picture, y downwards, and `unit` is the length of 1."""
+        regions = region_layers(self.found, at) if self.regions else []
+        return regions + (rest_layers(self.found, at, unit) if self.rest else [])
+
+
 def region_layers(found: RegionsAt, at: At) -> list[str]:
-    """A path for each region with an area. `at` places a point in the picture, y downwards."""
+    """A path for each region with an area."""
     layers = []
     for number, feature in enumerate(found.features):
         if feature.area[1] > 0:
@@ -25,7 +41,7 @@ def region_layers(found: RegionsAt, at: At) -> list[str]:
 
 
 def rest_layers(found: RegionsAt, at: At, unit: float) -> list[str]:
-    """A path for the rest material of each feature; `unit`: the picture's length of 1."""
+    """A path for the rest material of each feature."""
     return [
         f'<path class="rest" d="{path_of(found.rest_outlines(number), at, unit)}"/>'
         for number, rest in enumerate(found.rest)

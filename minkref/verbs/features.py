@@ -23,7 +23,9 @@ minkref features g1 --from 1/2 --to 3 --json
 
 minkref features glyph1204 --alpha 5 -o bridges.svg
 
-minkref features glyph1204 --alpha 5 -o bridges.dxf"""
+minkref features glyph1204 --alpha 5 -o bridges.dxf
+
+minkref features glyph1204 --alpha 5 --regions --rest -o rest.svg"""
 
 TOLD = """\
 The concave features of a set under a growing disc: where bays, corridors and holes of a diameter
@@ -35,6 +37,15 @@ Alpha = Annotated[
     Fraction | None,
     typer.Option("--alpha", help="Show the features at this diameter, with bridges.", metavar="A"),
     READ_SCALE,
+]
+Regions = Annotated[
+    bool, typer.Option("--regions", help="With --alpha: the region of each feature, and its area.")
+]
+Rest = Annotated[
+    bool,
+    typer.Option(
+        "--rest", help="With --alpha: what a closing with the disc adds to the set, and its area."
+    ),
 ]
 FirstAlpha = Annotated[
     Fraction | None,
@@ -50,8 +61,8 @@ Output = Annotated[
     Path | None,
     typer.Option(
         "-o",
-        help="Write FILE.json (all of it, exact), .svg (the set and the barcode) or, with --alpha, "
-        ".dxf (the bridges).",
+        help="Write FILE.json (all of it, exact), .svg (the set and the barcode, regions and rest) "
+        "or, with --alpha, .dxf (the bridges).",
         metavar="FILE",
     ),
 ]
@@ -64,6 +75,8 @@ Format = Annotated[
 class FeaturesRequest:
     P: Operand
     alpha: Alpha = None
+    regions: Regions = False
+    rest: Rest = False
     from_alpha: FirstAlpha = None
     to_alpha: LastAlpha = None
     output: Output = None

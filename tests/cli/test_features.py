@@ -19,7 +19,12 @@ SQUARE = "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"
 
 
 def test_the_document_follows_the_published_schema(minkref: Minkref) -> None:
-    for options in ((), ("--alpha", "5"), ("--from", "1", "--to", "3/2")):
+    for options in (
+        (),
+        ("--alpha", "5"),
+        ("--from", "1", "--to", "3/2"),
+        ("--alpha", "5/2", "--regions", "--rest"),
+    ):
         for shape in (SLOT, SQUARE, "g1", "POINT (1 2)"):
             ran = minkref("features", shape, *options, "--json")
             assert (ran.code, ran.err) == (0, ""), ran.err
@@ -37,6 +42,23 @@ def test_the_document_has_the_value(minkref: Minkref) -> None:
     assert alive["squared_depth"] == "25" and alive["tie"]
     assert sorted(alive["bridges"][0]["near"]) == [[2, 6], [4, 6]]
     assert [node["kind"] for node in ran["tree"]] == ["reflex", "reflex", "merge", "outside"]
+
+
+def test_regions_and_rest(minkref: Minkref, tmp_path: Path) -> None:
+    ran = minkref("features", SLOT, "--alpha", "5/2", "--regions", "--rest", "--json").json
+    (region,), (rest,) = ran["regions"]["of_features"], ran["rest"]["of_features"]
+    assert region["terms"] == [{"factor": "10", "root": "1"}]
+    assert region["node"] == rest["node"] == ran["features"][0]["node"]
+    assert (ran["regions"]["components"], ran["regions"]["holes"]) == (1, 0)
+    assert rest["components"] == 1 and 9 < rest["area"]["low"] < 10
+    file = tmp_path / "f.svg"
+    ran = minkref("features", SLOT, "--alpha", "5/2", "--regions", "--rest", "-o", file)
+    assert ran.code == 0 and "1 region" in ran.out and "1 component" in ran.out, ran.err
+    picture = file.read_text()
+    assert picture.count('class="region"') == picture.count('class="rest"') == 1
+    for option in ("--regions", "--rest"):
+        refused = minkref("features", SLOT, option)
+        assert refused.code == 2 and "add --alpha A" in refused.err
 
 
 def test_a_window_keeps_the_bars_that_meet_it(minkref: Minkref) -> None:

@@ -12,7 +12,9 @@ from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import give, plain_table, written_row
 from minkref.disc.commands.events import feature_row
 from minkref.disc.commands.index_file import from_places
+from minkref.disc.commands.region_rows import print_regions, region_rows, rest_rows
 from minkref.disc.commands.sum import enclosed
+from minkref.disc.feature_regions import RegionsAt
 from minkref.disc.features import FeatureBar, Features, LiveFeature
 from minkref.errors import Refusal
 from minkref.output.documents import Stopwatch, as_text, document, lasting, refuse_overwriting
@@ -42,6 +44,8 @@ def run(request: FeaturesRequest) -> None:
         )
         found = Features.of_core(built)
         alive = None if alpha is None else found.at(alpha)
+        asked = request.regions or request.rest
+        regions = found.regions(alpha) if asked else None
         numbers = [k for k, bar in enumerate(found.bars) if _is_within(bar, request)]
         value = document(
             "features",
@@ -56,9 +60,11 @@ def run(request: FeaturesRequest) -> None:
             exact_signs=built.exact_signs,
             digest=found.digest,
             **rows_of(found, numbers, alive),
+            regions=region_rows(regions) if regions and request.regions else None,
+            rest=rest_rows(regions) if regions and request.rest else None,
         )
         if target is not None:
-            text = _written(target, value, found, operand, alive)
+            text = _written(target, value, found, operand, alive, regions)
             if target.write(text, target.form == "json"):
                 return
     give(value, request.json, lambda value: _print(value, found, numbers))
@@ -71,6 +77,9 @@ def _check(request: FeaturesRequest, target: Target | None) -> None:
         raise Refusal("the window is empty", f"--from {first} --to {last}", mend, "empty-window")
     if target is not None and target.form == "dxf" and request.alpha is None:
         raise Refusal("bridges are of one alpha", target.name, "add --alpha A")
+    for name, is_asked in (("--regions", request.regions), ("--rest", request.rest)):
+        if is_asked and request.alpha is None:
+            raise Refusal("regions and rest are of one alpha", name, "add --alpha A")
 
 
 def _text(bound: Fraction | None) -> str | None:
@@ -175,7 +184,12 @@ def _feature(alive: LiveFeature) -> Row:
 
 
 def _written(
-    target: Target, value: Row, found: Features, operand: Operand, alive: list[LiveFeature] | None
+    target: Target,
+    value: Row,
+    found: Features,
+    operand: Operand,
+    alive: list[LiveFeature] | None,
+    regions: RegionsAt | None,
 ) -> str:
     if target.form == "json":
         return as_text(lasting(value))
@@ -185,8 +199,12 @@ def _written(
 
         return dxf_of_lines(bridges, "BRIDGES", target.name)
     from minkref.reports.features_picture import features_picture
+    from minkref.reports.region_layers import DrawnRegions
 
-    return features_picture(operand.set, found, alive, operand.name)
+    drawn = None
+    if regions is not None:
+        drawn = DrawnRegions(regions, value["regions"] is not None, value["rest"] is not None)
+    return features_picture(operand.set, found, alive, operand.name, drawn)
 
 
 def _print(value: Row, found: Features, numbers: list[int]) -> None:
@@ -211,6 +229,7 @@ def _print(value: Row, found: Features, numbers: list[int]) -> None:
         out.print(table)
         if len(longest) < len(numbers):
             out.print(f"and {len(numbers) - len(longest):,} shorter ones (--json has them)")
+    print_regions(value["regions"], value["rest"])
     for name, text in [("digest", value["digest"]), *written_row({**value, "output_exact": True})]:
         out.print(f"{name}  {text}")
 

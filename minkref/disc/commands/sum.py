@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -176,17 +176,19 @@ def _passage(
     }
 
 
+def term_rows(factors: Mapping[str, object]) -> list[dict[str, str]]:
+    """A sum of factors times products of roots."""
+    return [{"factor": str(factor), "root": root or "1"} for root, factor in factors.items()]
+
+
 def _measures(
     length: dict[str, str],
     area: dict[str, str],
     angles: Sequence[tuple[tuple[str, str], tuple[str, str]]],
 ) -> dict[str, Any]:
-    def terms(factors: dict[str, str]) -> list[dict[str, str]]:
-        return [{"factor": factor, "root": root or "1"} for root, factor in factors.items()]
-
     return {
-        "length": terms(length),
-        "area": terms(area),
+        "length": term_rows(length),
+        "area": term_rows(area),
         "angles": [{"from": list(start), "to": list(end)} for start, end in angles],
     }
 

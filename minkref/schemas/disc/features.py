@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, TypedDict
 
 from minkref.schemas.disc.index import PartEnd
+from minkref.schemas.disc.sum import Term
 from minkref.schemas.disc.values import (
     DiscEvent,
     Enclosure,
@@ -80,6 +81,34 @@ class FeatureAtAlpha(TypedDict):
     bridges: list[BridgeOfFeature]
 
 
+class RegionOfFeature(TypedDict):
+    node: Annotated[Count | None, Meta(description="Null once the feature's hole is filled.")]
+    area: Enclosure
+    terms: Annotated[list[Term], Meta(description="The area exactly, as a sum.")]
+
+
+class RegionsAtAlpha(TypedDict):
+    """The alpha-shape at alpha: the set with the regions of all features."""
+
+    components: Annotated[Count, Meta(description="Sets that touch are one.")]
+    holes: Count
+    area: Annotated[Enclosure, Meta(description="Of the alpha-shape.")]
+    of_features: list[RegionOfFeature]
+
+
+class RestOfFeature(TypedDict):
+    node: Annotated[Count | None, Meta(description="Null once the feature's hole is filled.")]
+    components: Count
+    area: Enclosure
+
+
+class RestAtAlpha(TypedDict):
+    """What a closing with the disc adds to the set."""
+
+    area: Enclosure
+    of_features: list[RestOfFeature]
+
+
 TrackEnds = TypedDict("TrackEnds", {"from": PartEnd, "to": PartEnd})
 
 
@@ -112,3 +141,5 @@ class FeaturesDocument(LastingHead, AlphaWindow, Written):
     features: Annotated[
         list[FeatureAtAlpha] | None, Meta(description="Those alive at alpha; null without it.")
     ]
+    regions: Annotated[RegionsAtAlpha | None, Meta(description="With --regions, at alpha.")]
+    rest: Annotated[RestAtAlpha | None, Meta(description="With --rest, at alpha.")]
