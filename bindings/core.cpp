@@ -137,6 +137,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_comparison(module);
   minkref::python::bind_regions(module);
   minkref::python::bind_set_operations(module);
+  minkref::python::bind_decomposition(module);
   minkref::python::bind_paper_disc_update(module);
   minkref::python::bind_paper_update(module);
   minkref::python::bind_evidence(module);

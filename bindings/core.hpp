@@ -96,6 +96,7 @@ void bind_timed_index(nanobind::module_& module);
 void bind_comparison(nanobind::module_& module);
 void bind_regions(nanobind::module_& module);
 void bind_set_operations(nanobind::module_& module);
+void bind_decomposition(nanobind::module_& module);
 void bind_paper_disc_update(nanobind::module_& module);
 void bind_paper_update(nanobind::module_& module);
 void bind_evidence(nanobind::module_& module);

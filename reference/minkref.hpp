@@ -13,6 +13,7 @@
 #include "reference/motion/space/valid_scales.hpp"
 #include "reference/motion/valid_scales.hpp"
 #include "reference/plane/boundary/canonical.hpp"
+#include "reference/plane/decomposition/cut_pieces.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "reference/plane/index/scale_index.hpp"
 #include "reference/plane/sum.hpp"
