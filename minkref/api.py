@@ -32,6 +32,10 @@ from minkref.certify.plane.certificate import Certificate as Certificate
 from minkref.certify.plane.certificate import NoProof as NoProof
 from minkref.certify.space.convex_certificate import ConvexCertificate as ConvexCertificate
 from minkref.certify.space.solid_certificate import SolidCertificate as SolidCertificate
+from minkref.disc.decomposition import Cut as Cut
+from minkref.disc.decomposition import Decomposition as Decomposition
+from minkref.disc.decomposition import Piece as Piece
+from minkref.disc.decomposition import decompose as decompose
 from minkref.disc.disc_index import DiscIndex as DiscIndex
 from minkref.disc.disc_index import OffsetEvent as OffsetEvent
 from minkref.disc.disc_index import square_of

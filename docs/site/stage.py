@@ -32,6 +32,7 @@ GUIDE = (
     "paths",
     "scenes",
     "disc",
+    "decomposition",
     "space-sums",
     "convex-polyhedra",
     "first-finding",

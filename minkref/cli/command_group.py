@@ -22,6 +22,7 @@ HEADINGS = {
         "fit": "The scales at which a part fits into a container.",
         "trap": "The scales at which no translation takes a part out of obstacles.",
         "hold": "The scales at which a part fits and a given way out is blocked.",
+        "decompose": "A shape in pieces, cut at its notches.",
         "scene": "The places at which a robot meets many placed, scaled copies of shapes.",
         "convolution": "The edges of P and Q at each other's vertices, with their parents.",
     },

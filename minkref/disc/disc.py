@@ -77,6 +77,28 @@ def read_tolerance(text: str, option: str) -> Fraction:
     return value
 
 
+def read_alpha(text: str, option: str) -> Fraction:
+    """Read a disc's diameter. Refuses anything but a number of 0 or more."""
+    where = f"{option} {text[:40]}"
+    mend = "give 0 or a positive number, as 7/5"
+    value = read_number(text.strip(), "diameter", where, mend)
+    if value < 0:
+        raise Refusal("the diameter is negative", where, mend, "bad-alpha")
+    return value
+
+
+def read_persistence(text: str, option: str) -> str:
+    """Read a length of bars in lowest terms, or `inf`. Refuses negative numbers."""
+    if text.strip() == "inf":
+        return "inf"
+    where = f"{option} {text[:40]}"
+    mend = "give 0 or a positive number, as 7/5, or inf"
+    value = read_number(text.strip(), "persistence", where, mend)
+    if value < 0:
+        raise Refusal("the persistence is negative", where, mend, "bad-persistence")
+    return str(value)
+
+
 def check_radii(first: Fraction | None, last: Fraction | None) -> None:
     """Refuses a window without a radius in it."""
     if first is not None and last is not None and first > last:

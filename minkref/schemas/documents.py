@@ -6,6 +6,7 @@ from minkref.schemas.bench.document import BenchDocument
 from minkref.schemas.cases import GenerateDocument
 from minkref.schemas.certificates import CertifyDocument, CheckDocument
 from minkref.schemas.disc.convolution import DiscConvolutionDocument
+from minkref.schemas.disc.decompose import DecomposeDocument
 from minkref.schemas.disc.events import DiscEventsDocument
 from minkref.schemas.disc.features import FeaturesDocument
 from minkref.schemas.disc.index import DiscIndexDocument
@@ -56,6 +57,7 @@ DOCUMENTS = {
     "convolution": ConvolutionDocument,
     "convolution_in_space": SpaceConvolutionDocument,
     "convolution_with_disc": DiscConvolutionDocument,
+    "decompose": DecomposeDocument,
     "difference": DifferenceDocument,
     "error": ErrorDocument,
     "events": EventsDocument,

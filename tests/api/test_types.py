@@ -124,6 +124,13 @@ CALLS |= {
     "notches persistence": (lambda x: features.notches(1, x), NUMBERS),
     "notches alpha_to": (lambda x: features.notches(1, 0, x), (*NUMBERS, type(None))),
 }
+CALLS |= {
+    "decompose P": (minkref.decompose, (minkref.PolygonSet,)),
+    "decompose alpha": (lambda x: minkref.decompose(SQUARE, x), NUMBERS),
+    "decompose persistence": (lambda x: minkref.decompose(SQUARE, 1, x), NUMBERS),
+    "decompose alpha_to": (lambda x: minkref.decompose(SQUARE, 1, 0, x), (*NUMBERS, type(None))),
+    "decompose threads": (lambda x: minkref.decompose(SQUARE, threads=x), (int,)),
+}
 ORIGIN = [(0, 0)]
 CALLS |= {
     "valid_scales part": (

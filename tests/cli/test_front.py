@@ -31,6 +31,7 @@ COMMANDS = (
     "fit",
     "trap",
     "hold",
+    "decompose",
     "scene",
     "view",
     "verify",

@@ -73,6 +73,7 @@ TAKEN: dict[str, dict[str, Words]] = {
         "path": [SQUARE, NOTCH, "--path", WAY, "-o", "v.html"],
         "space": [*CUBES, "-o", "v.html"], "scene": [SCENE, "-o", "v.html"],
     },
+    "decompose": {"plane": [NOTCH]},
     "scene": {"plane": [SCENE]},
     "certify": {
         "plane": [SQUARE, SQUARE, "-o", "c.cert.json"],
@@ -100,6 +101,7 @@ VALUES: dict[str, list[str]] = {
     "--from": ["1"],
     "--to": ["2"],
     "--alpha": ["1"],
+    "--persistence": ["1"],
     "--event": ["1"],
     "--degeneracy": ["1"],
     "--point": ["1,1"],

@@ -70,6 +70,7 @@ STEPS = (
     step("union g1 g2 -o both.wkt", files=("both.wkt",)),
     step("intersection g1 g2 --plot", "\u286a"),
     step("difference g1 g2 --json", '"digest"'),
+    step("decompose g1 -o pieces.svg", "pieces", files=("pieces.svg",)),
     step(f"scene {SCENE} --passages -o scene.wkt", "tight passages", files=("scene.wkt",)),
     step("index g1 g2 --from 1/2 --to 2 -o pair.index", files=("pair.index",)),
     step("sum g1 g2 --index pair.index --scale 7/5"),

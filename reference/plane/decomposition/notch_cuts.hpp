@@ -26,8 +26,8 @@ struct NotchCuts {
 /// lexicographically least end. Such a segment meets no wall before its end, since that wall would
 /// be nearer; a cut leaves no sector of more than half a turn at its notch. Without such a sector,
 /// no cut. P is valid; without an interior it has no notches. All ends are rational: each lies on
-/// two lines through vertices of P whose directions are those of an edge, of its normal, or between
-/// two vertices. Throws BadInput ("no-notch") for a notch that is no vertex of P. Exact. O((n + k)
+/// two lines through vertices of P, in the direction of an edge or between two vertices, or turned
+/// from such a one by a quarter. Throws BadInput ("no-notch") for a notch that is no vertex of P. Exact. O((n + k)
 /// log n) for n vertices and k candidates.
 NotchCuts notch_cuts(const PolygonSet& P, const std::vector<Point>& notches);
 
