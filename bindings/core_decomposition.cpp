@@ -18,7 +18,7 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-/// from, to, index of the notch, index of the earlier cut that it ends on.
+/// from, to, the notch's index, index of an earlier cut at the end.
 using CutRow = std::tuple<ExactPoint, ExactPoint, std::uint32_t, std::optional<std::uint32_t>>;
 using PieceRow = std::pair<Set, std::vector<std::pair<ExactPoint, ExactPoint>>>;
 

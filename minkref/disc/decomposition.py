@@ -16,8 +16,7 @@ from minkref.disc.features import FeatureBar, Features, Notch, Place
 @dataclass(frozen=True)
 class Cut:
     """A segment from a notch, given by its number, to the nearest wall within the directions that
-    resolve the notch. `wall`: the number of the earlier cut on which it ends; None on the boundary
-    of P."""
+    resolve the notch. `wall`: number of an earlier cut at the end; None on P's boundary."""
 
     start: Place
     end: Place
@@ -48,12 +47,12 @@ class Piece:
 
     @property
     def endless_bars(self) -> int:
-        """How many of the bars never end: one or more unless the piece is convex."""
+        """Count the bars that never end: one or more unless the outer ring is convex."""
         return sum(math.isinf(bar.death[0]) for bar in self.bars)
 
     @property
     def longest_bar(self) -> Bounds | None:
-        """Bounds for the persistence of the longest bar that ends; None if there is none."""
+        """Bounds for the persistence of the longest bar that ends; None without any."""
         ends = [bar.persistence for bar in self.bars if math.isfinite(bar.death[0])]
         return (max(low for low, _ in ends), max(high for _, high in ends)) if ends else None
 
@@ -61,7 +60,7 @@ class Piece:
 @dataclass(frozen=True)
 class Decomposition:
     """All notches in the order of cutting, cuts, and pieces in the canonical order of their outer
-    rings. A notch without a cut is resolved by earlier cuts. `features` are those of P."""
+    rings. Earlier cuts resolve each notch without a cut. `features`: P's."""
 
     features: Features = field(repr=False, compare=False)
     notches: tuple[Notch, ...]

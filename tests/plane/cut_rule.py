@@ -108,8 +108,7 @@ def candidates(v: Point, walls: list[Wall], rays: tuple[Point, Point]) -> Iterat
 
 
 def cut_from(v: Point, walls: list[Wall], edges: list[Wall]) -> Point | None:
-    """The end of the shortest cut that resolves v and is seen from there; None if there is nothing
-    to resolve."""
+    """Find the end of the shortest visible cut that resolves v; None if v is resolved already."""
     sector = reflex_sector(v, walls, edges)
     if sector is None:
         return None

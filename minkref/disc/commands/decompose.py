@@ -88,7 +88,7 @@ def _text(
 ) -> tuple[str, bool]:
     """The output text, and whether exact."""
     if target.form == "svg":
-        from minkref.reports.decomposition_picture import decomposition_picture
+        from minkref.disc.commands.decomposition_picture import decomposition_picture
 
         return decomposition_picture(operand, found), False
     text = refusing(target.name, lambda: _core.write(pieces, target.form))

@@ -13,7 +13,7 @@ namespace {
 
 bool comes_before(const Point& a, const Point& b) { return compare_xy(a, b) < 0; }
 
-/// The boundary and both sides of all cuts, as one graph whose edges meet at points only.
+/// A graph with the boundary and both sides of all cuts; edges meet at points only.
 class CutGraph {
  public:
   explicit CutGraph(const NotchCuts& cuts) : cuts_(cuts) {
@@ -29,7 +29,7 @@ class CutGraph {
   }
 
   const BoundaryGraph& graph() const { return graph_; }
-  /// Edges from here on are the two sides of parts of cuts, in turn.
+  /// From this edge on, edges are both sides of a cut's part, in turn.
   std::size_t first_slit() const { return first_slit_; }
 
  private:
@@ -40,7 +40,7 @@ class CutGraph {
     return found->second;
   }
 
-  /// Adds the parts of a wall between the ends of cuts on it.
+  /// Divides a wall where cuts end, and adds its parts.
   void add(std::uint32_t wall) {
     const std::size_t edges = cuts_.boundary.edges.size();
     const bool is_cut = wall >= edges;
@@ -68,7 +68,7 @@ class CutGraph {
   BoundaryGraph graph_;
   std::size_t first_slit_ = no_entry;
   std::map<Point, std::uint32_t, bool (*)(const Point&, const Point&)> number_{&comes_before};
-  std::vector<std::vector<std::uint32_t>> ends_on_;  ///< ends of cuts on each wall
+  std::vector<std::vector<std::uint32_t>> ends_on_;  ///< points where cuts end, by wall
 };
 
 /// A piece's edges, without its slits.

@@ -1,4 +1,4 @@
-// The pieces into which cuts divide a polygon set.
+// Pieces between the cuts.
 #pragma once
 
 #include <utility>
@@ -8,16 +8,15 @@
 
 namespace minkref::inline plane {
 
-/// The closure of a connected component of the interior without the cuts.
+/// The closure of a connected component when cuts are taken from the interior.
 struct CutPiece {
   PolygonSet region;                           ///< one polygon, in canonical form
   std::vector<std::pair<Point, Point>> slits;  ///< parts of cuts with this piece on both sides
 };
 
-/// All pieces, by their outer rings in the order of the canonical form; slits in the order of the
-/// cuts. Their interiors are disjoint, and their union is P. There are at most as many as cuts and
-/// components of the interior of P. Exact. O(n log n + h k) as boundary_walks, for n vertices and
-/// ends of cuts.
+/// All pieces, sorted by outer ring as the canonical form sorts polygons; slits follow the cuts'
+/// order. Pieces tile P, at most as many as cuts and components of the interior together. Exact.
+/// O(n log n + h k) as boundary_walks, for n vertices and ends of cuts.
 std::vector<CutPiece> cut_pieces(const NotchCuts& cuts);
 
 }  // namespace minkref::inline plane

@@ -67,7 +67,7 @@ class NotchCutter {
   }
 
   NotchCuts result_;
-  WallRays rays_;  ///< of notches only
+  WallRays rays_;  ///< at notches only
   std::vector<WallRays::iterator> notches_;
   WallSearch walls_;
 };

@@ -13,7 +13,7 @@ Rational cross(const Point& at, const Point& a, const Point& b) {
 struct Stretch {
   Rational low = 0, high = 1;
 
-  /// Keeps the parameters with a value >= 0; the value is linear, and known at both ends.
+  /// Keeps the parameters with a value >= 0; the value grows or falls linearly between both ends.
   void keep(const Rational& at_0, const Rational& at_1) {
     if (at_0 < 0 && at_1 > at_0) low = std::max(low, Rational(at_0 / (at_0 - at_1)));
     if (at_1 < 0 && at_0 > at_1) high = std::min(high, Rational(at_0 / (at_0 - at_1)));

@@ -1,4 +1,4 @@
-// Directions in which a cut resolves a notch, and what of a wall lies in them.
+// The directions of cuts that resolve a notch, as a cone; nearest points of walls in the cone.
 #pragma once
 
 #include <optional>
@@ -8,17 +8,17 @@
 
 namespace minkref::inline plane {
 
-/// A wall seen from one of its ends: the other end, and whether the sector counter-clockwise next
-/// to the wall belongs to the interior.
+/// A wall seen from an end: the other end, and whether the sector counter-clockwise next to the
+/// wall belongs to the interior.
 struct WallRay {
   FilteredPoint to;
   bool interior_after = false;
 };
 
-/// The closed cone between the prolongations, beyond `apex`, of two walls. Both walls bound a
-/// sector of the interior of more than half a turn, counter-clockwise from `first` to `second`. A
-/// cut leaves no such sector iff its direction lies in the cone. The cone lies in the open sector
-/// but for its apex, and has less than half a turn.
+/// The closed cone between the prolongations, beyond `apex`, of two walls around a sector of the
+/// interior with more than half a turn, counter-clockwise from `first` to `second`. Exactly the
+/// cuts along the cone leave no such sector. The cone has less than half a turn; the open sector
+/// contains all but the apex.
 class ResolvingCone {
  public:
   ResolvingCone(const FilteredPoint& apex, const FilteredPoint& first, const FilteredPoint& second)
@@ -28,16 +28,16 @@ class ResolvingCone {
   const FilteredPoint& first() const { return first_; }
   const FilteredPoint& second() const { return second_; }
 
-  /// The part of a wall in the cone has a nearest point to the apex; nothing where no point of the
-  /// wall lies in the cone. The wall does not hold the apex. Exact. O(1).
+  /// The point nearest to the apex on a wall's part in the cone; nothing if the wall misses the
+  /// cone. The wall must not contain the apex. Exact. O(1).
   std::optional<Point> nearest(const FilteredPoint& from, const FilteredPoint& to) const;
 
  private:
   FilteredPoint apex_, first_, second_;
 };
 
-/// The cone at a point between walls; nothing where no sector of the interior has more than half a
-/// turn. There is at most one such sector. Exact. O(k^2) for k walls at the point.
+/// The cone at a point between walls; nothing if no sector of the interior has more than half a
+/// turn (at most one has). Exact. O(k^2) for k walls at the point.
 std::optional<ResolvingCone> resolving_cone(const FilteredPoint& at,
                                             const std::vector<WallRay>& walls);
 

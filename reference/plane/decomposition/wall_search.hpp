@@ -1,4 +1,4 @@
-// Walls, and the nearest of them within a cone.
+// Finds the wall nearest to an apex within a cone.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace minkref::inline plane {
 
-/// Segments, numbered as they are added. Boxes of doubles find candidates; exact numbers decide.
+/// Segments, numbered from 0 on. Boxes with doubles find candidates; exact numbers decide.
 class WallSearch {
  public:
   void add(FilteredPoint from, FilteredPoint to);
@@ -19,10 +19,10 @@ class WallSearch {
     Rational squared_length;
     std::uint32_t wall = 0;
   };
-  /// The point of all walls in the cone that is nearest to the apex: as near, the lexicographically
-  /// least; on several walls, the wall with the least number. Walls that end at the apex do not
-  /// count. Throws std::logic_error if no wall meets the cone. Exact. O(log n + k) for k walls
-  /// about as near.
+  /// The point nearest to the apex on walls in the cone; among equally near points the
+  /// lexicographically least, and its wall with the least number. Skips walls that end at the apex.
+  /// Throws std::logic_error if no wall meets the cone. Exact. O(log n + k) for k walls about as
+  /// near.
   Hit nearest(const ResolvingCone& cone) const;
 
  private:
@@ -31,7 +31,7 @@ class WallSearch {
     Box box;
   };
   struct Candidate {
-    double squared_bound;  ///< no point of the wall's box is nearer
+    double squared_bound;  ///< below the squared distance to the wall's box
     std::uint32_t wall;
   };
   void collect(const Box& about, const Box& apex, std::vector<Candidate>& found) const;
@@ -39,7 +39,7 @@ class WallSearch {
 
   std::vector<Wall> walls_;
   Box all_;
-  BoxTree tree_;  ///< over the first walls; the others are few
+  BoxTree tree_;  ///< over the first walls; few remain
 };
 
 }  // namespace minkref::inline plane

@@ -35,7 +35,7 @@ bool is_convex(const PolygonSet& set) {
   return true;
 }
 
-/// Of the notches, those that chance keeps, in an order of chance.
+/// Random notches, shuffled.
 std::vector<Point> some(Source& random, std::vector<Point> notches) {
   std::vector<Point> kept;
   while (!notches.empty()) {
