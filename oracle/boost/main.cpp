@@ -1,7 +1,9 @@
 // Boost.Polygon's Voronoi diagram of segments behind lines of JSON: {"segments": [[x, y, x, y],
 // ...]} asks, numbers being integers of 32 bits, and each answer is {"vertices": [{"at": [x, y],
 // "sites": [site, ...]}, ...]}, plus "seconds", or {"error": what}. A site [k] is open segment k;
-// [k, 0] and [k, 1] are the segment's start and end. The caller limits this process.
+// [k, 0] and [k, 1] are the segment's start and end. {"segments": ..., "edges": true} asks for
+// {"sites": [site, site], "ends": [number, number], "infinite": whether} for each edge, too, with
+// -1 for infinity. The caller limits this process.
 //
 // Places are doubles, most within 64 units in the last place (README.md). A vertex equally far from
 // k sites comes once, with all k. The caller promises that segments meet only at their ends.
@@ -54,6 +56,21 @@ json site_of(const Diagram::cell_type& cell) {
   }
 }
 
+/// Each edge once.
+json edges_of(const Diagram& diagram) {
+  const auto number = [&](const Diagram::vertex_type* vertex) {
+    return vertex == nullptr ? -1 : static_cast<int>(vertex - &diagram.vertices().front());
+  };
+  json found = json::array();
+  for (const Diagram::edge_type& edge : diagram.edges()) {
+    if (edge.twin() < &edge) continue;
+    found.push_back({{"sites", {site_of(*edge.cell()), site_of(*edge.twin()->cell())}},
+                     {"ends", {number(edge.vertex0()), number(edge.vertex1())}},
+                     {"infinite", !edge.is_finite()}});
+  }
+  return found;
+}
+
 json answer(const json& request) {
   std::vector<Segment> segments;
   for (const json& each : request.at("segments")) segments.push_back(read_segment(each));
@@ -71,7 +88,9 @@ json answer(const json& request) {
     } while (edge != vertex.incident_edge());
     vertices.push_back({{"at", {vertex.x(), vertex.y()}}, {"sites", std::move(sites)}});
   }
-  return {{"vertices", std::move(vertices)}, {"seconds", spent.count()}};
+  json told = {{"vertices", std::move(vertices)}, {"seconds", spent.count()}};
+  if (request.value("edges", false)) told["edges"] = edges_of(diagram);
+  return told;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace minkref::cgal_oracle {
 namespace {
@@ -76,33 +77,57 @@ bool is_at_end(const std::array<DiagramSite, 3>& sites) {
          });
 }
 
+template <class Vertex>
+DiagramSite site_of(const Vertex& vertex) {
+  const auto site = vertex->site();
+  if (site.is_point()) return {taken(site.point()), {}};
+  return {taken(site.source()), taken(site.target())};
+}
+
+/// Each edge once, from the face found first; `number` has -1 for vertices left out.
+template <class Graph>
+std::vector<DiagramEdge> edges_of(const Graph& graph,
+                                  const std::map<typename Graph::Face_handle, int>& number) {
+  std::vector<DiagramEdge> found;
+  for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
+    const typename Graph::Face_handle own = face;
+    for (int k = 0; k < 3; ++k) {
+      const auto other = face->neighbor(k);
+      const bool is_infinite = graph.is_infinite(other);
+      if (!is_infinite && other < own) continue;
+      found.push_back({{site_of(face->vertex(graph.cw(k))), site_of(face->vertex(graph.ccw(k)))},
+                       {number.at(own), is_infinite ? -1 : number.at(other)},
+                       is_infinite});
+    }
+  }
+  return found;
+}
+
 template <class Traits>
-std::vector<DiagramVertex> found_by(const std::vector<Segment>& segments) {
+Diagram found_by(const std::vector<Segment>& segments) {
   using Graph = CGAL::Segment_Delaunay_graph_hierarchy_2<Traits>;
   Graph graph;
   for (const Segment& segment : segments) {
     graph.insert(given<Traits>(segment.start), given<Traits>(segment.end));
   }
-  std::vector<DiagramVertex> found;
+  Diagram found;
+  std::map<typename Graph::Face_handle, int> number;
   for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
     DiagramVertex vertex;
     for (int k = 0; k < 3; ++k) {
-      const auto site = face->vertex(k)->site();
-      DiagramSite& own = vertex.sites[static_cast<std::size_t>(k)];
-      if (site.is_point()) {
-        own = {taken(site.point()), {}};
-      } else {
-        own = {taken(site.source()), taken(site.target())};
-      }
+      vertex.sites[static_cast<std::size_t>(k)] = site_of(face->vertex(k));
     }
+    number[face] = -1;
     if (is_at_end(vertex.sites)) continue;
+    number[face] = static_cast<int>(found.vertices.size());
     const Roots::Point_2 at = OfRoots().construct_svd_vertex_2_object()(
         with_roots(vertex.sites[0]), with_roots(vertex.sites[1]), with_roots(vertex.sites[2]));
     vertex.x = rounded(at.x());
     vertex.y = rounded(at.y());
     vertex.squared_radius = rounded(squared_distance(at, vertex.sites[0]));
-    found.push_back(std::move(vertex));
+    found.vertices.push_back(std::move(vertex));
   }
+  found.edges = edges_of(graph, number);
   return found;
 }
 
@@ -115,7 +140,7 @@ bool are_doubles(const Point& p) { return is_double(p.x) && is_double(p.y); }
 
 }  // namespace
 
-std::vector<DiagramVertex> diagram_of(const std::vector<Segment>& segments) {
+Diagram diagram_of(const std::vector<Segment>& segments) {
   const bool in_doubles = std::all_of(segments.begin(), segments.end(), [](const Segment& s) {
     return are_doubles(s.start) && are_doubles(s.end);
   });

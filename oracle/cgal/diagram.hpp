@@ -30,10 +30,23 @@ struct DiagramVertex {
   double x, y, squared_radius;
 };
 
+/// A Voronoi edge between two sites. Each end is the number of a vertex, or -1: a segment's end, or
+/// infinity.
+struct DiagramEdge {
+  std::array<DiagramSite, 2> sites;
+  std::array<int, 2> ends;
+  bool is_infinite;
+};
+
+struct Diagram {
+  std::vector<DiagramVertex> vertices;
+  std::vector<DiagramEdge> edges;
+};
+
 /// Computes the Voronoi vertices of segments that meet only at their ends. A vertex equally far
 /// from k sites comes k - 2 times; vertices at segments' ends, where the distance is zero, are left
-/// out. All decisions are exact: the filtered traits decide where doubles hold all coordinates,
-/// rationals alone otherwise.
-std::vector<DiagramVertex> diagram_of(const std::vector<Segment>& segments);
+/// out; edges join these parts, and may have no length. All decisions are exact: the filtered
+/// traits decide where doubles hold all coordinates, rationals alone otherwise.
+Diagram diagram_of(const std::vector<Segment>& segments);
 
 }  // namespace minkref::cgal_oracle

@@ -46,6 +46,23 @@ class DiagramAnswer:
     why: str = ""
 
 
+@dataclass(frozen=True)
+class DiagramEdge:
+    """Two sites, and numbers of places at both ends; -1: a segment's end, or infinity."""
+
+    sites: tuple[Feature, Feature]
+    ends: tuple[int, int]
+    is_infinite: bool
+
+
+@dataclass(frozen=True)
+class DiagramGraph:
+    """All of a diagram, inside too: places with x, y and radius, and edges, some without length."""
+
+    places: list[tuple[float, float, float]]
+    edges: list[DiagramEdge]
+
+
 def executable(judge: str) -> Path | None:
     folders = search_folders() if judge == CGAL else built_folders("boost")
     paths = (folder / _PROGRAMS[judge] for folder in folders)
@@ -78,18 +95,45 @@ class DiagramJudge:
             self._process.close()
 
     def vertices(self, outline: Outline) -> DiagramAnswer:
+        answer = self._asked(outline, edges=False)
+        if isinstance(answer, str):
+            return DiagramAnswer(None, why=answer)
+        return _outer(outline, self.judge, answer)
+
+    def graph(self, outline: Outline) -> DiagramGraph | str:
+        """Returns the whole diagram, or why there is none."""
+        answer = self._asked(outline, edges=True)
+        if isinstance(answer, str):
+            return answer
+        feature = _by_number(outline) if self.judge == BOOST else _by_coordinates(outline)
+        places = []
+        for each in answer["vertices"]:
+            x, y = (float(c) / outline.factor for c in each["at"])
+            if self.judge == CGAL:
+                far = math.sqrt(each["squared_radius"]) / outline.factor
+            else:
+                far = distance((x, y), feature(each["sites"][0]))
+            places.append((x, y, far))
+        edges = [
+            DiagramEdge((feature(a), feature(b)), (each["ends"][0], each["ends"][1]),
+                        each["infinite"])
+            for each in answer["edges"]
+            for a, b in [each["sites"]]
+        ]  # fmt: skip
+        return DiagramGraph(places, edges)
+
+    def _asked(self, outline: Outline, edges: bool) -> dict[str, Any] | str:
+        """Returns the program's answer, or why there is none."""
         if self._process is None:
-            return DiagramAnswer(None, why=str(absence(self.judge)))
+            return str(absence(self.judge))
         segments = outline.integers()
         if self.judge == BOOST and max(map(max, segments)) > LARGEST:
-            return DiagramAnswer(None, why="coordinates have more than 32 bits")
+            return "coordinates have more than 32 bits"
         sent: Any = segments
         if self.judge == CGAL:
             sent = [[str(c) for c in segment] for segment in segments]
-        answer = self._process.ask({"segments": sent})
-        if "error" in answer:
-            return DiagramAnswer(None, why=str(answer["error"]))
-        return _outer(outline, self.judge, answer)
+        answer: dict[str, Any] = self._process.ask({"segments": sent, "edges": edges})
+        return str(answer["error"]) if "error" in answer else answer
 
 
 def _outer(outline: Outline, judge: str, answer: dict[str, Any]) -> DiagramAnswer:
