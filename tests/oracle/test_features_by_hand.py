@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from feature_shapes import bars, box, holed, only_root, slot, squares, tangent_hole
+from known_features import bars, box, holed, only_root, slot, squares, tangent_hole
 from minkref.oracle.features import Judge
 from minkref.oracle.features.number import number, order, root
 
