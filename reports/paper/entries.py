@@ -12,6 +12,7 @@ from minkref.reports.paper import speedup_entries
 from minkref.reports.paper.crossing_facets import figure_9
 from minkref.reports.paper.drawn_entries import drawn_entries
 from minkref.reports.paper.entry import Entry
+from minkref.reports.paper.growing_disc_entry import figure_12
 from minkref.reports.paper.judged_entry import judged_entries
 from minkref.reports.paper.program_entry import kept, program_entry
 from minkref.reports.paper.repeated_obstacles_entry import figure_11
@@ -63,7 +64,7 @@ def entries(quick: bool, seed: int, tell: Tell, done: Callable[[], None]) -> lis
         space_times_entry(kept_space_times()),
         second_table(solids),
         obstacles,
-        *last_entries(),
+        figure_12(quick, tell),
     ]  # fmt: skip
 
 
@@ -72,20 +73,6 @@ def exact_seconds(pair: Pair) -> float:
     began = time.process_time()
     _core.pair_events(pair.P.set, pair.Q.set, kind="pair")
     return time.process_time() - began
-
-
-def last_entries() -> list[Entry]:
-    """Entries without measurements."""
-    return [
-        Entry("Fig. 12", "Decomposition of a beetle",
-              "The polygon is not published, and pocket minima and the decomposition are not in "
-              "minkref, so that the speed-up of 68.556 (Section 8.2) was not measured. The "
-              "intersections in the figure are concave corners of a sum with a true disc: `minkref "
-              "events P disc` has their events at all radii, exactly, and `minkref sum P disc:R "
-              "--route paper-update` steps through events of pairs as the Appendix does. The "
-              "evidence has the savings of its steps on other polygons (paper_program/disc).",
-              "minkref events g1 disc"),
-    ]  # fmt: skip
 
 
 def _figure(pair: Pair, quick: bool, tell: Tell) -> list[Speedups]:

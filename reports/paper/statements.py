@@ -28,6 +28,7 @@ DISC_PAIRS = "minkref events g1 disc --kind pair"
 CONTACTS, CHECKED = "reference/space/critical", "places of small grids (`oracle/sampled`)"
 MOTION = "reference/motion"
 PAIRS, DIAGRAM = "reference/disc/pairs", "reference/disc/diagram"
+FEATURES = "reference/disc/features"
 APPENDIX_PROGRAM = "reference/paper/disc"
 CONVEX, LITERAL = "reference/space/convex", "reference/paper/space"
 REPORT, BENCH = "reports/paper", "reports/bench"
@@ -289,13 +290,16 @@ SECTION_8 = (
               EXACT, "minkref events g1 disc", SYMBOLIC,
               ("alpha-of-a-disc", "bridges-end-at-triple-events", "limits-of-alpha")),
     Statement("8.2", "persistence of bridges, as lengths on the Voronoi complex",
-              (f"{DIAGRAM}/diagram_graph.hpp",), "not in minkref; the radii are", EXACT,
-              "minkref index g1 disc -o grown.json", ALGEBRA, ("persistence-of-bridges",)),
+              (f"{FEATURES}/tracks.hpp", f"{FEATURES}/barcode.hpp"),
+              "corrected, as lives in $\\alpha$", EXACT, "minkref features beetle",
+              f"{ALGEBRA}; trees and bars: oracle/features", ("persistence-of-bridges",)),
     Statement("Fig. 12", "pocket minima and a decomposition of a beetle",
-              (f"{DIAGRAM}/diagram_events.hpp", f"{APPENDIX_PROGRAM}/disc_update.hpp"),
-              "not in minkref; its intersections are", ROUNDED_ROOTS,
-              "minkref events g1 disc", "no judge: the beetle is not published",
-              ("speed-up-of-figure-12",)),
+              (f"{FEATURES}/feature_level.hpp", "reference/plane/decomposition/notch_cuts.hpp",
+               f"{BENCH}/growing_disc.py"),
+              "by definitions of our own; the intersections also by the Appendix's program",
+              "exact; double, mpfr:53",
+              "minkref decompose beetle --from 1/20 --to 1 --persistence 3/5",
+              "oracle/features; the rule of cuts in fractions", ("speed-up-of-figure-12",)),
 )  # fmt: skip
 
 APPENDIX = (
