@@ -33,9 +33,8 @@ def features_picture(
     """An SVG document. Without features `alive` at one alpha: all leaves, and no bridge. `drawn`:
     regions and rest material, where they are asked for."""
     rings = [ring for polygon in P.approximate_rings() for ring in polygon]
-    xs, ys = (
-        zip(*(point for ring in rings for point in ring), strict=True) if rings else ((0,), (0,))
-    )
+    points = [point for ring in rings for point in ring] or [(0.0, 0.0)]
+    xs, ys = zip(*points, strict=True)
     unit = (WIDTH - 2 * PAD) / (max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0)
     low_x, high_y = min(xs), max(ys)
     width, height = unit * (max(xs) - low_x) + 2 * PAD, unit * (high_y - min(ys)) + 2 * PAD

@@ -141,6 +141,15 @@ def update_with_disc() -> _core.DiscUpdate:
     return _core.DiscUpdate(star(100), "4", "1", "rational", corrected)
 
 
+@cache
+def slots(count: int) -> _core.Features:
+    """Slots, all alike, in one block: each leaf is as deep as all others."""
+    ring = [(0, 0), (2 * count + 1, 0), (2 * count + 1, 5)]
+    for k in range(2 * count - 1, 0, -2):
+        ring += [(k + 1, 5), (k + 1, 2), (k, 2), (k, 5)]
+    return _core.features(_set([(2 * x - y, x + 2 * y) for x, y in [*ring, (0, 5)]]))
+
+
 def _scene(copies: int, scales: int) -> object:
     """Copies with so many scales, each of which meets many others."""
     rows = [
@@ -177,6 +186,8 @@ def prepare(name: str) -> None:
         answered_in_space()
     elif name == "a set of points":
         points(SIXTY)
+    elif name == "features, where to cut":
+        slots(draws(300, 700))
 
 
 def works() -> dict[str, Callable[[], object]]:
@@ -215,5 +226,7 @@ def works() -> dict[str, Callable[[], object]]:
             answered_in_space()[1], "0"
         ),
         "the paper, update with a disc": update_with_disc,
+        "features": lambda: _core.features(comb(draws(300, 700))),
+        "features, where to cut": lambda: slots(draws(300, 700)).notches("1/10", "0"),
         "convex sum": lambda: _core.convex_sum(drum(1500), drum(1501), SCALING, "brute-force"),
     }

@@ -29,6 +29,7 @@ GROWING = (
     "the paper, update in space",
     "the exact sum beside that of the paper",
     "the paper, update with a disc",
+    "features",
 )
 
 

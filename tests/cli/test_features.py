@@ -110,3 +110,9 @@ def test_the_table_begins_with_the_longest_bar(minkref: Minkref) -> None:
     lines = minkref("features", SLOT).out.splitlines()
     assert "2 bars" in lines[0] and lines[2].split()[0] == "infinite"
     assert "2 bars, 1 feature at alpha 5" in minkref("features", SLOT, "--alpha", "5").out
+
+
+def test_work_that_needs_more_memory_than_it_may_have_is_refused(minkref: Minkref) -> None:
+    ran = minkref("features", "cells1815", "--memory", "30", "--json")
+    assert (ran.code, ran.json["error"]["code"]) == (2, "memory-limit")
+    assert "cells1815" in ran.json["error"]["where"]

@@ -1,4 +1,4 @@
-"""Shapes whose merge trees are known by hand."""
+"""Shapes with merge trees known by hand."""
 
 from __future__ import annotations
 

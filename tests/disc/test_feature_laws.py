@@ -47,8 +47,8 @@ def moved(P: minkref.PolygonSet, move: Move, turns_over: bool = False) -> minkre
 
 
 def shape_of(found: minkref.Features, with_ties: bool) -> Any:
-    """The tree without places: kinds, the order of radii, and children; and the bars. Ties too, for
-    maps that keep the order of places: the leaf that a tie chooses counts in later depths."""
+    """The tree without places: kinds, the order of radii, children; and the bars. Ties too, if the
+    map keeps the order of places: the leaf chosen by a tie counts for later depths."""
     ranks = {alpha: k for k, alpha in enumerate(sorted({node.alpha for node in found.tree}))}
 
     def of(number: int) -> Any:
@@ -104,7 +104,7 @@ def test_rings_may_start_anywhere_in_any_order(seed: int) -> None:
 
 
 def corners_of(P: minkref.PolygonSet, squared_radius: Fraction) -> int:
-    """The corners of the static sum's boundary: where two curves meet that do not touch."""
+    """Counts the corners along the static sum's boundary: curves meet there without touching."""
     form = json.loads(_core.offset(P, str(squared_radius)).canonical_json())
     count = 0
     for component in form["components"]:

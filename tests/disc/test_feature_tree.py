@@ -1,4 +1,4 @@
-"""Merge trees and bars of shapes in which they are known by hand: degenerate ones."""
+"""Degenerate shapes with merge trees and bars known by hand."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def features_of(shape: Shape) -> minkref.Features:
 
 
 def bars_of(found: minkref.Features) -> Counter[tuple[Fraction, Fraction | None, bool]]:
-    """The squared radii of birth and death, exact (None: infinity), and whether it is essential."""
+    """Birth and death as exact squared radii (None: infinity), and whether a bar is essential."""
     squares = [node.squared_radius for node in found.tree]
     return Counter((squares[bar.leaf], squares[bar.end], bar.essential) for bar in found.bars)
 

@@ -32,7 +32,8 @@ Row = dict[str, Any]
 def run(request: FeaturesRequest) -> None:
     watch = Stopwatch()
     output, alpha = request.output, request.alpha
-    target = target_of(output, request.form, FORMATS, "json", request.json)
+    offered = FORMATS if alpha is not None else FORMATS[:2]
+    target = target_of(output, request.form, FORMATS, "json", request.json, offered=offered)
     _check(request, target)
     with memory_wall(request.memory, "features", request.P, SIMPLER):
         operand = read_operand(request.P)

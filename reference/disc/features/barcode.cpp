@@ -61,7 +61,7 @@ class BarSearch {
     codes_.elder[node] = codes_.elder[lives_on];
   }
 
-  /// The children of which only places tell which one lives on.
+  /// The children between which only places decide.
   std::vector<std::uint32_t> oldest_and_deepest(const MergeNode& node) {
     std::vector<std::uint32_t> best;
     for (const std::uint32_t child : node.children) {
@@ -101,7 +101,7 @@ class BarSearch {
 
   const Bridges& bridges_;
   const MergeTree& tree_;
-  /// By tree node: halves that rise from its feature, at least those that leave it.
+  /// Halves rising from each tree node's feature, all leaving halves among them.
   std::vector<std::vector<std::uint32_t>> open_;
   std::optional<BridgeRadius> radius_;
   Barcode codes_;

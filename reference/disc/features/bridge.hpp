@@ -15,7 +15,7 @@ struct Chord {
   Vector<N> from, to;
 };
 
-/// A radius: of events, by number, or any, by its square within the frame of the curves.
+/// Some events' radius, by number, or any radius, by the square within the curves' frame.
 struct BridgeRadius {
   std::uint32_t number;  ///< as DiscIndex counts; none: `squared` tells it
   Rational squared;
@@ -25,19 +25,19 @@ struct BridgeRadius {
   bool is_of_events() const { return number != DiagramGraph::none; }
 };
 
-/// The places that parts of the diagram have at a radius, and their nearest points on P. Exact in
-/// roots (RootNumber at given radii, Surd at all); in intervals quicker.
+/// The diagram's places at a radius, part by part, and P's nearest points. Exact as roots
+/// (RootNumber at given radii, Surd at all); quicker as intervals.
 class Bridges {
  public:
   /// `index` must outlive it. O(n).
   explicit Bridges(const DiscIndex& index);
 
   const DiscIndex& index() const { return index_; }
-  /// `number`: of the radius of events, or that of infinity.
+  /// `number`: events' radius, or infinity.
   BridgeRadius of_events(std::uint32_t number) const;
   BridgeRadius of_square(const Rational& squared_radius) const;
 
-  /// The bridge on a half that reaches the radius, or crosses it. Within the frame.
+  /// The bridge on a half reaching or crossing the radius. Within the frame.
   template <class N>
   Chord<N> chord(std::uint32_t half, const BridgeRadius& radius) const;
   /// The place with these nearest points, not at infinity.

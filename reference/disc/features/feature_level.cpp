@@ -11,7 +11,7 @@ std::vector<LiveFeature> features_at(const DiscIndex& index, const MergeTree& tr
                                      const Barcode& codes, const DiscIndex::Place& at) {
   constexpr std::uint32_t none = MergeTree::none;
   const std::uint32_t below = at.at_event ? at.gap - 1 : at.gap;
-  // By tree node the live feature that it is a part of: parents come after their children.
+  // Each tree node's live feature; parents come after their children.
   std::vector<std::uint32_t> live(tree.nodes.size(), none);
   std::vector<LiveFeature> found;
   for (std::uint32_t node = 0; node < tree.nodes.size(); ++node) {

@@ -18,7 +18,7 @@ struct LiveFeature {
 };
 
 /// The features alive at a place among the radii: birth < radius <= death. At gap 0 each reflex end
-/// is one. Ascending by tree node. A hole that has ended has none. Exact. O(n).
+/// counts. Ascending by tree node. An ended hole has none. Exact. O(n).
 std::vector<LiveFeature> features_at(const DiscIndex& index, const MergeTree& tree,
                                      const Barcode& codes, const DiscIndex::Place& at);
 

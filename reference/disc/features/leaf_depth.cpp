@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "reference/error.hpp"
 #include "reference/interrupt.hpp"
 
 namespace minkref::inline disc {
-namespace {
-
-int order(const SquaredDistance<Surd>& a, const SquaredDistance<Surd>& b) {
-  return sign(a.top * b.bottom - b.top * a.bottom);
-}
-
-}  // namespace
-
 LeafDepth::LeafDepth(const Bridges& bridges, const Point& vertex,
                      const std::vector<std::uint32_t>& halves, const BridgeRadius& radius)
     : bridges_(&bridges), halves_(&halves), vertex_(vertex), radius_(&radius) {
@@ -36,30 +30,37 @@ Interval LeafDepth::near() const {
   return {std::max(low, 0.0), high};
 }
 
-SquaredDistance<Surd> LeafDepth::of_half(std::size_t k) const {
-  return squared_distance(numbers<Surd>(vertex_), bridges_->chord<Surd>((*halves_)[k], *radius_));
+template <class N>
+SquaredDistance<N> LeafDepth::distance(std::size_t number) const {
+  return squared_distance(numbers<N>(vertex_), bridges_->chord<N>((*halves_)[number], *radius_));
 }
 
-const SquaredDistance<Surd>& LeafDepth::exact() const {
-  if (!exact_ && is_zero()) exact_ = SquaredDistance<Surd>{Surd(0), Surd(1)};
-  if (!exact_) exact_ = of_half(nearest_number());
-  return *exact_;
+LeafDepth::Half LeafDepth::of_half(std::size_t number) const {
+  try {
+    const auto [top, bottom] = distance<RootNumber>(number);
+    return {number, top / bottom};
+  } catch (const LimitExceeded& error) {
+    if (error.code() != "too-many-roots") throw;
+    return {number, std::nullopt};
+  }
 }
 
-std::size_t LeafDepth::nearest_number() const {
+int LeafDepth::order(const LeafDepth& a, const Half& x, const LeafDepth& b, const Half& y) {
+  if (x.exact && y.exact) return minkref::compare(*x.exact, *y.exact);
+  const auto first = a.distance<Surd>(x.number), second = b.distance<Surd>(y.number);
+  return sign(first.top * second.bottom - second.top * first.bottom);
+}
+
+const LeafDepth::Half& LeafDepth::nearest_half() const {
+  if (nearest_) return *nearest_;
   const double high = near().upper();
-  std::vector<std::size_t> open;
   for (std::size_t k = 0; k < near_.size(); ++k) {
-    if (near_[k].lower() <= high) open.push_back(k);
+    if (near_[k].lower() > high) continue;
+    Half half = of_half(k);
+    if (!nearest_ || order(*this, half, *this, *nearest_) < 0) nearest_ = std::move(half);
   }
-  std::size_t best = open.front();
-  for (const std::size_t k : open) {
-    if (k != best && order(of_half(k), of_half(best)) < 0) best = k;
-  }
-  return best;
+  return *nearest_;
 }
-
-std::uint32_t LeafDepth::nearest() const { return (*halves_)[nearest_number()]; }
 
 int compare(const LeafDepth& a, const LeafDepth& b) {
   if (a.is_infinite() || b.is_infinite()) {
@@ -69,7 +70,13 @@ int compare(const LeafDepth& a, const LeafDepth& b) {
   if (near_a.upper() < near_b.lower()) return -1;
   if (near_b.upper() < near_a.lower()) return 1;
   if (a.is_zero() && b.is_zero()) return 0;
-  return order(a.exact(), b.exact());
+  look_for_interrupt_now();
+  if (a.is_zero()) return -compare(b, a);
+  if (b.is_zero()) {
+    const auto distance = a.distance<Surd>(a.nearest_half().number);
+    return sign(distance.top);
+  }
+  return LeafDepth::order(a, a.nearest_half(), b, b.nearest_half());
 }
 
 }  // namespace minkref::inline disc

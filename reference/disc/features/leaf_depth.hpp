@@ -22,37 +22,44 @@ SquaredDistance<N> squared_distance(const Vector<N>& from, const Chord<N>& bridg
   return {area * area, dot(along, along)};
 }
 
-/// The least squared distance of a vertex from the lines of some bridges at one radius; infinite
-/// without a bridge; 0 for a leaf that is no vertex. Exact: by intervals, then by roots.
+/// A vertex's least squared distance from some bridges' lines at a radius; infinite without a
+/// bridge; 0 for a leaf without a vertex. Exact: intervals, then a field with roots (RootNumber),
+/// quick at equal numbers, then, beyond most_roots, Surd.
 class LeafDepth {
  public:
   /// 0.
   LeafDepth() = default;
-  /// `bridges` and `halves` must outlive it. O(n) for n halves.
+  /// `bridges`, `halves` and `radius` must outlive it. O(n) for n halves.
   LeafDepth(const Bridges& bridges, const Point& vertex, const std::vector<std::uint32_t>& halves,
             const BridgeRadius& radius);
 
-  /// The sign of a - b. Surds beyond their limit of bits throw LimitExceeded ("too-many-roots").
+  /// The sign of a - b. Throws LimitExceeded ("too-many-roots") beyond the bits of a Surd.
   friend int compare(const LeafDepth& a, const LeafDepth& b);
 
   bool is_zero() const { return halves_ == nullptr; }
   bool is_infinite() const { return halves_ != nullptr && halves_->empty(); }
   /// Encloses a finite depth, within the frame.
   Interval near() const;
-  /// One of the halves whose bridges are nearest, of a depth neither 0 nor infinite.
-  std::uint32_t nearest() const;
+  /// A half with the nearest bridge; requires a depth neither 0 nor infinite.
+  std::uint32_t nearest() const { return (*halves_)[nearest_half().number]; }
 
  private:
-  SquaredDistance<Surd> of_half(std::size_t k) const;
-  const SquaredDistance<Surd>& exact() const;
-  std::size_t nearest_number() const;
+  struct Half {
+    std::size_t number;
+    std::optional<RootNumber> exact;  ///< empty beyond the roots of a field
+  };
+  Half of_half(std::size_t number) const;
+  const Half& nearest_half() const;
+  template <class N>
+  SquaredDistance<N> distance(std::size_t number) const;
+  static int order(const LeafDepth& a, const Half& x, const LeafDepth& b, const Half& y);
 
   const Bridges* bridges_ = nullptr;
   const std::vector<std::uint32_t>* halves_ = nullptr;
   Point vertex_{};
   const BridgeRadius* radius_ = nullptr;
   std::vector<Interval> near_;  ///< by half
-  mutable std::optional<SquaredDistance<Surd>> exact_;
+  mutable std::optional<Half> nearest_;
 };
 
 int compare(const LeafDepth& a, const LeafDepth& b);

@@ -1,5 +1,5 @@
-// Features of P by radius, as a tree: where the points of the outer medial axis nearer to P than a
-// radius fall into components, and where these become one (Behar & Lien 2012, Sec. 8.2).
+// Features of P by radius, as a tree: components among the outer medial axis's points nearer to P
+// than a radius, and where components merge (Behar & Lien 2012, Sec. 8.2).
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct MergeNode {
   };
   Kind kind;
   std::uint32_t radius;  ///< number, as DiscIndex counts; 0 of a reflex end; infinity comes last
-  /// Groups of nodes of the diagram's graph, each one place or one flat ridge, ascending; the
-  /// groups by their first nodes. The outside: a group for each gap of the hull.
+  /// Groups: the graph's nodes at a place or along a flat ridge, ascending; sorted by first node.
+  /// The outside: a group for each hull gap.
   std::vector<std::vector<std::uint32_t>> places;
   std::vector<std::uint32_t> children;  ///< ascending; none of a leaf
   std::uint32_t parent;                 ///< none of a root
@@ -36,12 +36,12 @@ struct ReflexEnd {
 struct MergeTree {
   static constexpr std::uint32_t none = UINT32_MAX;
 
-  /// By radius, roots after others, then by the least place. Reflex ends: by coordinates, then by
+  /// Sorted by radius, roots last, then by the least place; reflex ends by coordinates, then by
   /// `along`. So children precede their parents.
   std::vector<MergeNode> nodes;
-  /// The feature that each node of the graph belongs to, just above its radius.
+  /// Each graph node's feature, just above the node's radius.
   std::vector<std::uint32_t> feature_of;
-  /// By tree node: halves that rise from graph nodes with this feature.
+  /// Halves rising from graph nodes with a feature, by tree node.
   std::vector<std::vector<std::uint32_t>> rising;
   std::vector<ReflexEnd> ends;  ///< of the first tree nodes
 
@@ -49,8 +49,8 @@ struct MergeTree {
   bool is_leaf(std::uint32_t node) const { return nodes[node].children.empty(); }
 };
 
-/// Finds the features at all radii. No tie is broken: features that become one at one radius, at
-/// one place or several, have one node. Exact: radii are compared by number. O(n log n).
+/// Finds the features at all radii. Breaks no tie: features merging at a radius, whether at a
+/// single place or at several, get a single node. Exact: compares numbers. O(n log n).
 MergeTree merge_tree(const DiscIndex& index);
 
 }  // namespace minkref::inline disc

@@ -62,7 +62,7 @@ struct FoundNotch {
   LeafDepth depth;
 };
 
-/// Between doubles, in the coordinates of P.
+/// Between doubles, in P's coordinates.
 Enclosure depth_in_doubles(const DiscIndex& index, const LeafDepth& depth) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (depth.is_infinite()) return {infinity, infinity};

@@ -11,7 +11,7 @@
 
 namespace minkref::inline disc {
 
-/// Diameters alpha = 2 ρ, in the coordinates of P.
+/// Diameters alpha = 2 ρ, in P's coordinates.
 struct NotchWindow {
   Rational alpha;                    ///< 0: the limit, at which each reflex end is a feature
   Rational persistence;              ///< bars must be longer, in alpha
@@ -32,7 +32,7 @@ struct Notch {
 std::vector<Notch> notches(const Bridges& bridges, const MergeTree& tree, const Barcode& codes,
                            const NotchWindow& window);
 
-/// The order of lengths of bars: exact.
+/// Compares bars' lengths, exactly.
 class BarLengths {
  public:
   BarLengths(const DiscIndex& index, const Barcode& codes) : index_(index), codes_(codes) {}
@@ -49,8 +49,7 @@ class BarLengths {
     return bar.is_essential || bar.death > index_.radii();
   }
   const Surd& radius(std::uint32_t number);
-  /// The sign of a sum of radii of events and a rational number: of those added, less those
-  /// subtracted.
+  /// Adds events' radii to a rational number, subtracts others, and returns the sum's sign.
   int sign_of_sum(std::initializer_list<std::uint32_t> added,
                   std::initializer_list<std::uint32_t> subtracted, const Rational& rest);
 

@@ -9,15 +9,15 @@
 
 namespace minkref::inline disc {
 
-/// A longest path along the diagram on which the radius grows, through nodes at which one part
-/// arrives from below, one leaves upwards, and no part is flat. Each bridge belongs to one track.
+/// A longest path along the diagram with growing radius, through nodes where a single part arrives
+/// from below, a single part leaves upwards, and no part is flat. Each bridge has a single track.
 struct BridgeTrack {
   /// Halves that rise, from the nearest part to the farthest.
   std::vector<std::uint32_t> halves;
 };
 
-/// The tracks, by the radius, then by the number, of the node from which they rise. Between two
-/// radii of events, as many tracks exist as the boundary of P ⊕ ρD has corners. O(n log n).
+/// Sorts the tracks by their lower nodes, radius first. Between two events' radii, the boundary of
+/// P ⊕ ρD has as many corners as tracks exist. O(n log n).
 std::vector<BridgeTrack> bridge_tracks(const DiscIndex& index);
 
 }  // namespace minkref::inline disc

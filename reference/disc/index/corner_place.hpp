@@ -1,4 +1,4 @@
-// The corner between two features at one radius, in numbers of any kind.
+// The corner between two features at a radius, for any kind of number.
 #pragma once
 
 #include <type_traits>
@@ -15,12 +15,12 @@ inline Point middle_of(const Point& p, const Point& q) {
   return {(p.x + q.x) / 2, (p.y + q.y) / 2};
 }
 
-/// How far a point is in front of a line, times the length of the line's normal.
+/// A point's height in front of a line, times the normal's length.
 inline Rational height_over(const Point& v, const Site& line) {
   return line.normal.x * v.x + line.normal.y * v.y - line.level();
 }
 
-/// √value, for a number that is not negative but by rounding.
+/// √value; rounding may have made the number negative.
 template <class N>
 N root_or_zero(const N& value) {
   if constexpr (!std::is_same_v<N, Interval>) {
@@ -29,9 +29,9 @@ N root_or_zero(const N& value) {
   return sqrt(value);
 }
 
-/// The place that a part of the diagram has at a radius, between two of its features; not for lines
-/// that are parallel. `side_of_end(from, along)`: on which side of a point the part's farther end
-/// lies (corner_motion.hpp).
+/// The place between two features at a radius, along a part with these features; not between
+/// parallel lines. `side_of_end(from, along)`: the side with the part's farther end
+/// (corner_motion.hpp).
 template <class N, class SideOfEnd>
 Vector<N> corner_place(const Site& a, const Site& b, const N& squared_radius,
                        SideOfEnd&& side_of_end) {
