@@ -4,6 +4,7 @@ bridges."""
 from __future__ import annotations
 
 import json
+import math
 import os
 import random
 from collections import Counter
@@ -206,3 +207,48 @@ def test_leaves_of_the_models_of_the_paper(name: str) -> None:
     leaves = sum(not children for _, _, _, children, *_ in nodes)
     endless = [row for row in found.bars() if row[2] is None]
     assert len(found.bars()) == leaves and sum(row[4] for row in endless) == 1
+
+
+@pytest.mark.parametrize("seed", range(SHAPES))
+def test_bars_follow_from_the_tree_by_the_elder_rule(seed: int) -> None:
+    """At each node all births but the least end; at a root the least one, too."""
+    found = minkref.features(random_set(seed))
+    oldest: list[tuple[float, float]] = []
+    bars: list[tuple[Any, Any]] = []
+    for node in found.tree:
+        births = sorted(oldest[child] for child in node.children) or [node.alpha]
+        oldest.append(births[0])
+        ended = births[1:] if node.parent is not None else births
+        bars += [(birth, node.alpha) for birth in ended]
+    assert Counter(bars) == Counter((bar.birth, bar.death) for bar in found.bars), seed
+    roots = [node.number for node in found.tree if node.parent is None]
+    assert sorted(bar.end for bar in found.bars if bar.essential) == roots, seed
+
+
+@pytest.mark.parametrize("seed", range(SHAPES))
+def test_the_deepest_leaf_lies_farthest_behind_the_bridges(seed: int) -> None:
+    found = minkref.features(random_set(seed))
+    for alpha in (Fraction(1, 2), Fraction(3, 2), Fraction(4)):
+        for feature in found.at(alpha):
+            depths = {
+                leaf: min(
+                    (_height(found.tree[leaf].vertex, *b.near) for b in feature.bridges),
+                    default=math.inf,
+                )
+                for leaf in feature.leaves
+            }
+            if not depths:
+                assert feature.deepest is None and feature.depth is None
+                continue
+            assert feature.deepest is not None and feature.depth is not None
+            assert depths[feature.deepest] == pytest.approx(max(depths.values()), abs=1e-9), seed
+            assert feature.depth[1] == pytest.approx(max(depths.values()), abs=1e-9), seed
+            deepest = [leaf for leaf in depths if depths[leaf] > max(depths.values()) - 1e-9]
+            assert feature.deepest == deepest[0] and feature.tie == (len(deepest) > 1), seed
+
+
+def _height(vertex: Any, a: tuple[float, float], b: tuple[float, float]) -> float:
+    x, y = b[0] - a[0], b[1] - a[1]
+    return float(abs(x * (float(vertex[1]) - a[1]) - y * (float(vertex[0]) - a[0]))) / math.hypot(
+        x, y
+    )
