@@ -39,6 +39,10 @@ from minkref.disc.decomposition import decompose as decompose
 from minkref.disc.disc_index import DiscIndex as DiscIndex
 from minkref.disc.disc_index import OffsetEvent as OffsetEvent
 from minkref.disc.disc_index import square_of
+from minkref.disc.feature_regions import FeatureRegion as FeatureRegion
+from minkref.disc.feature_regions import FeatureRest as FeatureRest
+from minkref.disc.feature_regions import RegionsAt as RegionsAt
+from minkref.disc.feature_regions import RestArc as RestArc
 from minkref.disc.features import Bridge as Bridge
 from minkref.disc.features import BridgeTrack as BridgeTrack
 from minkref.disc.features import FeatureBar as FeatureBar

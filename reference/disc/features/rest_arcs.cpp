@@ -155,16 +155,24 @@ void RestArcs::add_free(std::uint32_t corner, std::vector<Cover> covers,
 }
 
 std::vector<FreeArc> RestArcs::of(const std::vector<std::uint32_t>& corners) {
-  std::vector<FreeArc> found;
-  for (const std::uint32_t corner : corners) {
-    std::vector<Cover> covers;
-    for (const std::uint32_t other : corners) {
+  // From left to right: discs meet only if their centres are less than two radii apart.
+  std::vector<std::uint32_t> sorted = corners;
+  std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return rounded_[a].x.lower() < rounded_[b].x.lower();
+  });
+  const Interval reach = sqrt(Interval(Rational(4 * squared_)));
+  std::vector<std::vector<Cover>> covers(sorted.size());
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    for (std::size_t other = k + 1; other < sorted.size(); ++other) {
       look_for_interrupt();
-      if (other == corner) continue;
-      if (const auto cover = cover_of(corner, other)) covers.push_back(*cover);
+      const Interval apart = rounded_[sorted[other]].x - rounded_[sorted[k]].x - reach;
+      if (apart.lower() > 0) break;
+      if (const auto cover = cover_of(sorted[k], sorted[other])) covers[k].push_back(*cover);
+      if (const auto cover = cover_of(sorted[other], sorted[k])) covers[other].push_back(*cover);
     }
-    add_free(corner, std::move(covers), found);
   }
+  std::vector<FreeArc> found;
+  for (std::size_t k = 0; k < sorted.size(); ++k) add_free(sorted[k], std::move(covers[k]), found);
   return found;
 }
 
