@@ -1,49 +1,118 @@
 #include "reference/plane/decomposition/resolving_cone.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "reference/number/interval.hpp"
+#include "reference/plane/kernel/box.hpp"
 
 namespace minkref::inline plane {
 namespace {
 
-Rational cross(const Point& at, const Point& a, const Point& b) {
-  return (a.x - at.x) * (b.y - at.y) - (a.y - at.y) * (b.x - at.x);
+template <class N>
+struct At {
+  N x, y;
+};
+At<Rational> exact(const FilteredPoint& p) { return {p.exact().x, p.exact().y}; }
+Interval around(double rounded) { return {below(rounded), above(rounded)}; }
+At<Interval> enclosed(const FilteredPoint& p) { return {around(p.x()), around(p.y())}; }
+
+template <class N>
+At<N> operator-(const At<N>& a, const At<N>& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+template <class N>
+N cross(const At<N>& a, const At<N>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+template <class N>
+N dot(const At<N>& a, const At<N>& b) {
+  return a.x * b.x + a.y * b.y;
 }
 
-/// A part of a segment, in parameters from 0 to 1.
-struct Stretch {
-  Rational low = 0, high = 1;
+Rational greater(const Rational& a, const Rational& b) { return std::max(a, b); }
+Interval greater(const Interval& a, const Interval& b) {
+  return {std::max(a.lower(), b.lower()), std::max(a.upper(), b.upper())};
+}
+bool is_above(const Rational& a, const Rational& b) { return a > b; }
+bool is_above(const Interval& a, const Interval& b) { return a.lower() > b.upper(); }
 
-  /// Keeps the parameters with a value >= 0; the value grows or falls linearly between both ends.
-  void keep(const Rational& at_0, const Rational& at_1) {
-    if (at_0 < 0 && at_1 > at_0) low = std::max(low, Rational(at_0 / (at_0 - at_1)));
-    if (at_1 < 0 && at_0 > at_1) high = std::min(high, Rational(at_0 / (at_0 - at_1)));
+/// Signs at a segment's ends; a negative sign tells that a line cuts this end off.
+struct EndSigns {
+  int from, to;
+
+  bool miss() const { return from < 0 && to < 0; }
+};
+
+/// The part of a segment between two parameters from 0 to 1.
+template <class N>
+struct Stretch {
+  N low = 0, high = 1;
+
+  /// Cuts off the ends with a negative sign, where a linear value vanishes.
+  void cut(const EndSigns& signs, const N& at_from, const N& at_to) {
+    if (signs.from >= 0 && signs.to >= 0) return;
+    const N t = at_from / (at_from - at_to);
+    if (signs.from < 0) low = greater(low, t);
+    if (signs.to < 0) high = -greater(-high, -t);
   }
 };
 
+/// The parameter of the nearest point to the origin on the part of a segment between two lines
+/// through the origin; nothing if the part is certainly empty.
+template <class N>
+std::optional<N> nearest_parameter(const At<N>& from, const At<N>& along, const At<N>& first,
+                                   const EndSigns& by_first, const At<N>& second,
+                                   const EndSigns& by_second) {
+  const At<N> to{from.x + along.x, from.y + along.y};
+  Stretch<N> inside;
+  inside.cut(by_first, cross(first, from), cross(first, to));
+  inside.cut(by_second, cross(from, second), cross(to, second));
+  if (is_above(inside.low, inside.high)) return std::nullopt;
+  const N foot = -dot(from, along) / dot(along, along);
+  return -greater(-greater(foot, inside.low), -inside.high);
+}
+
 }  // namespace
+
+/// On which sides of both lines a wall's ends lie.
+struct ResolvingCone::Sides {
+  EndSigns first, second;
+};
+
+std::optional<ResolvingCone::Sides> ResolvingCone::sides(const FilteredPoint& from,
+                                                         const FilteredPoint& to) const {
+  // The cone: left of the line from the apex to `first`, right of the line to `second`.
+  Sides found{{orientation(apex_, first_, from), orientation(apex_, first_, to)}, {0, 0}};
+  if (found.first.miss()) return std::nullopt;
+  found.second = {-orientation(apex_, second_, from), -orientation(apex_, second_, to)};
+  if (found.second.miss()) return std::nullopt;
+  return found;
+}
 
 std::optional<Point> ResolvingCone::nearest(const FilteredPoint& from,
                                             const FilteredPoint& to) const {
-  // The cone: left of the line from the apex to `first`, right of the line to `second`.
-  const int from_1 = orientation(apex_, first_, from), to_1 = orientation(apex_, first_, to);
-  if (from_1 < 0 && to_1 < 0) return std::nullopt;
-  const int from_2 = orientation(apex_, second_, from), to_2 = orientation(apex_, second_, to);
-  if (from_2 > 0 && to_2 > 0) return std::nullopt;
-  const Point &v = apex_.exact(), &p = from.exact(), &q = to.exact();
-  Stretch inside;
-  if (from_1 < 0 || to_1 < 0) {
-    inside.keep(cross(v, first_.exact(), p), cross(v, first_.exact(), q));
-  }
-  if (from_2 > 0 || to_2 > 0) {
-    inside.keep(cross(v, p, second_.exact()), cross(v, q, second_.exact()));
-  }
-  if (inside.low > inside.high) return std::nullopt;
-  const Rational dx = q.x - p.x, dy = q.y - p.y;
-  const Rational foot = ((v.x - p.x) * dx + (v.y - p.y) * dy) / (dx * dx + dy * dy);
-  const Rational t = std::clamp(foot, inside.low, inside.high);
-  if (t == 0) return p;
-  if (t == 1) return q;
-  return Point{p.x + t * dx, p.y + t * dy};
+  const std::optional<Sides> at = sides(from, to);
+  if (!at) return std::nullopt;
+  const At<Rational> v = exact(apex_), p = exact(from), along = exact(to) - p;
+  const auto t = nearest_parameter<Rational>(p - v, along, exact(first_) - v, at->first,
+                                             exact(second_) - v, at->second);
+  if (!t) return std::nullopt;
+  if (*t == 0) return from.exact();
+  if (*t == 1) return to.exact();
+  return Point{p.x + *t * along.x, p.y + *t * along.y};
+}
+
+double ResolvingCone::squared_bound(const FilteredPoint& from, const FilteredPoint& to) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::optional<Sides> at = sides(from, to);
+  if (!at) return infinity;
+  const At<Interval> v = enclosed(apex_), p = enclosed(from), along = enclosed(to) - p;
+  const auto t = nearest_parameter<Interval>(p - v, along, enclosed(first_) - v, at->first,
+                                             enclosed(second_) - v, at->second);
+  if (!t) return infinity;
+  const At<Interval> foot{p.x - v.x + *t * along.x, p.y - v.y + *t * along.y};
+  return std::max(0.0, dot(foot, foot).lower());
 }
 
 std::optional<ResolvingCone> resolving_cone(const FilteredPoint& at,

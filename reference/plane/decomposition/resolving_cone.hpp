@@ -32,7 +32,14 @@ class ResolvingCone {
   /// cone. The wall must not contain the apex. Exact. O(1).
   std::optional<Point> nearest(const FilteredPoint& from, const FilteredPoint& to) const;
 
+  /// A double not above the squared distance to that point; infinite if the wall misses the cone.
+  /// By intervals, and by exact signs. O(1).
+  double squared_bound(const FilteredPoint& from, const FilteredPoint& to) const;
+
  private:
+  struct Sides;
+  std::optional<Sides> sides(const FilteredPoint& from, const FilteredPoint& to) const;
+
   FilteredPoint apex_, first_, second_;
 };
 

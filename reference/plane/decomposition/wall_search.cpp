@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -19,12 +20,6 @@ Box widened(const Box& box, double by) {
 bool holds(const Box& outer, const Box& inner) {
   return outer.xmin <= inner.xmin && outer.ymin <= inner.ymin && outer.xmax >= inner.xmax &&
          outer.ymax >= inner.ymax;
-}
-
-double squared_bound(const Box& a, const Box& b) {
-  const double x = std::max({0.0, below(a.xmin - b.xmax), below(b.xmin - a.xmax)});
-  const double y = std::max({0.0, below(a.ymin - b.ymax), below(b.ymin - a.ymax)});
-  return below(below(x * x) + below(y * y));
 }
 
 double length(const FilteredPoint& a, const FilteredPoint& b) {
@@ -48,9 +43,15 @@ void WallSearch::add(FilteredPoint from, FilteredPoint to) {
   tree_ = BoxTree(std::move(boxes));
 }
 
-void WallSearch::collect(const Box& about, const Box& apex, std::vector<Candidate>& found) const {
-  const auto take = [&](std::uint32_t wall) {
-    found.push_back({squared_bound(walls_[wall].box, apex), wall});
+void WallSearch::collect(const Box& about, const ResolvingCone& cone,
+                         std::vector<Candidate>& found) const {
+  const FilteredPoint& apex = cone.apex();
+  const auto take = [&](std::uint32_t number) {
+    look_for_interrupt();
+    const Wall& wall = walls_[number];
+    if (compare_xy(wall.from, apex) == 0 || compare_xy(wall.to, apex) == 0) return false;
+    const double bound = cone.squared_bound(wall.from, wall.to);
+    if (bound < std::numeric_limits<double>::infinity()) found.push_back({bound, number});
     return false;
   };
   tree_.query(about, take);
@@ -64,11 +65,10 @@ void WallSearch::collect(const Box& about, const Box& apex, std::vector<Candidat
 
 void WallSearch::improve(const ResolvingCone& cone, std::uint32_t number, Hit& best) const {
   const Wall& wall = walls_[number];
-  const FilteredPoint& apex = cone.apex();
-  if (compare_xy(wall.from, apex) == 0 || compare_xy(wall.to, apex) == 0) return;
+  const Point& apex = cone.apex().exact();
   const std::optional<Point> at = cone.nearest(wall.from, wall.to);
   if (!at) return;
-  const Rational dx = at->x - apex.exact().x, dy = at->y - apex.exact().y;
+  const Rational dx = at->x - apex.x, dy = at->y - apex.y;
   Hit hit{*at, dx * dx + dy * dy, number};
   if (best.wall != no_wall) {
     if (hit.squared_length > best.squared_length) return;
@@ -91,7 +91,7 @@ WallSearch::Hit WallSearch::nearest(const ResolvingCone& cone) const {
     look_for_interrupt();
     const Box about = widened(apex, reach);
     candidates.clear();
-    collect(about, apex, candidates);
+    collect(about, cone, candidates);
     Hit best;
     best.wall = no_wall;
     double bound = std::numeric_limits<double>::infinity();

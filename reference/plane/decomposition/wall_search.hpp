@@ -31,10 +31,10 @@ class WallSearch {
     Box box;
   };
   struct Candidate {
-    double squared_bound;  ///< below the squared distance to the wall's box
+    double squared_bound;  ///< no point of the wall in the cone is nearer
     std::uint32_t wall;
   };
-  void collect(const Box& about, const Box& apex, std::vector<Candidate>& found) const;
+  void collect(const Box& about, const ResolvingCone& cone, std::vector<Candidate>& found) const;
   void improve(const ResolvingCone& cone, std::uint32_t wall, Hit& best) const;
 
   std::vector<Wall> walls_;
