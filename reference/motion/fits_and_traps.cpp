@@ -360,10 +360,10 @@ FreeScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& containe
   const FloatEnvironment standard;
   const ContainerFrame frame(part, container, {at});
   const PolygonSet turned = half_turned(part);
-  ValidScales found = valid_scales(part, frame.set, {at}, rule, frame.window);
+  ValidScales found = valid_scales(part, frame.set(), {at}, rule, frame.window);
   FreeScales result;
   const auto prove = [&](const Rational& scale) {
-    const Contact contact = Membership(turned, frame.set, scale).contact(at);
+    const Contact contact = Membership(turned, frame.set(), scale).contact(at);
     const bool holds =
         rule == ContactRule::allowed ? contact != Contact::overlapping : contact == Contact::empty;
     if (holds != std::any_of(found.valid.begin(), found.valid.end(),
@@ -393,7 +393,7 @@ FreeScales scales_that_fit(const PolygonSet& part, const PolygonSet& container, 
                            FitSearch search) {
   const FloatEnvironment standard;
   const ContainerFrame frame(part, container, {});
-  const FreeProblem problem(part, frame.set, {}, rule);
+  const FreeProblem problem(part, frame.set(), {}, rule);
   const auto fits = [](const FreeSpace& free) { return free.parts() > 1; };
   return search == FitSearch::narrowed && has_star_centre(part)
              ? up_to_a_scale(problem, fits, frame.window)
@@ -404,7 +404,7 @@ FreeScales scales_that_pass(const PolygonSet& part, const PolygonSet& container,
                             const Point& to, ContactRule rule, FitSearch search) {
   const FloatEnvironment standard;
   const ContainerFrame frame(part, container, {from, to});
-  const FreeProblem problem(part, frame.set, {from, to}, rule);
+  const FreeProblem problem(part, frame.set(), {from, to}, rule);
   const auto passes = [&](const FreeSpace& free) {
     const auto a = free.part_of(from), b = free.part_of(to);
     return a && b && *a == *b;
@@ -412,7 +412,7 @@ FreeScales scales_that_pass(const PolygonSet& part, const PolygonSet& container,
   const bool narrowed = search == FitSearch::narrowed && star_shaped(part);
   if (narrowed) {
     for (const Point& place : {from, to}) {
-      if (valid_scales(part, frame.set, {place}, rule, frame.window).valid.empty()) return {};
+      if (valid_scales(part, frame.set(), {place}, rule, frame.window).valid.empty()) return {};
     }
     if (Rooms(problem).parts(from, to)) return {};
   }

@@ -171,7 +171,7 @@ std::string as_static_sums_say(const Case& c) {
       }
       if (scale > *frame.window.to) continue;
       const FreeSpace inside(
-          minkowski_sum(turned, frame.set, scale, Route::definition, "rational", Passages::find),
+          minkowski_sum(turned, frame.set(), scale, Route::definition, "rational", Passages::find),
           rule, {});
       if (holds(fits, scale) != (inside.parts() > 1)) {
         return "fits at " + text(fits.scales) + ", but not as said at scale " + to_string(scale);
@@ -336,7 +336,7 @@ TEST(FreeScales, ChangeAtNoEventThatWasLeftOut) {
     });
     if (!wrong.empty()) return "trapped at " + wrong;
     const std::string other =
-        differs(frame.set, fits, [](const FreeSpace& free) { return free.parts() > 1; });
+        differs(frame.set(), fits, [](const FreeSpace& free) { return free.parts() > 1; });
     return other.empty() ? "" : "fits at " + other;
   });
 }
