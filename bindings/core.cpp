@@ -9,6 +9,7 @@
 #include <new>
 
 #include "bindings/core_convolution.hpp"
+#include "bindings/core_erosion.hpp"
 #include "bindings/core_features.hpp"
 #include "bindings/core_paper_space_update.hpp"
 #include "bindings/core_paths.hpp"
@@ -138,6 +139,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_regions(module);
   minkref::python::bind_set_operations(module);
   minkref::python::bind_decomposition(module);
+  minkref::python::bind_erosion(module);
   minkref::python::bind_paper_disc_update(module);
   minkref::python::bind_paper_update(module);
   minkref::python::bind_evidence(module);

@@ -17,6 +17,7 @@
 #include "bindings/stopwatch.hpp"
 #include "bindings/vector_caster.hpp"
 #include "reference/disc/region/drawn_rings.hpp"
+#include "reference/disc/region/inset_region.hpp"
 #include "reference/disc/region/measure_terms.hpp"
 #include "reference/disc/region/offset_passages.hpp"
 #include "reference/disc/region/offset_region.hpp"
@@ -31,7 +32,16 @@ namespace {
 struct TimedOffset {
   OffsetRegion region;
   double seconds;
+  bool inward = false;
 };
+
+std::string json_of(const TimedOffset& offset) {
+  return offset.inward ? inset_json(offset.region) : canonical_json(offset.region);
+}
+
+OffsetMeasures measures_of(const TimedOffset& offset) {
+  return offset.inward ? inset_measures(offset.region) : measures(offset.region);
+}
 
 /// A piece with doubles: its start and end; an arc also has its centre and its bulge.
 using PieceRow = std::tuple<std::string, double, double, double, double, double, double, double>;
@@ -77,6 +87,15 @@ TimedOffset timed_offset(const Set& P, const std::string& squared_radius, unsign
   const Stopwatch watch;
   OffsetRegion region = offset_region(P.value, square, build_on(threads), chosen);
   return {std::move(region), watch.seconds()};
+}
+
+TimedOffset timed_inset(const Set& P, const std::string& squared_radius, unsigned threads,
+                        const std::string& route) {
+  const Rational square = parse_rational(squared_radius);
+  const OffsetRoute chosen = offset_route_named(route);
+  const Stopwatch watch;
+  OffsetRegion region = inset_region(P.value, square, build_on(threads), chosen);
+  return {std::move(region), watch.seconds(), true};
 }
 
 using TextOfCurve = std::vector<std::string>;
@@ -149,14 +168,10 @@ void bind_disc(nb::module_& module) {
                                      "another where the canonical forms are."))
       .def(
           "__eq__",
-          [](const TimedOffset& a, const TimedOffset& b) {
-            return canonical_json(a.region) == canonical_json(b.region);
-          },
+          [](const TimedOffset& a, const TimedOffset& b) { return json_of(a) == json_of(b); },
           nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__hash__",
-           [](const TimedOffset& offset) {
-             return std::hash<std::string>()(canonical_json(offset.region));
-           })
+           [](const TimedOffset& offset) { return std::hash<std::string>()(json_of(offset)); })
       .def("__repr__",
            [](const TimedOffset& offset) {
              return "<Offset: " + std::to_string(offset.region.components.size()) +
@@ -168,19 +183,16 @@ void bind_disc(nb::module_& module) {
       .def_prop_ro("holes", [](const TimedOffset& offset) { return offset.region.holes; })
       .def_prop_ro("curves", curves, "Of all rings, parts of one circle or line together.")
       .def_prop_ro(
-          "area", [](const TimedOffset& offset) { return bounds(measures(offset.region).area); },
+          "area", [](const TimedOffset& offset) { return bounds(measures_of(offset).area); },
           "Between the two doubles next to it.")
       .def_prop_ro(
-          "length",
-          [](const TimedOffset& offset) { return bounds(measures(offset.region).length); },
+          "length", [](const TimedOffset& offset) { return bounds(measures_of(offset).length); },
           "Of the boundary, between the two doubles next to it.")
       .def_ro("seconds", &TimedOffset::seconds, "Of the computation, without conversions.")
       .def_prop_ro("statistics", statistics,
                    "Curves and edges that were compared, by the route paper curves and curves; how "
                    "often roots had to, and orders that roots had to tell.")
-      .def(
-          "canonical_json", [](const TimedOffset& offset) { return canonical_json(offset.region); },
-          Released(), "The canonical form, in rational numbers.")
+      .def("canonical_json", json_of, Released(), "The canonical form, in rational numbers.")
       .def("tight_passages", passages_with_disc, "threads"_a = 1, Released(),
            "Points and segments that the sum of the interiors misses: (points, the same rounded, "
            "curves that are as far). Exact, as expressions.")
@@ -208,6 +220,10 @@ void bind_disc(nb::module_& module) {
   module.def("offset", timed_offset, "P"_a, "squared_radius"_a, "threads"_a = 1,
              "route"_a = "definition", Released(),
              "P + a disc about the origin, exact. Routes: definition, paper. Raises BadInput.");
+  module.def("inset", timed_inset, "P"_a, "squared_radius"_a, "threads"_a = 1,
+             "route"_a = "definition", Released(),
+             "P less a disc about the origin, exact: rings with the set on their right; the tight "
+             "passages are its remnants. Routes: definition, paper. Raises BadInput.");
 }
 
 }  // namespace minkref::python

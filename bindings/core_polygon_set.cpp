@@ -15,8 +15,10 @@
 #include "formats/read_json.hpp"
 #include "formats/refusal_place.hpp"
 #include "formats/write.hpp"
+#include "reference/error.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/convex/convex_ring.hpp"
+#include "reference/plane/location.hpp"
 #include "reference/plane/point_predicates.hpp"
 
 namespace nb = nanobind;
@@ -72,6 +74,19 @@ std::string compared_text(const Set& set) {
   return canonical_json({{{std::move(ends), {}}}});
 }
 
+bool has_point(const Set& set, const nb::object& point) {
+  const Set read = set_of_shape(point, false);
+  if (!read.value.is_point()) {
+    throw BadInput("no-point", "this is not a point", "give a point (x, y)");
+  }
+  return locate(set.value, read.value.polygons[0].outer[0]) != Location::outside;
+}
+
+/// What a function of Python makes of two sets.
+nb::object of_two(const char* function, nb::handle P, nb::handle Q) {
+  return nb::module_::import_("minkref.plane.erosion").attr(function)(P, Q);
+}
+
 /// The rings as written: no ring is turned or validated.
 Set set_of(const std::string& text, const ReadLimits& limits) {
   Input input("", limits);
@@ -93,6 +108,24 @@ std::string to_json(const Set& set) {
 /// Reads our own text, numbers of any length. The rings' places within a file are lost.
 Set from_state(const std::pair<std::string, bool>& state) {
   return {set_of(state.first, no_limits()).value, state.second};
+}
+
+void bind_operators(nb::class_<Set>&& bound) {
+  bound
+      .def(
+          "__add__",
+          [](nb::handle_t<Set> P, nb::handle_t<Set> Q) { return of_two("sum_of", P, Q); },
+          nb::is_operator(), nb::sig("def __add__(self, other: PolygonSet, /) -> PolygonSet"),
+          "The Minkowski sum of both sets, as minkowski_sum gives it.")
+      .def(
+          "__sub__",
+          [](nb::handle_t<Set> P, nb::handle_t<Set> Q) { return of_two("erosion_of", P, Q); },
+          nb::is_operator(), nb::sig("def __sub__(self, other: PolygonSet, /) -> typing.Any"),
+          "The erosion of the first set by the second one, as minkref.erode gives it. (The "
+          "difference of two sets is minkref.subtract.)")
+      .def("__contains__", has_point, "point"_a,
+           nb::sig("def __contains__(self, point: object, /) -> bool"),
+           "Whether the closed set has a point (x, y). Exact. O(n).");
 }
 
 }  // namespace
@@ -191,6 +224,7 @@ void bind_polygon_set(nb::module_& module) {
       .def_prop_ro("is_empty", [](const Set& set) { return set.value.empty(); })
       .def_prop_ro("is_point", [](const Set& set) { return set.value.is_point(); })
       .def_prop_ro("is_segment", [](const Set& set) { return set.value.is_segment(); });
+  bind_operators(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));
 }
 
 }  // namespace minkref::python

@@ -38,6 +38,7 @@ from minkref.disc.decomposition import Piece as Piece
 from minkref.disc.decomposition import decompose as decompose
 from minkref.disc.disc_index import DiscIndex as DiscIndex
 from minkref.disc.disc_index import OffsetEvent as OffsetEvent
+from minkref.disc.disc_index import inradius as inradius
 from minkref.disc.disc_index import square_of
 from minkref.disc.feature_regions import FeatureRegion as FeatureRegion
 from minkref.disc.feature_regions import FeatureRest as FeatureRest
@@ -78,6 +79,13 @@ from minkref.motion.space_values import SpaceValidScales as SpaceValidScales
 from minkref.plane.convolution_values import Convolution as Convolution
 from minkref.plane.convolution_values import ConvolutionEdge as ConvolutionEdge
 from minkref.plane.convolution_values import convolution as convolution
+from minkref.plane.erosion import Erosion as Erosion
+from minkref.plane.erosion import NoFit as NoFit
+from minkref.plane.erosion import closing as closing
+from minkref.plane.erosion import erode as erode
+from minkref.plane.erosion import inner_fit as inner_fit
+from minkref.plane.erosion import no_fit as no_fit
+from minkref.plane.erosion import opening as opening
 from minkref.plane.event_values import Event as Event
 from minkref.plane.event_values import Events as Events
 from minkref.plane.event_values import events as events
@@ -154,6 +162,23 @@ def offset(
     _validate(P=P)
     square = square_of(radius, squared_radius, "offset")
     return _core.offset(P, square, max(1, whole("threads", threads)), text_of("route", route))
+
+
+def inset(
+    P: PolygonSet,
+    radius: Number | None = None,
+    squared_radius: Number | None = None,
+    threads: int = 1,
+    route: str = "definition",
+) -> Offset:
+    """Compute the erosion of P by a disc about the origin, given by `radius` > 0 or by the radius's
+    square: all places whose distance from the outside of P is the radius or more. Its remnants,
+    points and segments beside the region, are the `tight_passages` of the result. Exact, and as
+    offset does it, of the outside of P. Empty for a segment or a point. Raises BadInput.
+    docs/erosion.md."""
+    _validate(P=P)
+    square = square_of(radius, squared_radius, "inset")
+    return _core.inset(P, square, max(1, whole("threads", threads)), text_of("route", route))
 
 
 def convex_sum(

@@ -24,14 +24,17 @@ def offset_picture(
     operand: _core.PolygonSet | None,
     caption: str,
     passages: Sequence[Sequence[tuple[float, float]]] = (),
+    beneath: bool = False,
 ) -> str:
     """An SVG document: the region, bounded by segments and arcs, with the `operand` and the tight
-    `passages` on top. The longer side of the region's box measures WIDTH - 2 PAD; coordinates are
-    rounded to a thousandth of a picture unit. The region may have any size, near the origin or far
-    away."""
+    `passages` on top. `beneath`: the region is an inset, with the operand under it. The longer side
+    of the box measures WIDTH - 2 PAD; coordinates are rounded to a thousandth of a picture unit.
+    The region may have any size, near the origin or far away."""
     origin, factor, radius = offset.drawing_frame()
     components = offset.drawn_rings(origin, factor)
-    box = _box([piece for rings in components for ring in rings for piece in ring], radius)
+    drawn = [piece for rings in components for ring in rings for piece in ring]
+    own = _placed(operand, origin, factor)
+    box = _box_of_points(own) if beneath and own else _box(drawn, radius)
     unit = (WIDTH - 2 * PAD) / max(box[2] - box[0], box[3] - box[1], 1e-300)
     width, height = (2 * PAD + unit * (box[k + 2] - box[k]) for k in (0, 1))
 
@@ -48,12 +51,9 @@ def offset_picture(
 
     paths = "".join(ring_path(ring) for rings in components for ring in rings)
     layers = [f'<path class="sum" d="{paths}"/>']
-    if operand is not None:
-        x, y = (str(-Fraction(value)) for value in origin)
-        near = operand.translated(x, y).scaled(factor)
-        rings = [ring for polygon in near.approximate_rings() for ring in polygon]
-        own = "".join("M" + "L".join(at(x, y) for x, y in ring) + "Z" for ring in rings)
-        layers.append(f'<path class="first" d="{own}"/>')
+    if own:
+        text = "".join("M" + "L".join(at(x, y) for x, y in ring) + "Z" for ring in own)
+        layers.insert(0 if beneath else 1, f'<path class="first" d="{text}"/>')
     for points in passages:
         places = [at(*_in_frame(point, origin, factor)) for point in points]
         x, y = places[0].split()
@@ -68,6 +68,22 @@ def offset_picture(
         f'aria-label="{escape(escaped(caption), quote=True)}"><style>{STYLE}</style>'
         f"{''.join(layers)}</svg>\n"
     )
+
+
+def _placed(
+    operand: _core.PolygonSet | None, origin: Sequence[str], factor: str
+) -> list[list[tuple[float, float]]]:
+    """The rings of the operand in the drawing's frame."""
+    if operand is None:
+        return []
+    x, y = (str(-Fraction(value)) for value in origin)
+    near = operand.translated(x, y).scaled(factor)
+    return [ring for polygon in near.approximate_rings() for ring in polygon]
+
+
+def _box_of_points(rings: list[list[tuple[float, float]]]) -> tuple[float, float, float, float]:
+    xs, ys = ([point[k] for ring in rings for point in ring] for k in (0, 1))
+    return min(xs), min(ys), max(xs), max(ys)
 
 
 def _in_frame(

@@ -35,19 +35,22 @@ def sum_picture(
     holes: int,
     exact: _core.PolygonSet | None = None,
     passages: Passages = (),
+    words: tuple[str, str] = ("sum", "tight passage"),
+    beneath: _core.PolygonSet | None = None,
 ) -> str:
     """An SVG document. P arrives unscaled. All sets are drawn to one scale, each with its position
     above. Numbers stay exact until the frame places them, so that sets of any size can be drawn. An
     `exact` sum beside a possibly wrong answer is drawn too, with the answer's lost and added parts.
-    Tight passages appear on the sum: lines, and a ring around a point."""
+    Tight passages appear on the sum: lines, and a ring around a point. `words`: what the result is,
+    and what its passages are called; `beneath`: a set around the result, drawn under it."""
     first = f"P: {short_name(P.name)}" + ("" if scale == "1" else f", scaled by {scale}")
     counts = f"{counted(components, 'component')}, {counted(holes, 'hole')}"
     if passages:
-        counts += f", {counted(len(passages), 'tight passage')}"
+        counts += f", {counted(len(passages), words[1])}"
     panes = [
         ("first", first, exact_polygons(P.set.scaled(scale))),
         ("second", f"Q: {short_name(Q.name)}", exact_polygons(Q.set)),
-        ("sum", f"sum: {counts}", exact_polygons(region)),
+        ("sum", f"{words[0]}: {counts}", exact_polygons(region)),
     ]
     if exact is not None:
         panes += [
@@ -56,12 +59,16 @@ def sum_picture(
             ("added", "added", exact_polygons(_core.minus(region, exact))),
         ]
     boxes = [box_of(polygons) for *_, polygons in panes]
+    under = exact_polygons(beneath) if beneath is not None else []
+    boxes[2] = box_of(under) or boxes[2]
     factor, room = common_frame(boxes)
     drawn = []
     for (style, title, polygons), box in zip(panes, boxes, strict=True):
         layers = []
         if box is not None:
             frame = Frame(box[0], box[1], factor)
+            if polygons is panes[2][2] and under:
+                layers.append(Layer("first", frame.polygons(under)))
             layers.append(Layer(style, frame.polygons(polygons)))
             if polygons is panes[2][2]:
                 layers += passage_layers(passages, frame)

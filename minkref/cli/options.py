@@ -42,6 +42,14 @@ Scale = Annotated[Fraction, SCALE, READ_SCALE]
 ScaleInPlane = Annotated[PlaneScale, SCALE, Read(read_plane_scale)]
 ScaleInSpace = Annotated[Scaling, SCALE, Read(read_scaling)]
 ONE = Fraction(1)
+Erode = Annotated[
+    bool,
+    typer.Option(
+        "--erode",
+        help="The erosion of the scaled P by Q instead of the sum: what `minkref erode` leaves at "
+        "each scale. Not in space.",
+    ),
+]
 Triangles = Annotated[
     bool,
     typer.Option(

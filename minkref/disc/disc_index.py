@@ -8,6 +8,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.argument_types import double, expect_sets, number, whole
+from minkref.disc.eroded import eroded_by_disc
 from minkref.errors import Refusal
 from minkref.exact import read_number
 
@@ -99,6 +100,17 @@ class DiscIndex:
         vertices just above the event. Raises LimitExceeded for vertices beyond doubles.
         Microseconds, and about 100 µs for a corner that needs exact numbers."""
         return self._index.vertices(double("radius", radius))
+
+
+def inradius(P: _core.PolygonSet, threads: int = 1) -> list[OffsetEvent]:
+    """Find the largest discs within P: the events at their radius, each with its place and the
+    features of P that bound the disc there. Exact; the places of a flat ridge are those of its
+    events. P has an area and is validated first. Takes as long as the DiscIndex of P's outside.
+    Raises BadInput, LimitExceeded. docs/erosion.md."""
+    expect_sets(P=P)
+    P.validate("P")
+    count = max(1, whole("threads", threads))
+    return [event_of(row) for row in eroded_by_disc(P, "P").largest(count)]
 
 
 def event_of(row: Any) -> OffsetEvent:

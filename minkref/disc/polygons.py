@@ -42,6 +42,18 @@ def sum_near(P: _core.PolygonSet, disc: Disc, within: Fraction, outside: bool) -
     )
 
 
+def inset_near(
+    P: _core.PolygonSet, disc: Disc, within: Fraction, outside: bool
+) -> _core.PolygonSet:
+    """Make a polygon set inside of P less a disc that has all of its points at which a disc larger
+    by `within` fits too; or around it, and within P less a disc that is smaller by `within`. As
+    sum_near, which makes the other side of it."""
+    if not P.is_region:
+        return _core.PolygonSet()
+    around = sum_near(_core.Outside(P).set, disc, within, not outside)
+    return _core.inside_out(around)[0]
+
+
 def polygon_near(
     disc: Disc, within: Fraction, outside: bool, gap: Fraction, unit: Fraction
 ) -> _core.PolygonSet:

@@ -129,12 +129,19 @@ class BoundaryEventList:
         found: _core.DynamicSum | _core.ScaleIndex,
         kind: str,
         window: Sequence[str | None] = (None, None),
+        outside: _core.Outside | None = None,
     ) -> None:
-        """Keep the events inside `window`, a part of the window of `found`."""
+        """Keep the events inside `window`, a part of the window of `found`. `outside`: the sum's
+        first operand if an erosion is asked for. What is a hole of the sum then is a component of
+        the erosion, and the other way round."""
         self.found = found
+        self._eroded = outside is not None
         self._low, self._high = (None if b is None else Fraction(b) for b in window)
         self.seconds = found.seconds
-        edges = [parents(row) for row in found.edges()]
+        rows = found.edges()
+        if outside is not None:
+            rows = [outside.in_operands(row) for row in rows]
+        edges = [parents(row) for row in rows]
         self._kind = kind
         self._events: list[dict[str, Any]] = []
         at_scale: dict[str, list[dict[str, Any]]] = {}
@@ -149,6 +156,8 @@ class BoundaryEventList:
                 if not self._holds(scale):
                     continue
                 self._add(scale, change, at_scale[scale], place)
+                if self._eroded:
+                    feature, before, after = _of_erosion(feature, before, after)
                 self._events[-1].update(feature=feature, before=before, after=after, parts=parts)
         self._rank()
 
@@ -208,7 +217,11 @@ class BoundaryEventList:
         def lives(kind: str) -> list[dict[str, Any]]:
             return [life for row in self.found.lives(kind) if (life := self._life(*row))]
 
-        return {"holes": lives("hole"), "components": lives("component")}
+        holes, components = lives("hole"), lives("component")
+        if not self._eroded:
+            return {"holes": holes, "components": components}
+        left = [{**life, "id": life["id"] - 1} for life in holes]
+        return {"holes": [life for life in components if life["id"] > 0], "components": left}
 
 
 def find_events(
@@ -218,15 +231,27 @@ def find_events(
     kind: str,
     form: str,
     route: str,
+    outside: _core.Outside | None = None,
 ) -> EventList:
     """Find events of one kind within the closed window. `route`: dynamic follows the reduced
-    convolution, winding the full one. Exact."""
+    convolution, winding the full one. `outside`: P is the set of it, and boundary and topology
+    events are those of the erosion. Exact."""
     low, high = window
     if kind in ("pair", "parallel"):
         return PairEventList(_core.pair_events(P, Q, low, high, kind, form, route))
     if kind in ("triple", "arrangement"):
         return ArrangementEventList(_core.ArrangementEvents(P, Q, low, high, route), kind)
-    return BoundaryEventList(_core.DynamicSum(P, Q, low, high, route), kind)
+    return BoundaryEventList(_core.DynamicSum(P, Q, low, high, route), kind, outside=outside)
+
+
+def _of_erosion(
+    feature: str, before: list[int], after: list[int]
+) -> tuple[str, list[int], list[int]]:
+    """A change of the sum of an outside as a change of the erosion: holes of a sum are numbered
+    from 1 and components from 0, which is the component of the box."""
+    if feature == "component":
+        return "hole", before, after
+    return "component", [number - 1 for number in before], [number - 1 for number in after]
 
 
 def _row(event: dict[str, Any]) -> Any:

@@ -8,9 +8,12 @@ from fractions import Fraction
 from typing import Any, overload
 
 from minkref import _core
-from minkref.argument_types import expect_sets, number, text_of
+from minkref.argument_types import expect_sets, number, text_of, truth
 from minkref.errors import Refusal, choice
+from minkref.exact import exact_scale, text_of_bounds
+from minkref.plane.eroded import eroding_pair
 from minkref.plane.event_lists import BoundaryEventList, EventList, find_events
+from minkref.plane.operand import Operand
 
 KINDS = ("pair", "parallel", "triple", "arrangement", "boundary", "topology")
 PAIR_KINDS = ("pair", "parallel")
@@ -125,6 +128,7 @@ def events(
     route: str = "dynamic",
     form: str = "corrected",
     where: str | None = None,
+    erode: bool = False,
 ) -> Events:
     """Find all events of one kind in the closed window of scales, exact, ascending: `pair`,
     `parallel`, `triple` and `arrangement` for a convolution, `boundary` and `topology` for the sum.
@@ -135,9 +139,10 @@ def events(
     for large operands. On the route `winding` parents are numbered along the rings of operands cut
     by slits, if they have holes. `form`: `printed` for the paper's own rule for pair and parallel
     events. `where`: keeps only events that meet a condition, as in
-    `minkref events --where`. Pair events take O(n^2 log n) for n edges of the convolution;
-    docs/scale-index.md has the cost of the index and of other events. Raises BadInput, Refusal.
-    Behar & Lien 2012, Sec. 4."""
+    `minkref events --where`. `erode`: boundary and topology events of the erosion of the scaled P
+    by Q instead of the sum, by the routes `dynamic` and `index`; docs/erosion.md. Pair events take
+    O(n^2 log n) for n edges of the convolution; docs/scale-index.md has the cost of the index and
+    of other events. Raises BadInput, Refusal. Behar & Lien 2012, Sec. 4."""
     expect_sets(P=P, Q=Q)
     names = (("kind", kind, KINDS), ("route", route, ROUTES), ("form", form, FORMS))
     for name, word, known in names:
@@ -147,6 +152,10 @@ def events(
     if route not in CONVOLUTIONS and kind not in ROUTED_KINDS:
         what = f"{kind} events come from the arrangement of a convolution: no index has them"
         raise Refusal(what, f"route={route!r}", f"use {' or '.join(CONVOLUTIONS)}")
+    if truth("erode", erode) and (kind not in ROUTED_KINDS or route == "winding"):
+        what = f"there are no {kind} events of an erosion by the route {route}"
+        mend = "ask for boundary or topology events by the routes dynamic or index"
+        raise Refusal(what, "erode=True", mend)
     if form != FORMS[0] and kind not in PAIR_KINDS:
         what = "the printed form has pair and parallel events only"
         raise Refusal(what, f"kind={kind!r}", "leave out one of the two")
@@ -155,10 +164,16 @@ def events(
     bounds = (("from_scale", from_scale), ("to_scale", to_scale))
     window = [None if bound is None else number(name, bound) for name, bound in bounds]
     found: EventList
+    outside, covered = None, window
+    if erode:
+        pair = eroding_pair(Operand("P", "P", P), Operand("Q", "Q", Q))
+        given = [None if bound is None else Fraction(exact_scale(bound, "")) for bound in window]
+        covered = text_of_bounds(*pair.window(*given))
+        P, Q, outside = pair.P.set, pair.Q.set, pair.outside
     if route == "index":
-        found = BoundaryEventList(_core.ScaleIndex(P, Q, window[0], window[1]), kind, window)
+        found = BoundaryEventList(_core.ScaleIndex(P, Q, *covered), kind, window, outside)
     else:
-        found = find_events(P, Q, window, kind, form, route)
+        found = find_events(P, Q, covered, kind, form, route, outside)
     if where is not None:
         from minkref.plane.event_filter import read_filter  # the parser takes longest to import
 

@@ -7,6 +7,7 @@ from minkref.schemas.cases import GenerateDocument
 from minkref.schemas.certificates import CertifyDocument, CheckDocument
 from minkref.schemas.disc.convolution import DiscConvolutionDocument
 from minkref.schemas.disc.decompose import DecomposeDocument
+from minkref.schemas.disc.erode import DiscErodeDocument
 from minkref.schemas.disc.events import DiscEventsDocument
 from minkref.schemas.disc.features import FeaturesDocument
 from minkref.schemas.disc.index import DiscIndexDocument
@@ -23,6 +24,13 @@ from minkref.schemas.motion.path import PathDocument, SpacePathDocument
 from minkref.schemas.motion.trap import SpaceTrapDocument, TrapDocument
 from minkref.schemas.motion.view import PathViewDocument
 from minkref.schemas.plane.convolution import ConvolutionDocument
+from minkref.schemas.plane.erode import (
+    ClosingDocument,
+    ErodeDocument,
+    InnerFitDocument,
+    NoFitDocument,
+    OpeningDocument,
+)
 from minkref.schemas.plane.events import EventsDocument
 from minkref.schemas.plane.index import IndexDocument
 from minkref.schemas.plane.set_operations import (
@@ -39,6 +47,7 @@ from minkref.schemas.scene.file import SceneFileText
 from minkref.schemas.scene.scene import SceneDocument
 from minkref.schemas.scene.view import SceneViewDocument
 from minkref.schemas.space.convolution import SpaceConvolutionDocument
+from minkref.schemas.space.erode import SpaceErodeDocument
 from minkref.schemas.space.events import SpaceEventsDocument
 from minkref.schemas.space.sum import SpaceSumDocument
 from minkref.schemas.space.sweep import SpaceSweepDocument
@@ -54,11 +63,15 @@ DOCUMENTS = {
     "bench": BenchDocument,
     "certify": CertifyDocument,
     "check": CheckDocument,
+    "closing": ClosingDocument,
     "convolution": ConvolutionDocument,
     "convolution_in_space": SpaceConvolutionDocument,
     "convolution_with_disc": DiscConvolutionDocument,
     "decompose": DecomposeDocument,
     "difference": DifferenceDocument,
+    "erode": ErodeDocument,
+    "erode_in_space": SpaceErodeDocument,
+    "erode_with_disc": DiscErodeDocument,
     "error": ErrorDocument,
     "events": EventsDocument,
     "events_in_space": SpaceEventsDocument,
@@ -73,8 +86,11 @@ DOCUMENTS = {
     "hold_in_space": SpaceHoldDocument,
     "index": IndexDocument,
     "index_with_disc": DiscIndexDocument,
+    "innerfit": InnerFitDocument,
     "intersection": IntersectionDocument,
     "models": ModelsDocument,
+    "nofit": NoFitDocument,
+    "opening": OpeningDocument,
     "path": PathDocument,
     "path_in_space": SpacePathDocument,
     "report": ReportDocument,

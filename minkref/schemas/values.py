@@ -72,6 +72,14 @@ class Operands(TypedDict):
     Q: str
 
 
+class MaybeEroded(TypedDict):
+    """What tells erosions from sums."""
+
+    erode: Annotated[
+        bool, Meta(description="Of the erosion, with --erode: what is left of P, not the sum.")
+    ]
+
+
 class InSpace(TypedDict):
     """What tells documents in space from others."""
 

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 from minkref.arithmetic import check_arithmetic
 from minkref.cli.memory import Memory
-from minkref.cli.options import FirstOperand, GreatestScale, Json, LeastScale, SecondOperand
+from minkref.cli.options import Erode, FirstOperand, GreatestScale, Json, LeastScale, SecondOperand
 from minkref.cli.readings import DISC_EVENT_CHOICES, FACET_CHOICES, PLANE_CHOICES
 from minkref.cli.verb import Verb, command_of
 from minkref.errors import Refusal, choice
@@ -161,6 +161,7 @@ class EventsInPlane:
     limit: Limit = None
     output: Output = None
     file_format: FileFormat = None
+    erode: Erode = False
     memory: Memory = None
     json: Json = False
 
@@ -196,6 +197,7 @@ class EventsWithDisc:
     limit: Limit = None
     output: Output = None
     file_format: FileFormat = None
+    erode: Erode = False
     memory: Memory = None
     json: Json = False
 

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 from minkref.cli.memory import Memory
-from minkref.cli.options import FirstOperand, GreatestScale, Json, LeastScale, SecondOperand
+from minkref.cli.options import Erode, FirstOperand, GreatestScale, Json, LeastScale, SecondOperand
 from minkref.cli.verb import Absent, Verb, command_of
 from minkref.settings import DISC, PLANE, SPACE
 
@@ -55,6 +55,7 @@ class IndexInPlane:
     from_scale: LeastScale = None
     to_scale: GreatestScale = None
     threads: Threads = None
+    erode: Erode = False
     memory: Memory = None
     check: Check = CHECKS
     json: Json = False
@@ -66,6 +67,7 @@ class IndexWithDisc:
     Q: SecondOperand
     output: Output
     threads: Threads = None
+    erode: Erode = False
     memory: Memory = None
     json: Json = False
 

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 from minkref.cli.memory import Memory
-from minkref.cli.options import READ_SCALE, FirstOperand, Json, SecondOperand, Triangles
+from minkref.cli.options import READ_SCALE, Erode, FirstOperand, Json, SecondOperand, Triangles
 from minkref.cli.readings import DISC_CHOICES, FORMS, PLANE_CHOICES, ROUTE
 from minkref.cli.readings import SPACE_CHOICES as UPDATE_CHOICES
 from minkref.cli.verb import Verb, command_of
@@ -158,6 +158,7 @@ class SweepInPlane:
     index: IndexFile = None
     output: Output = None
     form: Format = None
+    erode: Erode = False
     memory: Memory = None
     json: Json = False
 
@@ -195,6 +196,7 @@ class SweepWithDisc:
     index: IndexFile = None
     output: Output = None
     form: Format = None
+    erode: Erode = False
     memory: Memory = None
     json: Json = False
 

@@ -10,7 +10,7 @@ from typing import Annotated
 
 import typer
 from minkref.cli.memory import Memory
-from minkref.cli.options import READ_SCALE, FirstOperand, Json, SecondOperand
+from minkref.cli.options import READ_SCALE, Erode, FirstOperand, Json, SecondOperand
 from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.cli.readings import Form, Reading
 from minkref.cli.request import Read
@@ -171,6 +171,7 @@ class ViewInPlane:
     steps: Steps = None
     index: IndexFile = None
     output: Output = PAGE
+    erode: Erode = False
     memory: Memory = None
     json: Json = False
 
@@ -197,6 +198,7 @@ class ViewWithDisc:
     route: Route = None
     index: IndexFile = None
     output: Output = PAGE
+    erode: Erode = False
     memory: Memory = None
     json: Json = False
 

@@ -26,6 +26,7 @@ from minkref.reports.bench import baselines
 from minkref.schemas import make, names, result_schema
 from minkref.schemas.bench.table1 import Baseline
 from minkref.schemas.certificates import CheckVerdict
+from minkref.schemas.disc.erode import DiscErodeRoute
 from minkref.schemas.disc.events import DiscEventsKind
 from minkref.schemas.disc.pair_events import Condition, PairChange
 from minkref.schemas.disc.sum import DiscSumRoute
@@ -34,12 +35,14 @@ from minkref.schemas.disc.values import DiscEventKind
 from minkref.schemas.grammar import EXACTLY_ONE, Either, ruled
 from minkref.schemas.motion.path import PathRoute, SpacePathRoute
 from minkref.schemas.plane.convolution import Compatible
+from minkref.schemas.plane.erode import ErodeRoute
 from minkref.schemas.plane.events import EventsKind, EventsRoute
 from minkref.schemas.plane.sum import SumRoute
 from minkref.schemas.plane.sweep import SweepFormat
 from minkref.schemas.plane.values import SweepRoute, ViewRoute
 from minkref.schemas.report import Subject
 from minkref.schemas.space.convolution import ConvolutionFacetKind
+from minkref.schemas.space.erode import SpaceErodeRoute
 from minkref.schemas.space.events import SpaceEventKind, SpaceEventsKind
 from minkref.schemas.space.repair import Fault
 from minkref.schemas.space.sum import SpaceSumRoute
@@ -53,7 +56,7 @@ from minkref.space.commands import event_parts
 from minkref.space.commands import events as space_events
 from minkref.space.commands import sum as space_sum
 from minkref.space.page import general_frames
-from minkref.verbs import check, report
+from minkref.verbs import check, erode_request, report
 from minkref.verbs import sum as sum_command
 from msgspec import Meta
 
@@ -73,6 +76,9 @@ WORDS: dict[str, tuple[Any, Collection[Any]]] = {
     "routes of sum": (SumRoute, sum_command.ROUTES),
     "routes of sum in space": (SpaceSumRoute, space_sum.ALL_ROUTES),
     "routes of sum with a disc": (DiscSumRoute, disc_sum.DISC_ROUTES),
+    "routes of erode": (ErodeRoute, erode_request.ROUTES),
+    "routes of erode with a disc": (DiscErodeRoute, erode_request.DISC_ROUTES),
+    "routes of erode in space": (SpaceErodeRoute, erode_request.SPACE_ROUTES),
     "routes of sweep": (SweepRoute, plane_sweep.ROUTES),
     "routes of view": (ViewRoute, plane_view.ROUTES),
     "routes of events": (EventsRoute, event_values.ROUTES),

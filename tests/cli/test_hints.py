@@ -64,6 +64,13 @@ TAKEN: dict[str, dict[str, Words]] = {
         "space": [*CUBES, *WINDOW],
     },
     "features": {"plane": [NOTCH]},
+    "erode": {
+        "plane": [NOTCH, SQUARE], "disc": [NOTCH, "disc:1/9"], "space": CUBES,
+    },
+    "opening": {"plane": [NOTCH, SQUARE]},
+    "closing": {"plane": [NOTCH, SQUARE]},
+    "nofit": {"plane": [NOTCH, SQUARE]},
+    "innerfit": {"plane": [NOTCH, SQUARE]},
     "path": {"plane": [SQUARE, NOTCH, WAY], "space": [*CUBES, "0,0,9\n9,0,9"]},
     "fit": {"plane": [SQUARE, ROOM, "--at", "6,6"], "space": [*CUBES, "--at", "0,0,0"]},
     "trap": {"plane": [SQUARE, ROOM, "--at", "0,0"], "space": [*CUBES, "--at", "0,0,0"]},

@@ -16,6 +16,7 @@ from minkref.cli.readings import DISC_EVENT_CHOICES, with_other
 from minkref.disc.commands.index_file import Places, from_places
 from minkref.disc.commands.sum import enclosed
 from minkref.disc.disc import ANY, check_radii, is_disc, squares_of
+from minkref.disc.eroded import ErodedByDisc, eroded_by_disc
 from minkref.errors import Refusal, choice
 from minkref.exact import text_of_bounds
 from minkref.output.documents import (
@@ -44,6 +45,10 @@ def run(request: EventsWithDisc) -> None:
         mend = "give `minkref events P disc`"
         raise Refusal("the disc is the second operand", request.P, mend)
     if request.kind == "pair":
+        if request.erode:
+            what = "pair events are those of a convolution, and an erosion has none of its own"
+            mend = "choose --kind boundary or --kind topology"
+            raise Refusal(what, "--kind pair --erode", mend)
         from minkref.disc.commands.pair_events import pair_events
 
         pair_events(request)
@@ -62,19 +67,22 @@ def run(request: EventsWithDisc) -> None:
             refuse_overwriting(output, [operand.file])
             refuse_overwriting_index(output, request.index)
         squares = squares_of(request.from_scale, request.to_scale)
+        eroded = eroded_by_disc(operand.set, operand.name) if request.erode else None
         listed: Boundary | Topology = from_places(
             request.index,
             operand,
             lambda places: (Boundary if chosen == KINDS[0] else Topology)(
-                operand.set, squares, places
+                operand.set if eroded is None else eroded.set, squares, places, eroded
             ),
         )
+        inradius = None if eroded is None else [event_row(row) for row in eroded.largest(cores())]
     rows = listed.rows(limit)
     head = document(
         "events",
         watch,
         P=operand.name,
         Q=Q,
+        erode=request.erode,
         **{"from": bounds[0]},
         to=bounds[1],
         kind=chosen,
@@ -84,6 +92,7 @@ def run(request: EventsWithDisc) -> None:
         exact_signs=listed.exact_signs,
         counts={name: listed.kinds.count(name) for name in KINDS_OF_PLACES},
         count=len(listed.kinds),
+        inradius=inradius,
     )
     if target is not None and target.form == "jsonl":
         target.write_pieces(dumps(row) + "\n" for row in rows)
@@ -127,8 +136,13 @@ class Boundary:
     """All events in a window of squared radii."""
 
     def __init__(
-        self, P: _core.PolygonSet, squares: list[str | None], places: Places | None
+        self,
+        P: _core.PolygonSet,
+        squares: list[str | None],
+        places: Places | None,
+        eroded: ErodedByDisc | None,
     ) -> None:
+        self._eroded = eroded
         self._found = _core.diagram_events(P, cores(), squares[0], squares[1], places)
         self.seconds = self._found.seconds
         self.exact_signs = self._found.exact_signs
@@ -137,15 +151,21 @@ class Boundary:
     def rows(self, limit: int | None) -> Iterator[Row]:
         """Their numbers are made exact one by one, which takes the most time."""
         for number in range(len(self.kinds))[:limit]:
-            yield {**event_row(self._found.rows(number, 1)[0]), "changes": None}
+            found = self._found.rows(number, 1)[0]
+            yield {**event_row(found, self._eroded), "changes": None}
 
 
 class Topology:
     """Those at which holes or components change."""
 
     def __init__(
-        self, P: _core.PolygonSet, squares: list[str | None], places: Places | None
+        self,
+        P: _core.PolygonSet,
+        squares: list[str | None],
+        places: Places | None,
+        eroded: ErodedByDisc | None,
     ) -> None:
+        self._eroded = eroded
         self._index = _core.disc_index(P, cores(), places)
         self.seconds = self._index.seconds
         self.exact_signs = self._index.exact_signs
@@ -163,7 +183,7 @@ class Topology:
     def rows(self, limit: int | None) -> Iterator[Row]:
         for event, _, born, ended, joined in self._changes[:limit]:
             yield {
-                **event_row(self._index.rows(event, 1)[0]),
+                **event_row(self._index.rows(event, 1)[0], self._eroded),
                 "changes": {
                     "born": [{"hole": hole, "of": of} for hole, of in born],
                     "ended": ended,
@@ -172,7 +192,8 @@ class Topology:
             }
 
 
-def event_row(found: Any) -> Row:
+def event_row(found: Any, eroded: ErodedByDisc | None = None) -> Row:
+    found = found if eroded is None else eroded.in_P(found)
     kind, square, polynomial, radius, place, features = found
     return {
         "kind": kind,
@@ -190,35 +211,52 @@ def feature_row(kind: str, first: str, second: str) -> Row:
     return {"edge": [int(first), int(second)]}
 
 
-def _in_words(changes: Row) -> str:
+def _in_words(changes: Row, eroded: bool) -> str:
+    one = "component" if eroded else "hole"
     told = [
-        f"hole {each['hole']} leaves " + (f"hole {each['of']}" if each["of"] else "the outside")
+        f"{one} {each['hole']} leaves " + (f"{one} {each['of']}" if each["of"] else "the outside")
         for each in changes["born"]
     ]
-    told += [f"hole {hole} ends" for hole in changes["ended"]]
-    told += [f"polygons {a} and {b} are in one component" for a, b in changes["joined"]]
+    told += [f"{one} {hole} ends" for hole in changes["ended"]]
+    if eroded:
+        told += [f"{_hole_of_P(a)} and {_hole_of_P(b)} are one" for a, b in changes["joined"]]
+    else:
+        told += [f"polygons {a} and {b} are in one component" for a, b in changes["joined"]]
     return "; ".join(told)
+
+
+def _hole_of_P(number: int) -> str:
+    """In the order of P's rings; what is outside of all of P is 0."""
+    return f"hole {number}" if number else "the outside"
+
+
+def _features_in_words(row: Row) -> str:
+    return ", ".join(
+        f"vertex ({', '.join(each['vertex'])})"
+        if "vertex" in each
+        else f"edge {each['edge'][0]}.{each['edge'][1]}"
+        for each in row["features"]
+    )
 
 
 def _print(head: dict[str, Any], rows: list[Row]) -> None:
     out = console()
     counts = ", ".join(f"{name} {n:,}" for name, n in head["counts"].items() if n)
+    sign = "less" if head["erode"] else "+"
     out.print(
-        f"{head['P']} + disc: {counted(head['count'], head['kind'] + ' event')}", markup=False
+        f"{head['P']} {sign} disc: {counted(head['count'], head['kind'] + ' event')}", markup=False
     )
+    for row in head["inradius"] or []:
+        x, y = (f"{c:.9g}" for c in row["place"])
+        told = f"{between(**row['radius'], digits=9)} at ({x}, {y}): {_features_in_words(row)}"
+        out.print(f"inradius {told}", markup=False)
     if counts:
         out.print(counts)
     for row in rows:
-        features = ", ".join(
-            f"vertex ({', '.join(each['vertex'])})"
-            if "vertex" in each
-            else f"edge {each['edge'][0]}.{each['edge'][1]}"
-            for each in row["features"]
-        )
         told = between(**row["radius"], digits=9)
-        out.print(f"{told:>14}  {row['kind']}: {features}")
+        out.print(f"{told:>14}  {row['kind']}: {_features_in_words(row)}")
         if row["changes"]:
-            out.print(f"{'':>14}  {_in_words(row['changes'])}")
+            out.print(f"{'':>14}  {_in_words(row['changes'], head['erode'])}")
     if len(rows) < head["count"]:
         out.print(f"... {head['count'] - len(rows):,} more; -o FILE writes all")
     for warning in head["warnings"]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from minkref import _core
@@ -13,6 +14,7 @@ from minkref.disc.commands.events import event_row, feature_row
 from minkref.disc.commands.index_file import disc_index_of
 from minkref.disc.commands.sum import enclosed
 from minkref.disc.disc import ANY
+from minkref.disc.eroded import ErodedByDisc, eroded_by_disc
 from minkref.errors import Refusal
 from minkref.output.documents import Stopwatch, document, lasting, listing, refuse_overwriting
 from minkref.output.output_target import target_of
@@ -32,15 +34,18 @@ def run(request: IndexWithDisc) -> None:
     target = target_of(output, None, ("json",), "json", request.json)
     assert target is not None
     operand = read_operand(P)
+    eroded = eroded_by_disc(operand.set, operand.name) if request.erode else None
     refuse_overwriting(output, [operand.file])
     with memory_wall(request.memory, "the index of all radii", P, SMALLER):
-        index = disc_index_of(None, operand, threads)
+        around = operand if eroded is None else replace(operand, set=eroded.set)
+        index = disc_index_of(None, around, threads)
     parts = index.graph()
     value = document(
         "index",
         watch,
         P=operand.name,
         Q=Q,
+        erode=request.erode,
         warnings=operand.warnings,
         output=str(output),
         threads=threads or cores(),
@@ -57,14 +62,14 @@ def run(request: IndexWithDisc) -> None:
     )
     head = {name: value[name] for name in value if name != "events"}  # they come last
     head["places"] = index.places()
-    head["parts"] = [_part(*part) for part in parts]
-    target.write_pieces(listing(lasting(head), "events", _events(index)))
+    head["parts"] = [_part(*part, eroded) for part in parts]
+    target.write_pieces(listing(lasting(head), "events", _events(index, eroded)))
     give(value, request.json, _print)
 
 
-def _events(index: _core.DiscIndex) -> Iterator[Row]:
+def _events(index: _core.DiscIndex, eroded: ErodedByDisc | None) -> Iterator[Row]:
     for number in range(len(index.kinds())):
-        yield event_row(index.rows(number, 1)[0])
+        yield event_row(index.rows(number, 1)[0], eroded)
 
 
 def _hole(birth: tuple[float, float] | None, end: tuple[float, float], place: Any, of: int) -> Row:
@@ -76,11 +81,12 @@ def _hole(birth: tuple[float, float] | None, end: tuple[float, float], place: An
     }
 
 
-def _part(start: Any, end: Any, left: Any, right: Any) -> Row:
+def _part(start: Any, end: Any, left: Any, right: Any, eroded: ErodedByDisc | None) -> Row:
+    sides = [left, right] if eroded is None else [eroded.feature(*side) for side in (left, right)]
     return {
         "from": _end(*start),
         "to": _end(*end),
-        "features": [feature_row(*left), feature_row(*right)],
+        "features": [feature_row(*side) for side in sides],
     }
 
 
@@ -93,7 +99,7 @@ def _end(kind: str, told: list[str]) -> Row:
 
 def _print(value: Row) -> None:
     rows = [
-        ("index", f"{value['P']} + disc"),
+        ("index", f"{value['P']} {'less' if value['erode'] else '+'} disc"),
         ("events, radii", f"{value['events']:,}, {value['radii']:,}"),
         ("parts of the diagram", f"{value['parts']:,}"),
         ("holes", f"{len(value['holes']):,}"),

@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from minkref import _core
 from minkref.certain_digits import between, root
@@ -26,6 +26,9 @@ from minkref.plane.commands.scale_index import chosen_route, cores, refuse_overw
 from minkref.plane.commands.sum_table import passage_rows
 from minkref.plane.operand import Operand, read_operand
 from minkref.verbs.sum import SumWithDisc
+
+if TYPE_CHECKING:
+    from minkref.verbs.erode_request import ErodeWithDisc
 
 FORMATS = ("json", "svg", "dxf", "wkt", "geojson", "poly")
 WITH_ARCS = ("json", "svg", "dxf")
@@ -47,7 +50,7 @@ def run(request: SumWithDisc) -> None:
         raise Refusal("the index is that of P as it is", f"--scale {factor}", mend)
     offered = FORMATS if request.tolerance is not None else WITH_ARCS
     target = target_of(output, request.form, FORMATS, "json", request.json, offered=offered)
-    _check_polygon(request, target)
+    check_polygon(request, target)
     if request.measures and not request.json:
         raise Refusal("the terms are in the document only", "--measures", "add --json")
     if is_disc(P) and is_disc(Q):
@@ -83,7 +86,7 @@ def run(request: SumWithDisc) -> None:
         route=route,
         compute_seconds=found.seconds,
         **described(found, canonical),
-        tight_passages=[_passage(*row) for row in passages],
+        tight_passages=[passage_document(*row) for row in passages],
         measures=None if terms is None else _measures(*terms),
         arithmetic=EXACT,
         readings=None,
@@ -164,7 +167,7 @@ def described(found: _core.Offset | IndexedSum, canonical: str) -> dict[str, Any
     }
 
 
-def _passage(
+def passage_document(
     points: Sequence[tuple[str, str]],
     near: Sequence[tuple[float, float]],
     contacts: Sequence[Sequence[str]],
@@ -203,7 +206,7 @@ def enclosed(bounds: tuple[float, float]) -> dict[str, float | None]:
     return {"low": low, "high": high}
 
 
-def _check_polygon(request: SumWithDisc, target: Target | None) -> None:
+def check_polygon(request: SumWithDisc | ErodeWithDisc, target: Target | None) -> None:
     """Refuses a polygon without a tolerance, and a tolerance without a polygon."""
     given = {"--tolerance": request.tolerance is not None, "--outside": request.outside}
     if target is not None and target.form not in WITH_ARCS:

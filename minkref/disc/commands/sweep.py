@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -17,6 +18,7 @@ from minkref.cli.row_spool import Row, RowSpool
 from minkref.disc.commands.index_file import disc_index_of
 from minkref.disc.commands.sum import enclosed
 from minkref.disc.disc import ANY, Disc, read_disc
+from minkref.disc.eroded import eroded_by_disc
 from minkref.errors import Refusal
 from minkref.exact import digest, exact_scale
 from minkref.output.documents import Stopwatch, document, listing
@@ -61,18 +63,28 @@ def run(request: SweepWithDisc) -> None:
     wall = memory_wall(request.memory, "the index of all radii", P, SMALLER)
     with wall, ending_in_order(), progress(len(radii)) as line:
         line.now("finding all events" if index_file is None else "proving all events again")
-        index = disc_index_of(index_file, operand)
+        around = operand
+        if request.erode:
+            around = replace(operand, set=eroded_by_disc(operand.set, operand.name).set)
+        index = disc_index_of(index_file, around)
         setting = Setting[Fraction, tuple[Fraction, str]](
             lambda radius: str(radius)[:20],
-            lambda found, kind: _text(operand.set, *found, kind),
+            lambda found, kind: _text(operand.set, *found, kind, request.erode),
             lambda found, kind: kind == "json",
         )
-        rows = sweep_rows(radii, lambda radius: _row(index, radius), setting, folder, line)
+
+        def one(radius: Fraction) -> tuple[Row, tuple[Fraction, str]]:
+            if request.erode:
+                return _eroded_row(operand.set, index, radius)
+            return _row(index, radius)
+
+        rows = sweep_rows(radii, one, setting, folder, line)
         value = document(
             "sweep",
             watch,
             P=operand.name,
             Q=Q,
+            erode=request.erode,
             warnings=operand.warnings,
             output=str(output) if output else None,
             format=folder.form if folder else None,
@@ -101,6 +113,9 @@ def _run_paper(request: SweepWithDisc, watch: Stopwatch) -> None:
     from minkref.verbs.paper_update import decided
 
     P, Q, output = request.P, request.Q, request.output
+    if request.erode:
+        what = "the Appendix's program has no erosion"
+        raise Refusal(what, "--erode", "leave it out, or what asks for the program")
     route = request.route or "index"
     readings = disc_readings(route, request.arithmetic, request.as_read, request.reading)
     assert readings is not None
@@ -130,6 +145,7 @@ def _run_paper(request: SweepWithDisc, watch: Stopwatch) -> None:
             watch,
             P=operand.name,
             Q=Q,
+            erode=False,
             warnings=operand.warnings,
             output=str(output) if output else None,
             format=folder.form if folder else None,
@@ -190,11 +206,34 @@ def _row(index: _core.DiscIndex, radius: Fraction) -> tuple[Row, tuple[Fraction,
     }, (radius, canonical)
 
 
-def _text(P: _core.PolygonSet, radius: Fraction, canonical: str, form: str) -> str:
+def _eroded_row(
+    P: _core.PolygonSet, index: _core.DiscIndex, radius: Fraction
+) -> tuple[Row, tuple[Fraction, str]]:
+    """The row of the inset, which is found for each radius; events are in the index."""
+    watch, square = Stopwatch(), str(radius**2)
+    found = _core.inset(P, square)
+    canonical = found.canonical_json()
+    return {
+        "radius": str(radius),
+        "digest": digest(canonical),
+        "components": found.components,
+        "holes": found.holes,
+        "curves": found.curves,
+        "area": enclosed(found.area),
+        "length": enclosed(found.length),
+        "at_event": index.at_event(square),
+        "sum_seconds": watch.seconds(),
+    }, (radius, canonical)
+
+
+def _text(P: _core.PolygonSet, radius: Fraction, canonical: str, form: str, erode: bool) -> str:
     if form == "json":
         return canonical + "\n"
     from minkref.reports.offset_picture import offset_picture
 
+    if erode:
+        caption = f"the erosion by a disc of radius {root(radius**2, 6)}"
+        return offset_picture(_core.inset(P, str(radius**2)), P, caption, beneath=True)
     found = _core.offset(P, str(radius**2))
     return offset_picture(found, P, f"the sum with a disc of radius {root(radius**2, 6)}")
 
@@ -213,7 +252,8 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
     summary = [
         (
             "sweep",
-            f"{value['P']} + disc, {'1 radius' if len(rows) == 1 else f'{len(rows):,} radii'}",
+            f"{value['P']} {'less' if value['erode'] else '+'} disc, "
+            f"{'1 radius' if len(rows) == 1 else f'{len(rows):,} radii'}",
         ),
         ("radii of events", f"{value['statistics']['radii_of_events']:,}"),
         ("all events", f"{value['preprocessing_seconds']:.3f} s"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from minkref import _core
@@ -10,6 +11,7 @@ from minkref.cli.output import give, print_lines
 from minkref.cli.progress import progress
 from minkref.disc.commands.index_file import disc_index_of
 from minkref.disc.disc import ANY
+from minkref.disc.eroded import eroded_by_disc
 from minkref.disc.page.picture import counts, picture, window_around
 from minkref.disc.page.write_page import page
 from minkref.errors import Refusal, refusing
@@ -34,7 +36,10 @@ def run(request: ViewWithDisc) -> None:
     if request.route not in (None, "index"):
         what = "the page of a disc is read off an index alone"
         raise Refusal(what, "--route", "leave it out")
-    operand = read_operand(P)
+    operand = named = read_operand(P)
+    if request.erode:
+        around = eroded_by_disc(operand.set, operand.name).set
+        operand = replace(operand, name=f"the outside of {operand.name}", set=around)
     if not target.is_standard_output:
         refuse_overwriting(target.path, [operand.file])
         refuse_overwriting_index(target.path, index_file)
@@ -50,8 +55,9 @@ def run(request: ViewWithDisc) -> None:
     value = document(
         "view",
         watch,
-        P=operand.name,
+        P=named.name,
         Q=Q,
+        erode=request.erode,
         **{"from": window.first, "to": window.last},
         warnings=operand.warnings,
         output=str(target.path),
@@ -82,9 +88,10 @@ def _window(request: ViewWithDisc, index: _core.DiscIndex, P: _core.PolygonSet) 
 
 def _print(value: dict[str, Any]) -> None:
     kinds = ", ".join(f"{kind} {n:,}" for kind, n in value["events"].items() if n)
+    sign = "less" if value["erode"] else "+"
     ends = (f"{approximate(value[name]):.6g}" for name in ("from", "to"))
     rows = [
-        ("P + disc", f"{value['P']} + {value['Q']}"),
+        (f"P {sign} disc", f"{value['P']} {sign} {value['Q']}"),
         ("radii", f"[{', '.join(ends)}]"),
         ("radii of events", f"{value['radii_of_events']:,}"),
         ("events", kinds or "none"),

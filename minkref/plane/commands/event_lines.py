@@ -31,10 +31,11 @@ def print_events(value: dict[str, Any], found: EventList, count: int) -> None:
         window = "(" + window[1:]
     if value["to"] is None:
         window = window[:-1] + ")"
+    sign = "less" if value["erode"] else "+"
     segments, signs = value["segments"], value["signs"]
     total = sum(count or 0 for count in signs.values())
     rows = [
-        (f"{value['kind']} events", f"{value['P']} + {value['Q']}, s in {window}"),
+        (f"{value['kind']} events", f"{value['P']} {sign} {value['Q']}, s in {window}"),
         ("form", value["form"]),
         ("edges", f"{segments['S']:,} S-edges, {segments['T']:,} T-edges"),
     ]

@@ -17,6 +17,7 @@ from minkref.output.output_target import Target, target_of
 from minkref.plane.commands.event_lines import SHOWN, print_events
 from minkref.plane.commands.event_output import FORMATS, document_pieces, print_pieces, write_events
 from minkref.plane.commands.scale_index import chosen_route, index_of, refuse_overwriting_index
+from minkref.plane.eroded import ErodingPair, eroding_pair
 from minkref.plane.event_lists import BoundaryEventList, EventList, PairEventList, find_events
 from minkref.plane.event_values import CONVOLUTIONS, KINDS, PAIR_KINDS, ROUTED_KINDS, ROUTES
 from minkref.plane.operand import Operand, read_operand
@@ -39,12 +40,15 @@ def run(request: EventsInPlane) -> None:
     _check_parquet(target, kind)
     route = _route(kind, request.route, request.index)
     _check_reduced(request, route, readings)
-    first, second = read_operand(request.P), read_operand(request.Q)
+    named = first, second = read_operand(request.P), read_operand(request.Q)
     if output is not None:
         refuse_overwriting(output, [first.file, second.file])
         refuse_overwriting_index(output, request.index)
+    eroding = eroding_pair(first, second) if request.erode else None
+    if eroding is not None:
+        first, second = eroding.P, eroding.Q
     with memory_wall(request.memory, f"{kind} events", f"{first.name} and {second.name}", SMALLER):
-        found, window = _found(request, kind, route, first, second)
+        found, window = _found(request, kind, route, first, second, eroding)
         counts = _counts(found, first, second, window, route)
         trial, literal = _trials(request, first, second, readings)
         counts.update(count=len(found), distinct=found.distinct)
@@ -52,8 +56,9 @@ def run(request: EventsInPlane) -> None:
             found.keep(condition)
         counts.update(matching=len(found), matching_distinct=found.distinct)
         fields: dict[str, Any] = {
-            "P": first.name,
-            "Q": second.name,
+            "P": named[0].name,
+            "Q": named[1].name,
+            "erode": request.erode,
             "from": window[0],
             "to": window[1],
             "kind": kind,
@@ -89,7 +94,8 @@ def run(request: EventsInPlane) -> None:
 
 def _kind(request: EventsInPlane) -> str:
     """Refuses an unknown kind, and options foreign to it."""
-    kind = request.kind or ("pair" if request.index is None else "boundary")
+    other = "pair" if request.index is None and not request.erode else "boundary"
+    kind = request.kind or other
     if kind not in KINDS:
         raise Refusal(f"there is no kind {kind!r} of events", "--kind", choice(kind, KINDS))
     check_paper(kind, request.form, request.arithmetic)
@@ -100,6 +106,10 @@ def _kind(request: EventsInPlane) -> str:
             "leave out one of the two options",
         )
     check_limit(request.limit)
+    if request.erode and kind not in ROUTED_KINDS:
+        what = f"{kind} events are those of a convolution, and an erosion has none of its own"
+        mend = f"choose --kind {' or --kind '.join(ROUTED_KINDS)}"
+        raise Refusal(what, f"--kind {kind} --erode", mend)
     return kind
 
 
@@ -115,19 +125,37 @@ def _readings(request: EventsInPlane, kind: str) -> dict[str, str] | None:
 
 
 def _found(
-    request: EventsInPlane, kind: str, route: str | None, P: Operand, Q: Operand
+    request: EventsInPlane,
+    kind: str,
+    route: str | None,
+    P: Operand,
+    Q: Operand,
+    eroding: ErodingPair | None,
 ) -> tuple[EventList, list[str | None]]:
     """The events, and the window covered completely."""
-    window = text_of_bounds(request.from_scale, request.to_scale)
+    given = request.from_scale, request.to_scale
+    window = text_of_bounds(*given)
+    bounds = given if eroding is None else eroding.window(*given)
+    outside = None if eroding is None else eroding.outside
     if route == "index":
-        swept = index_of(request.index, P, Q, request.from_scale, request.to_scale)
+        swept = index_of(request.index, P, Q, *bounds)
+        if eroding is not None and request.index is None:
+            return BoundaryEventList(swept, kind, window, outside), window
         window = [own or bound for own, bound in zip(window, swept.window, strict=True)]
-        return BoundaryEventList(swept, kind, window), window
+        return BoundaryEventList(swept, kind, window, outside), window
     with progress(1) as line:
         line.now(f"finding all {kind} events")
         found = refusing(
             f"{P.name} and {Q.name}",
-            lambda: find_events(P.set, Q.set, window, kind, request.form, route or ROUTES[0]),
+            lambda: find_events(
+                P.set,
+                Q.set,
+                text_of_bounds(*bounds),
+                kind,
+                request.form,
+                route or ROUTES[0],
+                outside,
+            ),
         )
     return found, window
 
@@ -177,6 +205,9 @@ def _check_reduced(
     request: EventsInPlane, route: str | None, readings: dict[str, str] | None
 ) -> None:
     """Refuses the paper's program for the full convolution: the paper follows the reduced one."""
+    if route == "winding" and request.erode:
+        what = "the winding route cuts what is outside of P, and numbers parents along the cuts"
+        raise Refusal(what, "--route winding --erode", "take --route dynamic or index")
     if route != "winding" or (readings is None and not request.least):
         return
     given = "--least-precision"

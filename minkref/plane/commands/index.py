@@ -22,7 +22,8 @@ from minkref.output.documents import (
 from minkref.output.output_target import refuse_stream
 from minkref.output.terminal import counted
 from minkref.plane.commands.scale_index import build_index, cores
-from minkref.plane.operand import read_operand
+from minkref.plane.eroded import eroding_pair
+from minkref.plane.operand import Operand, read_operand
 from minkref.verbs.index import IndexInPlane
 
 MOST_THREADS = 256
@@ -46,7 +47,7 @@ def run(request: IndexInPlane) -> None:
         what = f"an index has a format of its own, and {output.suffix} is the ending of another"
         raise Refusal(what, str(output), "name it FILE.index")
     with memory_wall(request.memory, "the index", f"{P} and {Q}", SMALLER):
-        index = build_index(first, second, request.from_scale, request.to_scale, threads)
+        index = build_index(*_asked(request, first, second), threads)
     checked = _checked(index, request.check)
     with replacing(output) as temporary:
         refusing(str(output), lambda: index.save(str(temporary)))
@@ -56,6 +57,7 @@ def run(request: IndexInPlane) -> None:
         watch,
         P=first.name,
         Q=second.name,
+        erode=request.erode,
         **{"from": window[0], "to": window[1]},
         warnings=first.warnings + second.warnings,
         output=str(output),
@@ -67,6 +69,17 @@ def run(request: IndexInPlane) -> None:
         statistics=counts,
     )
     give(value, request.json, _print)
+
+
+def _asked(
+    request: IndexInPlane, P: Operand, Q: Operand
+) -> tuple[Operand, Operand, Fraction | None, Fraction | None]:
+    """The operands and the window of the sum that is indexed."""
+    window = request.from_scale, request.to_scale
+    if not request.erode:
+        return P, Q, *window
+    eroding = eroding_pair(P, Q)
+    return eroding.P, eroding.Q, *eroding.window(*window)
 
 
 def _check_numbers(threads: int | None, check: int) -> None:
@@ -118,7 +131,7 @@ def _print(value: dict[str, Any]) -> None:
     statistics, segments = value["statistics"], value["segments"]
     size = value["bytes"]
     rows = [
-        ("index", f"{value['P']} + {value['Q']}, s {window}"),
+        ("index", f"{value['P']} {'less' if value['erode'] else '+'} {value['Q']}, s {window}"),
         ("edges", f"{segments['S']:,} S, {segments['T']:,} T"),
         ("boundary events", f"{statistics['boundary_events']:,}"),
         ("topology events", f"{statistics['topology_events']:,}"),

@@ -25,7 +25,7 @@ def print_table(value: dict[str, Any]) -> None:
     if value["undecided"]:
         rows.append(("result", f"undecided: {_why_undecided(value['arithmetic'])}"))
     else:
-        rows += _described(value)
+        rows += described(value)
     exact = value["exact"]
     if exact is not None:
         words = {True: "the same set", False: "another set:", None: "the true sum:"}
@@ -33,7 +33,7 @@ def print_table(value: dict[str, Any]) -> None:
         if value["comparison"] is not None and not exact["equal"]:
             rows.append(("", in_words(value["comparison"])))
         if not exact["equal"]:
-            rows += [(f"  {name}", text) for name, text in _described(exact)]
+            rows += [(f"  {name}", text) for name, text in described(exact)]
     rows += _passage_rows(value["tight_passages"], value["readings"] is not None)
     signs = value["signs"]
     if signs is not None and signs["total"]:
@@ -51,13 +51,15 @@ def _passage_rows(passages: list[dict[str, Any]] | None, as_read: bool) -> list[
     return passage_rows(passages, "polyline")
 
 
-def passage_rows(passages: list[dict[str, Any]], long_one: str) -> list[tuple[str, str]]:
+def passage_rows(
+    passages: list[dict[str, Any]], long_one: str, name: str = "tight passages"
+) -> list[tuple[str, str]]:
     """How many points there are and how many long ones, by this word; and the first few."""
     if not passages:
-        return [("tight passages", "none")]
+        return [(name, "none")]
     points = sum(len(passage["points"]) == 1 for passage in passages)
     counts = (_counted(points, "point"), _counted(len(passages) - points, long_one))
-    rows = [("tight passages", ", ".join(filter(None, counts)))]
+    rows = [(name, ", ".join(filter(None, counts)))]
     for passage in passages[:SHOWN]:
         where = " ".join(f"({x}, {y})" for x, y in passage["points"])
         rows.append(("", where if len(where) <= 200 else f"{where[:200]}..."))
@@ -85,7 +87,7 @@ def _deciders(signs: dict[str, Any], arithmetic: str) -> str:
     )
 
 
-def _described(value: dict[str, Any]) -> list[tuple[str, str]]:
+def described(value: dict[str, Any]) -> list[tuple[str, str]]:
     return [
         ("area", measure(value["area"])),
         ("components, holes", f"{value['components']}, {value['holes']}"),

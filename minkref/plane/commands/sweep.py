@@ -24,7 +24,7 @@ from minkref.output.signals import ending_in_order
 from minkref.output.terminal import counted
 from minkref.plane.commands.convex_walk import COUNTS, ConvexWalk
 from minkref.plane.commands.scale_index import chosen_route, index_of
-from minkref.plane.commands.sum_fields import sum_fields
+from minkref.plane.commands.sum_fields import set_fields, sum_fields
 from minkref.plane.commands.sweep_folder import FORMATS, sweep_folder
 from minkref.plane.commands.sweep_rows import (
     SHOWN,
@@ -34,6 +34,7 @@ from minkref.plane.commands.sweep_rows import (
     sweep_rows,
     write_index,
 )
+from minkref.plane.eroded import ErodingPair, eroding_pair, refuse_others
 from minkref.plane.operand import Operand, read_operand
 from minkref.plane.scales import asked_scales
 from minkref.plane.scaling import PlaneScale, read_plane_scale, shown_scale, text_of
@@ -45,6 +46,7 @@ if TYPE_CHECKING:
 BY_AXES = "dynamic"  # the route that takes a factor for each axis
 UPDATING = (BY_AXES, "winding")  # follow the reduced and the full convolution
 ROUTES = ("index", *UPDATING, ROUTE)
+ERODING = ("index", *UPDATING)
 
 Sums = _core.ScaleIndex | _core.DynamicSum
 Step = Callable[[PlaneScale], tuple[Row, _core.PolygonSet]]
@@ -60,9 +62,10 @@ def run(request: SweepInPlane) -> None:
     scales = _scales(request)
     by_axes = any(isinstance(scale, tuple) for scale in scales)
     route = chosen_route(index, request.route, ROUTES, BY_AXES if by_axes else None)
-    if by_axes and route != BY_AXES:
+    if by_axes and (route != BY_AXES or request.erode):
         raise _refused_route(route, request)
     readings = _readings(request, route)
+    refuse_others(request.erode, route, ERODING)
     folder = sweep_folder(output, request.form, FORMATS)
     first, second = read_operand(request.P), read_operand(request.Q)
     if folder is not None:
@@ -84,14 +87,16 @@ def run(request: SweepInPlane) -> None:
             one = convex.row
         else:
             uniform = [scale for scale in scales if isinstance(scale, Fraction)]
-            sums = exact = _sums(first, second, uniform, route, index)
-            one = partial(step, exact)
+            eroding = eroding_pair(first, second) if request.erode else None
+            sums = exact = _sums(first, second, uniform, route, index, eroding)
+            one = partial(step, exact, eroding=eroding)
         rows = sweep_rows(scales, one, PLANE, folder, line)
         value = document(
             "sweep",
             watch,
             P=first.name,
             Q=second.name,
+            erode=request.erode,
             warnings=first.warnings + second.warnings,
             output=str(output) if output else None,
             format=folder.form if folder else None,
@@ -117,6 +122,13 @@ def _scales(request: SweepInPlane) -> list[PlaneScale]:
 
 def _refused_route(route: str, request: SweepInPlane) -> Refusal:
     where = f"--index {request.index}" if request.index is not None else f"--route {route}"
+    if request.erode:
+        what, mend = (
+            "erosions at many scales have uniform ones only",
+            "write one factor in each line",
+        )
+        where = f"--erode --scales {request.scales_file}"
+        return Refusal(what, where, mend, "scale-not-uniform")
     return Refusal(
         f"the route {route} has uniform scales only",
         f"{where} --scales {request.scales_file}",
@@ -143,8 +155,18 @@ def _walked(walk: PaperWalk) -> Step:
     return lambda scale: walk.row(text_of(scale))
 
 
-def _sums(P: Operand, Q: Operand, scales: list[Fraction], route: str, index: Path | None) -> Sums:
+def _sums(
+    P: Operand,
+    Q: Operand,
+    scales: list[Fraction],
+    route: str,
+    index: Path | None,
+    eroding: ErodingPair | None,
+) -> Sums:
     """All events of the least window that holds the scales; no sum is asked for yet."""
+    if eroding is not None:
+        P, Q = eroding.P, eroding.Q
+        scales = [scale for scale in scales if scale >= eroding.least] or [eroding.least]
     least, greatest = min(scales), max(scales)
     if route == "index":
         return index_of(index, P, Q, least, greatest)
@@ -154,28 +176,41 @@ def _sums(P: Operand, Q: Operand, scales: list[Fraction], route: str, index: Pat
     )
 
 
-def step(sums: Sums, factor: PlaneScale) -> tuple[Row, _core.PolygonSet]:
-    """Goes to a scale: the row, with the counts of a dynamic step, and the new sum."""
+def step(
+    sums: Sums, factor: PlaneScale, eroding: ErodingPair | None = None
+) -> tuple[Row, _core.PolygonSet]:
+    """Goes to a scale: the row, with the counts of a dynamic step, and the new sum; or the erosion,
+    which `sums` are the other side of."""
     scale = text_of(factor)
+    if eroding is not None and Fraction(scale) < eroding.least:
+        nothing, still = _core.PolygonSet(), isinstance(sums, _core.DynamicSum)
+        did = dict.fromkeys((*STEPS[0], "groups"), 0) if still else {}
+        return _row(scale, did, set_fields(nothing, 0, 0), 0.0), nothing
     if isinstance(sums, _core.DynamicSum):
         did = dict(sums.move_to(scale))
         answer = sums.sum()
     else:
         did = {}
         answer = sums.sum(scale)
-    row: Row = {
+    if eroding is None:
+        return _row(scale, did, sum_fields(answer), answer.seconds), answer.region
+    found = _core.inside_out(answer.region)
+    return _row(scale, did, set_fields(*found), answer.seconds), found[0]
+
+
+def _row(scale: str, did: dict[str, Any], fields: dict[str, Any], seconds: float) -> Row:
+    return {
         "scale": scale,
-        **sum_fields(answer),
+        **fields,
         "insertions": did.get("insertions"),
         "deletions": did.get("deletions"),
         "swaps": did.get("swaps"),
         "updated": did.get("updated"),
         "event_scales": did.get("groups"),
         "update_seconds": did.get("seconds"),
-        "sum_seconds": answer.seconds,
+        "sum_seconds": seconds,
         "exact": None,
     }
-    return row, answer.region
 
 
 def _print(value: dict[str, Any], rows: RowSpool) -> None:
@@ -196,8 +231,9 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
             f"{seconds * 1000:.3f}",
             *([in_words(row["exact"])] if beside else []),
         )
+    sign = "less" if value["erode"] else "+"
     summary = [
-        ("sweep", f"{value['P']} + {value['Q']}, {counted(len(rows), 'scale')}"),
+        ("sweep", f"{value['P']} {sign} {value['Q']}, {counted(len(rows), 'scale')}"),
         ("route", value["route"]),
         *([("first wrong", value["first_wrong"] or "nowhere")] if beside else []),
         *(events_in_words(value["events"]) if beside else []),

@@ -15,7 +15,8 @@ from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.errors import Refusal, refusing
 from minkref.output.documents import Stopwatch, document
 from minkref.plane.commands.scale_index import chosen_route, index_of, refuse_overwriting_index
-from minkref.plane.commands.view_table import counts, print_view
+from minkref.plane.commands.view_table import counts, counts_of_erosion, print_view
+from minkref.plane.eroded import ErodingPair, eroding_pair, refuse_others
 from minkref.plane.operand import read_operand
 from minkref.plane.page.boundary import Progress, Sums, Window
 from minkref.plane.page.picture import picture
@@ -37,14 +38,19 @@ def run(request: ViewInPlane) -> None:
         route, request.arithmetic, request.as_read, request.reading, request.steps
     )
     target = page_target(output, request.json)
+    refuse_others(request.erode, route, ROUTES[:2])
     refuse_overwriting_index(output, index)
-    first, second = read_operand(P), read_operand(Q)
+    named = first, second = read_operand(P), read_operand(Q)
+    if request.erode:
+        eroding = eroding_pair(first, second)
+        first, second = eroding.P, eroding.Q
+        window = _with_room(eroding, begin, end)
 
     @cache
     def sums() -> Sums:
         if route == "dynamic":
             return _core.DynamicSum(first.set, second.set, window.first, window.last)
-        return index_of(index, first, second, begin, end)
+        return index_of(index, first, second, Fraction(window.first), Fraction(window.last))
 
     with memory_wall(request.memory, f"route {route}", f"{P} and {Q}", SMALLER):
         with ring_progress() as progress:
@@ -65,17 +71,31 @@ def run(request: ViewInPlane) -> None:
     value = document(
         "view",
         watch,
-        P=first.name,
-        Q=second.name,
+        P=named[0].name,
+        Q=named[1].name,
+        erode=request.erode,
         **{"from": window.first, "to": window.last},
         route=route,
         warnings=first.warnings + second.warnings,
         output=str(output),
         bytes=count,
-        **counts(data),
+        **(counts_of_erosion(data) if request.erode else counts(data)),
         **told(data.get("paper")),
     )
     give(value, request.json, print_view)
+
+
+def _with_room(eroding: ErodingPair, begin: Fraction, end: Fraction) -> Window:
+    """The part of the window at which the sum of the outside counts. Refuses one without."""
+    first, last = max(begin, eroding.least), end
+    if first >= last:
+        raise Refusal(
+            "Q has no room in P at any scale of the window",
+            "--from, --to",
+            f"give a --to above {eroding.least}",
+            "empty-window",
+        )
+    return Window(str(first), str(last))
 
 
 def _bounds(request: ViewInPlane) -> tuple[Fraction, Fraction]:

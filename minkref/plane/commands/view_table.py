@@ -23,13 +23,21 @@ def counts(data: dict[str, Any]) -> dict[str, Any]:
     }
 
 
+def counts_of_erosion(data: dict[str, Any]) -> dict[str, Any]:
+    """The same with the holes of the sum as components of the erosion, and its components, but for
+    that of the box, as holes."""
+    found = counts(data)
+    return {**found, "holes": found["components"] - 1, "components": found["holes"]}
+
+
 def print_view(value: dict[str, Any]) -> None:
     window = f"[{value['from']}, {value['to']}]"
     if Fraction(value["from"]).denominator > 10**6 or Fraction(value["to"]).denominator > 10**6:
         window += f", about [{rounded(value['from'], 6)}, {rounded(value['to'], 6)}]"
     segments = value["segments"]
+    sign = "less" if value["erode"] else "+"
     rows = [
-        ("sP + Q", f"{value['P']} + {value['Q']}"),
+        (f"sP {sign} Q", f"{value['P']} {sign} {value['Q']}"),
         ("window", window),
         ("route", value["route"]),
         ("edges", f"{segments['S']:,} S, {segments['T']:,} T"),

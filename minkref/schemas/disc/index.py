@@ -6,7 +6,7 @@ from typing import Annotated, Literal, NotRequired, TypedDict
 
 from minkref.schemas.disc.values import DiscEvent, Enclosure, ExactPlace, ShapeAndDisc, ShapeFeature
 from minkref.schemas.grammar import EXACTLY_ONE, ruled
-from minkref.schemas.values import Amount, Count, LastingHead, Pair, PositiveCount
+from minkref.schemas.values import Amount, Count, LastingHead, MaybeEroded, Pair, PositiveCount
 from msgspec import Meta
 
 
@@ -44,7 +44,7 @@ class Join(TypedDict):
     polygons: Pair
 
 
-class DiscIndexDocument(LastingHead, ShapeAndDisc):
+class DiscIndexDocument(LastingHead, ShapeAndDisc, MaybeEroded):
     """The document of `minkref index --json` with a disc, and its file."""
 
     command: Literal["index"]

@@ -7,7 +7,7 @@ from typing import Annotated, Literal, TypedDict
 from minkref.schemas.disc.values import Enclosure, PartsOfTheDiagram, Radius, RadiusOrRoot
 from minkref.schemas.grammar import Either
 from minkref.schemas.plane.values import BesideExact, Readings
-from minkref.schemas.values import Amount, AnySweep, Count, Digest
+from minkref.schemas.values import Amount, AnySweep, Count, Digest, MaybeEroded
 from msgspec import Meta
 
 DiscSweepFormat = Literal["json", "svg"]
@@ -80,7 +80,7 @@ class DiscProgramEvents(TypedDict):
     invented: Count
 
 
-class DiscSweepDocument(AnySweep):
+class DiscSweepDocument(AnySweep, MaybeEroded):
     """The document of `minkref sweep --json` with a disc."""
 
     command: Literal["sweep"]

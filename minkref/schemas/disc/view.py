@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, TypedDict
 
 from minkref.schemas.disc.values import DiscEventCounts, PartsOfTheDiagram, ShapeAndDisc
-from minkref.schemas.values import Amount, Count, Number, Page
+from minkref.schemas.values import Amount, Count, MaybeEroded, Number, Page
 from msgspec import Meta
 
 DiscViewWindow = TypedDict(
@@ -17,7 +17,7 @@ DiscViewWindow = TypedDict(
 )
 
 
-class DiscViewDocument(Page, ShapeAndDisc, DiscViewWindow):
+class DiscViewDocument(Page, ShapeAndDisc, DiscViewWindow, MaybeEroded):
     """The document of `minkref view --json` with a disc."""
 
     command: Literal["view"]

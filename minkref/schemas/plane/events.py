@@ -10,6 +10,7 @@ from minkref.schemas.values import (
     Count,
     Form,
     LastingHead,
+    MaybeEroded,
     Number,
     Operands,
     Point,
@@ -138,7 +139,7 @@ class LiteralEvents(TypedDict):
     misplaced: Misplaced
 
 
-class EventsDocument(LastingHead, Operands, Written, EventsWindow):
+class EventsDocument(LastingHead, Operands, Written, EventsWindow, MaybeEroded):
     """The document of `minkref events --json`."""
 
     command: Literal["events"]

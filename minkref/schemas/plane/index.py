@@ -5,7 +5,16 @@ from __future__ import annotations
 from typing import Annotated, Literal, TypedDict
 
 from minkref.schemas.plane.values import Segments
-from minkref.schemas.values import Amount, Count, Head, Number, Operands, PositiveCount, Window
+from minkref.schemas.values import (
+    Amount,
+    Count,
+    Head,
+    MaybeEroded,
+    Number,
+    Operands,
+    PositiveCount,
+    Window,
+)
 from msgspec import Meta
 
 
@@ -17,7 +26,7 @@ class CheckedRoutes(TypedDict):
     scales: list[Number]
 
 
-class IndexDocument(Head, Operands, Window):
+class IndexDocument(Head, Operands, Window, MaybeEroded):
     """The document of `minkref index --json`."""
 
     command: Literal["index"]

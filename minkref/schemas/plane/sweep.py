@@ -12,7 +12,16 @@ from minkref.schemas.plane.values import (
     PlaneScale,
     SweepRoute,
 )
-from minkref.schemas.values import Amount, AnySweep, Count, Digest, FileIsExact, Number, Operands
+from minkref.schemas.values import (
+    Amount,
+    AnySweep,
+    Count,
+    Digest,
+    FileIsExact,
+    MaybeEroded,
+    Number,
+    Operands,
+)
 from msgspec import Meta
 
 SweepFormat = Literal["json", "wkt", "geojson", "poly", "svg"]
@@ -76,7 +85,7 @@ class AxesSweepRow(TypedDict):
     file_exact: bool | None
 
 
-class SweepDocument(AnySweep, Operands, PaperRun):
+class SweepDocument(AnySweep, Operands, PaperRun, MaybeEroded):
     """The document of `minkref sweep --json`, and index.json of its folder."""
 
     command: Literal["sweep"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, TypedDict
 
 from minkref.schemas.plane.values import PaperRun, Segments, ViewRoute
-from minkref.schemas.values import Count, Number, Operands, Page
+from minkref.schemas.values import Count, MaybeEroded, Number, Operands, Page
 from msgspec import Meta
 
 ViewWindow = TypedDict(
@@ -17,7 +17,7 @@ ViewWindow = TypedDict(
 )
 
 
-class ViewDocument(Page, Operands, PaperRun, ViewWindow):
+class ViewDocument(Page, Operands, PaperRun, ViewWindow, MaybeEroded):
     """The document of `minkref view --json`."""
 
     command: Literal["view"]

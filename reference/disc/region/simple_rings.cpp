@@ -2,62 +2,19 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "reference/disc/region/disjoint_sets.hpp"
+#include "reference/disc/region/piece_places.hpp"
 
 namespace minkref::inline disc {
 namespace {
 
 using At = PatchPlace::At;
 
-bool overlap(const Interval& a, const Interval& b) {
-  return a.lower() <= b.upper() && b.lower() <= a.upper();
-}
-
-/// The starts of all pieces; starts at one place share a number.
-class Places {
- public:
-  explicit Places(const StaticOffset& offset) : offset_(offset), numbers_(offset.pieces.size()) {
-    std::vector<Vector<Interval>> near;
-    for (const OffsetPiece& piece : offset.pieces) {
-      near.push_back(offset.at->position(piece.patch, piece.from));
-    }
-    std::iota(numbers_.begin(), numbers_.end(), 0U);
-    std::vector<std::uint32_t> order = numbers_;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return near[a].x.lower() < near[b].x.lower();
-    });
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      for (std::size_t l = k + 1; l < order.size(); ++l) {
-        const std::uint32_t a = order[k], b = order[l];
-        if (near[b].x.lower() > near[a].x.upper()) break;
-        if (numbers_[b] == b && overlap(near[a].y, near[b].y) && are_same(a, b)) {
-          numbers_[b] = numbers_[a];
-        }
-      }
-    }
-  }
-
-  std::uint32_t of_start(std::uint32_t piece) const { return numbers_[piece]; }
-
- private:
-  RootPoint point(std::uint32_t piece) const {
-    const OffsetPiece& own = offset_.pieces[piece];
-    return offset_.at->point(own.patch, own.from);
-  }
-  bool are_same(std::uint32_t a, std::uint32_t b) const {
-    return disc::are_same(point(a), point(b));
-  }
-
-  const StaticOffset& offset_;
-  std::vector<std::uint32_t> numbers_;
-};
-
 /// Splits a closed walk that does not cross itself into simple rings; only one way exists.
-void split(const Places& all, const std::vector<std::uint32_t>& walk,
+void split(const PiecePlaces& all, const std::vector<std::uint32_t>& walk,
            std::vector<SimpleRing>& rings) {
   std::vector<std::uint32_t> open;               // pieces
   std::map<std::uint32_t, std::size_t> started;  // how many were open at a place
@@ -84,7 +41,7 @@ void split(const Places& all, const std::vector<std::uint32_t>& walk,
 
 /// The number of faces that the rings leave, the unbounded face included: by Euler's formula for
 /// plane graphs.
-std::size_t faces(const Places& places, const std::vector<SimpleRing>& rings) {
+std::size_t faces(const PiecePlaces& places, const std::vector<SimpleRing>& rings) {
   std::map<std::uint32_t, std::uint32_t> visited;  // places, by the ring that first does
   DisjointSets parts(rings.size());
   std::size_t pieces = 0;
@@ -178,7 +135,7 @@ bool goes_on(const StaticOffset& offset, std::uint32_t piece, std::uint32_t next
 }
 
 SimpleRings simple_rings(const StaticOffset& offset) {
-  const Places places(offset);
+  const PiecePlaces places(offset);
   SimpleRings found;
   for (const std::vector<std::uint32_t>& walk : offset.rings) split(places, walk, found.rings);
   const Orientation orientation(offset);

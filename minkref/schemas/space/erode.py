@@ -1,0 +1,54 @@
+"""The document of `erode` in space."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from minkref.schemas.grammar import Either
+from minkref.schemas.space.sum import Rounding, SpacePassages
+from minkref.schemas.space.values import PolyhedralSet, Polyhedron, SpaceScaling
+from minkref.schemas.values import (
+    Amount,
+    Count,
+    Digest,
+    FileIsExact,
+    Head,
+    InSpace,
+    Number,
+    Operands,
+    Written,
+)
+from msgspec import Meta
+
+SpaceErodeRoute = Literal["edges", "definition"]
+
+
+class SpaceErodeDocument(Head, InSpace, Operands, Written, SpaceScaling):
+    """The document of `minkref erode --json` in space."""
+
+    command: Literal["erode"]
+    output_exact: FileIsExact
+    rounding: Annotated[Rounding | None, Meta(description="As `minkref sum` tells it.")]
+    route: SpaceErodeRoute
+    compute_seconds: Amount
+    convex: bool
+    digest: Digest
+    volume: Number
+    volume_approximate: float | None
+    vertices: Count
+    edges: Count
+    facets: Count
+    components: Annotated[Count, Meta(description="Connected components of the interior.")]
+    cavities: Annotated[Count, Meta(description="Bounded components of the complement.")]
+    tunnels: Count
+    result: Annotated[
+        Either[PolyhedralSet, Polyhedron],
+        Meta(description="The canonical form: of a convex set that of a convex polyhedron."),
+    ]
+    remnants: Annotated[
+        SpacePassages | None,
+        Meta(
+            description="What lies beside the set without volume: Q fits exactly there. Null where "
+            "it was not looked for (--passages)."
+        ),
+    ]

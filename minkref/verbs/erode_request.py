@@ -1,0 +1,198 @@
+"""The options of `minkref erode`, `opening`, `closing`, `nofit` and `innerfit` in the plane."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from minkref import _core
+from minkref.cli.memory import Memory
+from minkref.cli.options import ONE, Json, Scale, ScaleInPlane, ScaleInSpace, Triangles
+from minkref.cli.request import Read
+from minkref.cli.verb import Absent, Verb
+from minkref.disc.disc import read_tolerance
+from minkref.plane.commands.scale_index import IndexFile
+from minkref.settings import DISC, PLANE, SPACE, Setting
+from minkref.space.scaling import UNIT
+
+ROUTES = (*_core.ROUTES, "dynamic", "index")
+DEFAULT = "paper"
+SPACE_ROUTES = ("edges", "definition")
+DISC_ROUTES = ("definition", "paper")
+
+Eroded = Annotated[
+    str,
+    typer.Argument(
+        help="What is eroded, which is scaled: a file, a model, the WKT or JSON text itself, or "
+        "`-` for standard input."
+    ),
+]
+Eroding = Annotated[str, typer.Argument(help="What has to fit: given in the same ways.")]
+Fixed = Annotated[
+    str,
+    typer.Argument(
+        help="The fixed shape, which is scaled: a file, a model, the WKT or JSON text itself, or "
+        "`-` for standard input."
+    ),
+]
+Moving = Annotated[
+    str, typer.Argument(help="The shape that is moved, never turned: given in the same ways.")
+]
+Output = Annotated[
+    Path | None,
+    typer.Option(
+        "-o",
+        help="Write the region to this file: .wkt, .geojson, .poly, .json or .svg; with a disc "
+        ".json, .svg and .dxf, and others with --tolerance; in space .off, .obj, .stl, .ply or "
+        ".json. `-`: print it alone on standard output. Remnants and exact fits are in the .svg "
+        "and in --json.",
+        metavar="FILE",
+    ),
+]
+Format = Annotated[
+    str | None,
+    typer.Option(
+        "--format",
+        help="Format to write, whatever the name of the file ends in. Default for `-`: WKT, "
+        "with a disc JSON, in space OFF.",
+    ),
+]
+OnlyRegion = Annotated[
+    bool, typer.Option("--only-region", help="In an SVG, draw the region alone, without operands.")
+]
+Plot = Annotated[
+    bool, typer.Option("--plot", help="Draw a small picture of the region below the table.")
+]
+
+
+Tolerance = Annotated[
+    Fraction | None,
+    typer.Option(
+        "--tolerance",
+        help="With a disc, in formats without arcs: write a polygon set inside of the erosion, "
+        "around the erosion by a disc that is larger by this.",
+        metavar="T",
+    ),
+    Read(read_tolerance),
+]
+Passages = Annotated[
+    bool,
+    typer.Option(
+        "--passages",
+        help="In space: find the remnants too, for operands of few convex pieces. In the plane "
+        "they are always found.",
+    ),
+]
+Beyond = Annotated[
+    bool,
+    typer.Option(
+        "--outside", help="The polygon set that --tolerance asks for contains the erosion."
+    ),
+]
+Route = Annotated[
+    str | None,
+    typer.Option(
+        "--route",
+        help=f"How the sum of the outside of P and -Q is computed: {', '.join(ROUTES)}. Default: "
+        f"{DEFAULT}, or index with --index. With a disc: {' or '.join(DISC_ROUTES)}; in space "
+        f"{' or '.join(SPACE_ROUTES)}. Default: {DISC_ROUTES[0]}, and {SPACE_ROUTES[0]}.",
+    ),
+]
+
+
+@dataclass(frozen=True)
+class ErodeInPlane:
+    P: Eroded
+    Q: Eroding
+    scale: ScaleInPlane = ONE
+    route: Route = None
+    index: IndexFile = None
+    output: Output = None
+    form: Format = None
+    only_region: OnlyRegion = False
+    plot: Plot = False
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
+class ErodeWithDisc:
+    P: Eroded
+    Q: Eroding
+    scale: Scale = ONE
+    route: Route = None
+    output: Output = None
+    form: Format = None
+    only_region: OnlyRegion = False
+    tolerance: Tolerance = None
+    outside: Beyond = False
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
+class ErodeInSpace:
+    P: Eroded
+    Q: Eroding
+    scale: ScaleInSpace = UNIT
+    route: Route = None
+    output: Output = None
+    form: Format = None
+    passages: Passages = False
+    triangles: Triangles = False
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
+class MorphologyRequest:
+    """An opening or a closing."""
+
+    P: Eroded
+    Q: Eroding
+    scale: ScaleInPlane = ONE
+    output: Output = None
+    form: Format = None
+    only_region: OnlyRegion = False
+    plot: Plot = False
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
+class NoFitRequest:
+    A: Fixed
+    B: Moving
+    scale: ScaleInPlane = ONE
+    output: Output = None
+    form: Format = None
+    only_region: OnlyRegion = False
+    plot: Plot = False
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
+class InnerFitRequest:
+    container: Fixed
+    part: Moving
+    scale: ScaleInPlane = ONE
+    output: Output = None
+    form: Format = None
+    only_region: OnlyRegion = False
+    plot: Plot = False
+    memory: Memory = None
+    json: Json = False
+
+
+def only_in_plane(command: str, run: str, request: type) -> dict[Setting, Verb | Absent]:
+    """The settings of a command that there is in the plane only."""
+    mend = "give two sets in the plane; `minkref erode` and `minkref sum` also take"
+    return {
+        PLANE: Verb(request, run),
+        DISC: Absent(f"`minkref {command}` takes polygons, no disc", f"{mend} discs"),
+        SPACE: Absent(f"`minkref {command}` is of the plane", f"{mend} polyhedra"),
+    }
