@@ -72,7 +72,8 @@ def _claims(runs: Sequence[Timed]) -> list[Claim]:
     gaps = sum(high[0] == "infinity" for _, high, *_ in features.tracks(0, features.track_count))
     return [
         Claim("The speed-up for the decomposition of the polygons shown in Fig. 12 using the "
-              "proposed method is 68.556 over that of repetitive re-computation of the Minkowski sums", "Sec. 8.2",
+              "proposed method is 68.556 over that of repetitive re-computation of the Minkowski "
+              "sums", "Sec. 8.2",
               f"{run.arithmetic}: the median speed-up is at least {STATED}",
               f"{median(ratios):,.1f} times ({ratios[0]:,.1f} to {ratios[-1]:,.1f})",
               median(ratios) >= STATED),
