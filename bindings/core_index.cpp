@@ -36,7 +36,8 @@ constexpr int precise_bits =
 
 /// The boundary at a scale, with any of the forms.
 struct Rings {
-  std::string scale, form;
+  Rational scale;
+  std::string form;
   std::variant<RoundedRings, HomogeneousRings, RationalRings, TrackRings> rings;
 
   const RingShape& shape() const {
@@ -145,9 +146,8 @@ class Index {
 
   Rings rings(const std::string& scale, const std::string& form) const {
     Rings result = empty_rings(form);
-    const Rational s = parse_rational(scale);
-    std::visit([&](auto& rings) { index().rings(s, rings); }, result.rings);
-    result.scale = to_string(s);
+    result.scale = parse_rational(scale);
+    std::visit([&](auto& rings) { index().rings(result.scale, rings); }, result.rings);
     return result;
   }
 
@@ -307,7 +307,7 @@ void bind_rings(nb::module_& module) {
   nb::class_<Rings> rings(module, "IndexRings",
                           "The boundary at a scale: rings one after the other, in no particular "
                           "order, outer ones counter-clockwise. Arrays are views of it.");
-  rings.def_ro("scale", &Rings::scale)
+  rings.def_prop_ro("scale", [](const Rings& r) { return to_string(r.scale); })
       .def_ro("form", &Rings::form)
       .def(
           "__len__", [](const Rings& r) { return r.shape().edges.size(); }, "Vertices.")

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
@@ -102,14 +104,15 @@ long exponent_of(const Parts& parts, std::string_view text, long limit) {
   return parts.exponent_negative ? -magnitude : magnitude;
 }
 
-/// Sets an integer from decimal digits (none is zero).
-void set_digits(mpz_ptr integer, const std::string& digits) {
-  if (digits.size() <= 18) {
+/// Sets an integer from decimal digits and more behind them (none is zero).
+void set_digits(mpz_ptr integer, std::string_view digits, std::string_view more = {}) {
+  if (digits.size() + more.size() <= 18) {
     unsigned long value = 0;
     for (const char c : digits) value = 10 * value + static_cast<unsigned long>(c - '0');
+    for (const char c : more) value = 10 * value + static_cast<unsigned long>(c - '0');
     mpz_set_ui(integer, value);
   } else {
-    mpz_set_str(integer, digits.c_str(), 10);
+    mpz_set_str(integer, std::string(digits).append(more).c_str(), 10);
   }
 }
 
@@ -141,34 +144,61 @@ Nearest round_half_even(std::uint64_t quotient, long unit, long lowest, bool bey
   return {value, up ? -1 : (dropped != 0 || beyond ? 1 : 0)};
 }
 
+/// |z|, if a double holds every integer as large; else 0.
+double small_magnitude(mpz_srcptr z) {
+  constexpr mp_limb_t beyond = mp_limb_t{1} << 53;
+  if (mpz_size(z) != 1 || mpz_getlimbn(z, 0) > beyond) return 0;
+  return static_cast<double>(mpz_getlimbn(z, 0));
+}
+
+/// The limbs of |z| 2^shift, and no leading zero.
+using Limbs = boost::container::small_vector<mp_limb_t, 24>;
+Limbs shifted(mpz_srcptr z, long shift) {
+  const std::size_t whole = static_cast<std::size_t>(shift) / 64, size = mpz_size(z);
+  const auto rest = static_cast<unsigned>(shift % 64);
+  Limbs result(whole + size + 1, 0);
+  mp_limb_t* const to = result.data() + whole;
+  if (rest == 0) {
+    mpn_copyi(to, mpz_limbs_read(z), static_cast<mp_size_t>(size));
+  } else {
+    to[size] = mpn_lshift(to, mpz_limbs_read(z), static_cast<mp_size_t>(size), rest);
+  }
+  if (result.back() == 0) result.pop_back();
+  return result;
+}
+
+/// For numbers within a factor of 2^64 of each other: the quotient of n and d, rounded down, and
+/// whether something is left.
+std::pair<std::uint64_t, bool> quotient_of(const Limbs& n, const Limbs& d) {
+  Limbs quotient(n.size() - d.size() + 1), left(d.size());
+  mpn_tdiv_qr(quotient.data(), left.data(), 0, n.data(), static_cast<mp_size_t>(n.size()), d.data(),
+              static_cast<mp_size_t>(d.size()));
+  return {quotient[0], mpn_zero_p(left.data(), static_cast<mp_size_t>(left.size())) == 0};
+}
+
 Nearest nearest_magnitude(const Rational& value) {
   mpz_srcptr n = mpq_numref(value.backend().data());
   mpz_srcptr d = mpq_denref(value.backend().data());
   if (mpz_sgn(n) == 0) return {};
+  const double small_n = small_magnitude(n), small_d = small_magnitude(d);
+  if (small_n != 0 && small_d != 0) {
+    const double nearest = small_n / small_d;
+    const double residual = std::fma(-nearest, small_d, small_n);
+    return {nearest, residual > 0 ? 1 : residual < 0 ? -1 : 0};
+  }
   const auto bits = [](mpz_srcptr z) { return static_cast<long>(mpz_sizeinbase(z, 2)); };
   const long magnitude = bits(n) - bits(d);  // 2^(magnitude-1) < |value| < 2^(magnitude+1)
   if (magnitude > 1025) return {std::numeric_limits<double>::infinity(), -1};
   if (magnitude < -1080) return {0, 1};
   // The quotient has 63 or 64 bits: |n/d| = (quotient + something below 1) 2^-shift.
   const long shift = 63 - magnitude;
-  Integer numerator, denominator, quotient, remainder;
-  mpz_abs(numerator.backend().data(), n);
-  mpz_set(denominator.backend().data(), d);
-  if (shift >= 0) {
-    mpz_mul_2exp(numerator.backend().data(), numerator.backend().data(),
-                 static_cast<mp_bitcnt_t>(shift));
-  } else {
-    mpz_mul_2exp(denominator.backend().data(), denominator.backend().data(),
-                 static_cast<mp_bitcnt_t>(-shift));
-  }
-  mpz_tdiv_qr(quotient.backend().data(), remainder.backend().data(), numerator.backend().data(),
-              denominator.backend().data());
-  const std::uint64_t leading = mpz_get_ui(quotient.backend().data());
+  const auto [leading, beyond] =
+      quotient_of(shifted(n, std::max(shift, 0L)), shifted(d, std::max(-shift, 0L)));
   // The last place of the result: 53 bits below the first, but never below the smallest double.
   const long first = std::bit_width(leading) - 1 - shift;
   const long lowest = std::max(first - 52, -1074L);
   if (lowest + shift > 64) return {0, 1};  // below half of the smallest double
-  return round_half_even(leading, -shift, lowest, remainder.sign() != 0);
+  return round_half_even(leading, -shift, lowest, beyond);
 }
 
 /// Divides all factors `prime` out of `value` and returns their number.
@@ -196,9 +226,9 @@ Rational parse_rational(std::string_view text, const NumberLimits& limits) {
   Rational value;
   mpz_ptr n = mpq_numref(value.backend().data());
   mpz_ptr d = mpq_denref(value.backend().data());
-  set_digits(n, std::string(parts.whole) + std::string(parts.fraction));
+  set_digits(n, parts.whole, parts.fraction);
   if (parts.is_fraction) {
-    set_digits(d, std::string(parts.denominator));
+    set_digits(d, parts.denominator);
     if (mpz_sgn(d) == 0) {
       throw BadInput("zero-denominator", "the denominator of " + quoted(text) + " is zero",
                      "write a fraction with a denominator that is not zero");

@@ -1,6 +1,8 @@
 // Signs for points with rational coordinates, behind a float filter.
 #pragma once
 
+#include <utility>
+
 #include "reference/interrupt.hpp"
 #include "reference/number/rational.hpp"
 #include "reference/plane/polygon_set.hpp"
@@ -11,8 +13,8 @@ namespace minkref::inline plane {
 class FilteredPoint {
  public:
   FilteredPoint() = default;
-  explicit FilteredPoint(const Point& point)
-      : exact_(point), x_(to_double(point.x)), y_(to_double(point.y)) {
+  explicit FilteredPoint(Point point)
+      : exact_(std::move(point)), x_(to_double(exact_.x)), y_(to_double(exact_.y)) {
     look_for_interrupt();
   }
   const Point& exact() const { return exact_; }

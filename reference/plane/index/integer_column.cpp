@@ -14,22 +14,33 @@ void negate(std::uint64_t* words, std::uint32_t count) {
   }
 }
 
+void set(mpz_ptr to, const std::uint64_t* words, std::uint32_t count) {
+  const bool negative = (words[count - 1] >> 63) != 0;
+  if (count == 1) {
+    mpz_set_si(to, static_cast<long>(words[0]));
+  } else if (!negative) {
+    mpz_import(to, count, -1, sizeof(std::uint64_t), 0, 0, words);
+  } else {
+    std::vector<std::uint64_t> magnitude(words, words + count);
+    negate(magnitude.data(), count);
+    mpz_import(to, count, -1, sizeof(std::uint64_t), 0, 0, magnitude.data());
+    mpz_neg(to, to);
+  }
+}
+
 }  // namespace
 
 Integer IntegerColumn::integer_of(const std::uint64_t* words, std::uint32_t count) {
-  const bool negative = (words[count - 1] >> 63) != 0;
   Integer result;
-  const auto take = [&](const std::uint64_t* from) {
-    mpz_import(result.backend().data(), count, -1, sizeof(std::uint64_t), 0, 0, from);
-  };
-  if (!negative) {
-    take(words);
-    return result;
-  }
-  std::vector<std::uint64_t> magnitude(words, words + count);
-  negate(magnitude.data(), count);
-  take(magnitude.data());
-  return -result;
+  set(result.backend().data(), words, count);
+  return result;
+}
+
+Rational IntegerColumn::reduced(std::size_t k) const {
+  Rational result;
+  set(mpq_numref(result.backend().data()), at(k), words);
+  set(mpq_denref(result.backend().data()), at(k + 1), words);
+  return result;
 }
 
 std::size_t signed_bits(const Integer& value) {

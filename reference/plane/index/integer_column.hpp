@@ -17,6 +17,8 @@ struct IntegerColumn {
   std::size_t size() const { return data.size() / words; }
   const std::uint64_t* at(std::size_t k) const { return data.data() + k * words; }
   Integer operator[](std::size_t k) const { return integer_of(at(k), words); }
+  /// The fraction of integer k and the next one, which must be in lowest terms.
+  Rational reduced(std::size_t k) const;
 
   static Integer integer_of(const std::uint64_t* words, std::uint32_t count);
 };

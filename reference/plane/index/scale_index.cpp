@@ -402,8 +402,7 @@ Sum ScaleIndex::sum(const Rational& scale, Passages passages) const {
   for (std::size_t r = 0; r < rings.ring_ends.size(); ++r) {
     Ring ring;
     for (std::size_t k = first; k < rings.ring_ends[r]; ++k) {
-      // In lowest terms already.
-      ring.push_back(point(numbers, 4 * k));
+      ring.push_back({numbers.reduced(4 * k), numbers.reduced(4 * k + 2)});
     }
     first = rings.ring_ends[r];
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), less), ring.end());

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace minkref::inline plane {
@@ -33,8 +34,12 @@ struct Box {
 /// The next double downwards and upwards: turns a rounded bound into a certain bound. A difference
 /// of infinities bounds nothing.
 inline double below(double value) {
+  if (value == 0) return -std::numeric_limits<double>::denorm_min();
+  // Doubles of one sign are ordered as their bits. NaN compares with nothing.
   constexpr double bottom = -std::numeric_limits<double>::infinity();
-  return std::isnan(value) ? bottom : std::nextafter(value, bottom);
+  if (!(value > bottom)) return bottom;
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return std::bit_cast<double>(value > 0 ? bits - 1 : bits + 1);
 }
 inline double above(double value) { return -below(-value); }
 
