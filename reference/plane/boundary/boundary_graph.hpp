@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/plane/boundary/canonical.hpp"
+#include "reference/plane/point_predicates.hpp"
 #include "reference/plane/polygon_set.hpp"
 
 namespace minkref::inline plane {
@@ -17,6 +18,25 @@ namespace minkref::inline plane {
 struct BoundaryGraph {
   std::vector<Point> points;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< from, to
+};
+
+/// A boundary graph with points ready for exact signs, which must outlive its use.
+struct FilteredBoundary {
+  std::vector<const FilteredPoint*> points;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+};
+
+/// A graph's points, ready, with the graph's edges.
+class ReadyBoundary {
+ public:
+  explicit ReadyBoundary(const BoundaryGraph& graph);
+  ReadyBoundary(const ReadyBoundary&) = delete;
+  ReadyBoundary& operator=(const ReadyBoundary&) = delete;
+  const FilteredBoundary& graph() const { return graph_; }
+
+ private:
+  std::vector<FilteredPoint> points_;
+  FilteredBoundary graph_;
 };
 
 /// A closed walk along the boundary of one connected component of the interior. The interior's
@@ -37,10 +57,12 @@ struct Walks {
 
 /// All walks, each with its component. Exact. O(n log n + h k) for h walks that enclose nothing and
 /// k edges beside their first points.
+Walks boundary_walks(const FilteredBoundary& graph);
 Walks boundary_walks(const BoundaryGraph& graph);
 
 /// docs/definitions.md, "Canonical form": walks split into simple rings at repeated points,
 /// collinear vertices merged, rings rotated and sorted. Exact.
+Canonical canonical_form(const FilteredBoundary& graph);
 Canonical canonical_form(const BoundaryGraph& graph);
 
 /// The canonical form, and for each edge of the graph the number of the polygon that lies on its
@@ -49,6 +71,7 @@ struct CanonicalParts {
   Canonical form;
   std::vector<std::uint32_t> polygon_of;
 };
+CanonicalParts canonical_parts(const FilteredBoundary& graph);
 CanonicalParts canonical_parts(const BoundaryGraph& graph);
 
 }  // namespace minkref::inline plane

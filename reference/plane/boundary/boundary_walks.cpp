@@ -16,11 +16,7 @@ namespace {
 
 class WalkFinder {
  public:
-  explicit WalkFinder(const BoundaryGraph& graph) : graph_(graph) {
-    points_.reserve(graph.points.size());
-    for (const Point& point : graph.points) points_.emplace_back(point);
-    order_rays();
-  }
+  explicit WalkFinder(const FilteredBoundary& graph) : graph_(graph) { order_rays(); }
 
   Walks find() {
     Walks result;
@@ -59,12 +55,13 @@ class WalkFinder {
 
   const FilteredPoint& far_end(const Ray& ray) const {
     const auto& edge = graph_.edges[ray.edge];
-    return points_[ray.leaving ? edge.second : edge.first];
+    return point(ray.leaving ? edge.second : edge.first);
   }
+  const FilteredPoint& point(std::uint32_t p) const { return *graph_.points[p]; }
 
   /// Rays around each point, counter-clockwise from the angle of -180 degrees.
   void order_rays() {
-    first_ray_.assign(points_.size() + 1, 0);
+    first_ray_.assign(graph_.points.size() + 1, 0);
     for (const auto& [from, to] : graph_.edges) ++first_ray_[from + 1], ++first_ray_[to + 1];
     std::partial_sum(first_ray_.begin(), first_ray_.end(), first_ray_.begin());
     rays_.resize(2 * graph_.edges.size());
@@ -73,20 +70,26 @@ class WalkFinder {
       rays_[place[graph_.edges[e].first]++] = {e, true};
       rays_[place[graph_.edges[e].second]++] = {e, false};
     }
-    for (std::uint32_t p = 0; p < points_.size(); ++p) {
+    for (std::uint32_t p = 0; p < graph_.points.size(); ++p) {
       look_for_interrupt();
-      const FilteredPoint& at = points_[p];
+      const FilteredPoint& at = point(p);
       const auto half = [&](const Ray& ray) {
         const int y = compare_y(far_end(ray), at);
         return y < 0 || (y == 0 && compare_x(far_end(ray), at) < 0) ? 0 : 1;
       };
-      std::stable_sort(rays_.begin() + first_ray_[p], rays_.begin() + first_ray_[p + 1],
-                       [&](const Ray& a, const Ray& b) {
-                         const int ha = half(a), hb = half(b);
-                         if (ha != hb) return ha < hb;
-                         const int turn = orientation(at, far_end(a), far_end(b));
-                         return turn != 0 ? turn > 0 : !a.leaving && b.leaving;  // of a slit
-                       });
+      const auto before = [&](const Ray& a, const Ray& b) {
+        const int ha = half(a), hb = half(b);
+        if (ha != hb) return ha < hb;
+        const int turn = orientation(at, far_end(a), far_end(b));
+        return turn != 0 ? turn > 0 : !a.leaving && b.leaving;  // of a slit
+      };
+      Ray *const begin = rays_.data() + first_ray_[p], *const end =
+                                                           rays_.data() + first_ray_[p + 1];
+      if (end - begin != 2) {
+        std::stable_sort(begin, end, before);
+      } else if (before(begin[1], begin[0])) {
+        std::swap(begin[0], begin[1]);
+      }
     }
   }
 
@@ -95,7 +98,7 @@ class WalkFinder {
   Cycles cycles(bool interior) const {
     Cycles result;
     result.next.assign(graph_.edges.size(), no_entry);
-    for (std::uint32_t p = 0; p < points_.size(); ++p) {
+    for (std::uint32_t p = 0; p < graph_.points.size(); ++p) {
       const std::uint32_t begin = first_ray_[p], count = first_ray_[p + 1] - begin;
       for (std::uint32_t i = 0; i < count; ++i) {
         if (rays_[begin + i].leaving) continue;
@@ -115,7 +118,7 @@ class WalkFinder {
         look_for_interrupt();
         seen[e] = true;
         const std::uint32_t p = graph_.edges[e].first;
-        if (p != least && compare_xy(points_[p], points_[least]) < 0) least = p;
+        if (p != least && compare_xy(point(p), point(least)) < 0) least = p;
         e = result.next[e];
       }
       result.first.push_back(first);
@@ -152,7 +155,7 @@ class WalkFinder {
     std::vector<std::uint32_t> order(result.walks.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return compare_xy(points_[interior.least[a]], points_[interior.least[b]]) < 0;
+      return compare_xy(point(interior.least[a]), point(interior.least[b])) < 0;
     });
     for (const std::uint32_t w : order) {
       Walk& walk = result.walks[w];
@@ -174,9 +177,8 @@ class WalkFinder {
       const auto [from, to] = graph_.edges[e];
       if (from == p || to == p) return false;
       // The component lies right of a downward edge.
-      if (compare_y(points_[to], points_[p]) > 0 || compare_y(points_[p], points_[from]) >= 0)
-        return false;
-      if (orientation(points_[to], points_[from], points_[p]) >= 0) return false;
+      if (compare_y(point(to), point(p)) > 0 || compare_y(point(p), point(from)) >= 0) return false;
+      if (orientation(point(to), point(from), point(p)) >= 0) return false;
       if (nearest == no_entry || is_right_of(e, nearest)) nearest = e;
       return false;
     };
@@ -192,7 +194,7 @@ class WalkFinder {
   }
 
   Box box_of(std::uint32_t p) const {
-    const double x = points_[p].x(), y = points_[p].y();
+    const double x = point(p).x(), y = point(p).y();
     return {below(x), below(y), above(x), above(y)};
   }
   std::vector<Box> edge_boxes() const {
@@ -207,15 +209,14 @@ class WalkFinder {
 
   /// For two downward edges across a common height.
   bool is_right_of(std::uint32_t g, std::uint32_t h) const {
-    const FilteredPoint &g0 = points_[graph_.edges[g].second], &g1 = points_[graph_.edges[g].first];
-    const FilteredPoint &h0 = points_[graph_.edges[h].second], &h1 = points_[graph_.edges[h].first];
+    const FilteredPoint &g0 = point(graph_.edges[g].second), &g1 = point(graph_.edges[g].first);
+    const FilteredPoint &h0 = point(graph_.edges[h].second), &h1 = point(graph_.edges[h].first);
     if (graph_.edges[g].second == graph_.edges[h].second) return orientation(h0, h1, g1) < 0;
     if (compare_y(g0, h0) >= 0) return orientation(h0, h1, g0) < 0;
     return orientation(g0, g1, h0) > 0;
   }
 
-  const BoundaryGraph& graph_;
-  std::vector<FilteredPoint> points_;
+  const FilteredBoundary& graph_;
   std::vector<std::uint32_t> first_ray_;
   std::vector<Ray> rays_;
   static constexpr unsigned rays_before_a_tree = 17;  ///< fewer cost less than the tree
@@ -225,6 +226,16 @@ class WalkFinder {
 
 }  // namespace
 
-Walks boundary_walks(const BoundaryGraph& graph) { return WalkFinder(graph).find(); }
+ReadyBoundary::ReadyBoundary(const BoundaryGraph& graph) : graph_{{}, graph.edges} {
+  points_.reserve(graph.points.size());
+  graph_.points.reserve(graph.points.size());
+  for (const Point& point : graph.points) graph_.points.push_back(&points_.emplace_back(point));
+}
+
+Walks boundary_walks(const FilteredBoundary& graph) { return WalkFinder(graph).find(); }
+
+Walks boundary_walks(const BoundaryGraph& graph) {
+  return boundary_walks(ReadyBoundary(graph).graph());
+}
 
 }  // namespace minkref::inline plane

@@ -1,35 +1,42 @@
 // From walks to the canonical form: simple rings, collinear vertices merged, everything sorted.
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 #include "reference/interrupt.hpp"
+#include "reference/no_entry.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
 namespace minkref::inline plane {
 namespace {
 
-/// Splits a closed walk at repeated points.
-std::vector<std::vector<std::uint32_t>> simple_rings(const std::vector<std::uint32_t>& walk) {
-  std::vector<std::vector<std::uint32_t>> rings;
-  std::vector<std::uint32_t> open;
-  std::unordered_map<std::uint32_t, std::size_t> position;
-  for (const std::uint32_t point : walk) {
-    look_for_interrupt();
-    const auto found = position.find(point);
-    if (found != position.end()) {
-      auto& ring =
-          rings.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(found->second), open.end());
-      for (const std::uint32_t p : ring) position.erase(p);
-      open.resize(open.size() - ring.size());
+/// Splits closed walks at repeated points.
+class WalkSplitter {
+ public:
+  explicit WalkSplitter(std::size_t points) : place_(points, no_entry) {}
+
+  std::vector<std::vector<std::uint32_t>> simple_rings(const std::vector<std::uint32_t>& walk) {
+    std::vector<std::vector<std::uint32_t>> rings;
+    std::vector<std::uint32_t> open;
+    open.reserve(walk.size());
+    for (const std::uint32_t point : walk) {
+      look_for_interrupt();
+      if (const std::uint32_t before = place_[point]; before != no_entry) {
+        const auto& ring = rings.emplace_back(open.begin() + before, open.end());
+        for (const std::uint32_t p : ring) place_[p] = no_entry;
+        open.resize(before);
+      }
+      place_[point] = static_cast<std::uint32_t>(open.size());
+      open.push_back(point);
     }
-    position.emplace(point, open.size());
-    open.push_back(point);
+    for (const std::uint32_t p : open) place_[p] = no_entry;
+    rings.push_back(std::move(open));
+    return rings;
   }
-  rings.push_back(std::move(open));
-  return rings;
-}
+
+ private:
+  std::vector<std::uint32_t> place_;  ///< of points, in the ring that is not closed yet
+};
 
 int compare_rings(const Ring& a, const Ring& b) {
   look_for_interrupt();
@@ -42,32 +49,30 @@ int compare_rings(const Ring& a, const Ring& b) {
 
 class RingBuilder {
  public:
-  explicit RingBuilder(const BoundaryGraph& graph) {
-    points_.reserve(graph.points.size());
-    for (const Point& point : graph.points) points_.emplace_back(point);
-  }
+  explicit RingBuilder(const FilteredBoundary& graph) : graph_(graph) {}
 
   /// Without collinear vertices, from the lexicographically smallest vertex; empty for a ring of no
   /// area.
   Ring build(const std::vector<std::uint32_t>& indices) const {
     std::vector<std::uint32_t> kept;
+    kept.reserve(indices.size());
     const std::size_t n = indices.size();
     for (std::size_t i = 0; i < n; ++i) {
       look_for_interrupt();
       // The rings are simple, so a vertex on the line of its neighbours lies between the two.
-      if (orientation(points_[indices[(i + n - 1) % n]], points_[indices[i]],
-                      points_[indices[(i + 1) % n]]) != 0) {
+      if (orientation(point(indices[i == 0 ? n - 1 : i - 1]), point(indices[i]),
+                      point(indices[i + 1 == n ? 0 : i + 1])) != 0) {
         kept.push_back(indices[i]);
       }
     }
     if (kept.empty()) return {};
     const auto least = std::min_element(
         kept.begin(), kept.end(),
-        [&](std::uint32_t a, std::uint32_t b) { return compare_xy(points_[a], points_[b]) < 0; });
+        [&](std::uint32_t a, std::uint32_t b) { return compare_xy(point(a), point(b)) < 0; });
     std::rotate(kept.begin(), least, kept.end());
     Ring ring;
     ring.reserve(kept.size());
-    for (const std::uint32_t p : kept) ring.push_back(points_[p].exact());
+    for (const std::uint32_t p : kept) ring.push_back(point(p).exact());
     return ring;
   }
 
@@ -78,12 +83,14 @@ class RingBuilder {
   }
 
  private:
-  std::vector<FilteredPoint> points_;
+  const FilteredPoint& point(std::uint32_t p) const { return *graph_.points[p]; }
+
+  const FilteredBoundary& graph_;
 };
 
 }  // namespace
 
-CanonicalParts canonical_parts(const BoundaryGraph& graph) {
+CanonicalParts canonical_parts(const FilteredBoundary& graph) {
   const Walks walks = boundary_walks(graph);
   CanonicalParts parts;
   Canonical& result = parts.form;
@@ -91,6 +98,7 @@ CanonicalParts canonical_parts(const BoundaryGraph& graph) {
   result.holes = walks.holes;
   result.region.polygons.resize(walks.components);
   const RingBuilder builder(graph);
+  WalkSplitter splitter(graph.points.size());
   for (const Walk& walk : walks.walks) {
     if (walk.component >=
         walks.components) {  // only possible where a rounding arithmetic built the graph
@@ -98,7 +106,7 @@ CanonicalParts canonical_parts(const BoundaryGraph& graph) {
       continue;
     }
     Polygon& polygon = result.region.polygons[walk.component];
-    for (const auto& indices : simple_rings(walk.points)) {
+    for (const auto& indices : splitter.simple_rings(walk.points)) {
       Ring ring = builder.build(indices);
       if (ring.size() < 3) {
         result.well_formed = false;
@@ -135,6 +143,11 @@ CanonicalParts canonical_parts(const BoundaryGraph& graph) {
   return parts;
 }
 
+CanonicalParts canonical_parts(const BoundaryGraph& graph) {
+  return canonical_parts(ReadyBoundary(graph).graph());
+}
+
+Canonical canonical_form(const FilteredBoundary& graph) { return canonical_parts(graph).form; }
 Canonical canonical_form(const BoundaryGraph& graph) { return canonical_parts(graph).form; }
 
 std::string canonical_json(const PolygonSet& canonical) {
