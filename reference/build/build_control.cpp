@@ -17,7 +17,7 @@ BuildControl::BuildControl(const BuildOptions& options, const char* subject)
 }
 
 void BuildControl::look_now() const {
-  if (stopped_) throw Stopped{};
+  end_if_stopped();
   if (options_.memory_limit != 0) check_memory(options_.memory_limit, subject_);
   look_for_interrupt_now();
 }

@@ -25,6 +25,10 @@ class BuildControl {
   /// Throws LimitExceeded ("memory-limit"), what an interrupt throws, and in other threads
   /// Stopped. Some 10 us.
   void look_now() const;
+  /// Throws Stopped if the build has failed.
+  void end_if_stopped() const {
+    if (stopped_) throw Stopped{};
+  }
   /// From the calling thread.
   void report(BuildProgress::Stage stage, std::uint64_t done, std::uint64_t total) const;
 

@@ -1,7 +1,7 @@
 #include "reference/scene/scene_boundary.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <numeric>
 #include <stdexcept>
 #include <tuple>
 
@@ -10,18 +10,6 @@
 
 namespace minkref::inline scene {
 namespace {
-
-/// Equal points have the same nearest doubles.
-std::uint64_t digest(const FilteredPoint& point) {
-  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
-  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
-  const std::uint64_t x = bits(point.x()) * odd;
-  return (std::rotl(x, 29) ^ bits(point.y())) * odd;
-}
-
-bool equal(const FilteredPoint& a, const FilteredPoint& b) {
-  return a.x() == b.x() && a.y() == b.y() && a.exact() == b.exact();
-}
 
 /// Calls visit(sum, edge, stretches) for every edge with any.
 template <class Visit>
@@ -69,13 +57,13 @@ class TightPieces {
     }
   }
   /// No more pieces come: points must not end any.
-  void end_pieces() { ends_ = static_cast<std::uint32_t>(numbers_.points().size()); }
+  void end_pieces() { ends_ = numbers_.size(); }
 
   SceneTightGraph graph() {
     std::sort(stretches_.begin(), stretches_.end(), stretch_less);
     SceneTightGraph result;
-    for (const FilteredPoint& point : numbers_.points())
-      result.graph.points.push_back(point.exact());
+    for (const FilteredPoint* point : numbers_.points())
+      result.graph.points.push_back(point->exact());
     std::vector<Owner> own;
     for (std::size_t i = 0; i < stretches_.size();) {
       look_for_interrupt();
@@ -109,52 +97,78 @@ class TightPieces {
   PointNumbers numbers_;
   std::uint32_t ends_ = 0;
   std::vector<OwnedStretch> stretches_;
-  std::vector<Owner> owners_;
 };
+
+/// Numbers for the ends of a sum's stretches: vertices are looked up once.
+class EndNumbers {
+ public:
+  explicit EndNumbers(PointNumbers& numbers) : numbers_(numbers) {}
+
+  std::uint32_t number(const EdgeStretches& found, std::uint32_t node, const PlacedSum& sum,
+                       std::uint32_t edge) {
+    if (node > 1) return numbers_.number(found.node(node, sum, edge));
+    if (sum_ != &sum) {
+      sum_ = &sum;
+      known_.assign(sum.points.size(), no_entry);
+    }
+    const SceneSum::Edge& ends = sum.sum->edges[edge];
+    std::uint32_t& known = known_[node == 0 ? ends.from : ends.to];
+    if (known == no_entry) known = numbers_.number(found.node(node, sum, edge));
+    return known;
+  }
+
+ private:
+  PointNumbers& numbers_;
+  const PlacedSum* sum_ = nullptr;
+  std::vector<std::uint32_t> known_;  ///< of the vertices of the sum
+};
+
+/// Sorts stretches by their points, in time linear in both as a rule.
+void sort_stretches(SceneBoundary& boundary) {
+  std::vector<std::uint32_t>& first = boundary.first_from;
+  first.assign(boundary.numbers.size() + 1, 0);
+  for (const OwnedStretch& s : boundary.stretches) ++first[s.from + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> place(first.begin(), first.end() - 1);
+  std::vector<OwnedStretch> sorted(boundary.stretches.size());
+  for (const OwnedStretch& s : boundary.stretches) sorted[place[s.from]++] = s;
+  for (std::size_t p = 0; p + 1 < first.size(); ++p)
+    std::sort(sorted.begin() + first[p], sorted.begin() + first[p + 1], stretch_less);
+  boundary.stretches = std::move(sorted);
+}
 
 }  // namespace
 
-std::uint32_t PointNumbers::find(const FilteredPoint& point) const {
-  const auto found = first_.find(digest(point));
-  if (found == first_.end()) return no_entry;
-  std::uint32_t at = found->second;
-  while (at != no_entry && !equal(points_[at], point)) at = next_[at];
-  return at;
-}
-
-std::uint32_t PointNumbers::number(const FilteredPoint& point) {
-  const auto own = static_cast<std::uint32_t>(points_.size());
-  const auto [entry, is_new] = first_.emplace(digest(point), own);
-  std::uint32_t at = is_new ? no_entry : entry->second;
-  while (at != no_entry && !equal(points_[at], point)) at = next_[at];
-  if (at != no_entry) return at;
-  points_.push_back(point);
-  next_.push_back(is_new ? no_entry : entry->second);
-  entry->second = own;
-  return own;
-}
-
 SceneBoundary scene_boundary(const PlacedSums& sums, const SceneStretches& stretches) {
   SceneBoundary boundary;
+  EndNumbers ends(boundary.numbers);
   each_edge(stretches, [&](std::uint32_t sum, std::uint32_t edge, const EdgeStretches& found) {
     for (const EdgeStretches::Piece& piece : found.pieces) {
       if (piece.tight) continue;
-      const std::uint32_t from = boundary.numbers.number(found.node(piece.from, *sums[sum], edge));
-      const std::uint32_t to = boundary.numbers.number(found.node(piece.to, *sums[sum], edge));
+      const std::uint32_t from = ends.number(found, piece.from, *sums[sum], edge);
+      const std::uint32_t to = ends.number(found, piece.to, *sums[sum], edge);
       boundary.stretches.push_back({from, to, sum, edge});
     }
   });
-  std::sort(boundary.stretches.begin(), boundary.stretches.end(), stretch_less);
+  sort_stretches(boundary);
   return boundary;
 }
 
-BoundaryGraph SceneBoundary::graph() const {
-  BoundaryGraph graph;
-  for (const FilteredPoint& point : numbers.points()) graph.points.push_back(point.exact());
+FilteredBoundary SceneBoundary::graph() const {
+  FilteredBoundary graph{numbers.points(), {}};
+  graph.edges.reserve(stretches.size());
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     if (i > 0 && same_stretch(stretches[i - 1], stretches[i])) continue;
     graph.edges.emplace_back(stretches[i].from, stretches[i].to);
   }
+  return graph;
+}
+
+BoundaryGraph SceneBoundary::exact_graph() const {
+  FilteredBoundary ready = graph();
+  BoundaryGraph graph{{}, std::move(ready.edges)};
+  graph.points.reserve(ready.points.size());
+  for (const FilteredPoint* point : ready.points) graph.points.push_back(point->exact());
   return graph;
 }
 
@@ -163,21 +177,20 @@ namespace {
 /// Calls take(stretch) for the stretches along a side of the region.
 template <class Take>
 void each_along(const SceneBoundary& boundary, std::uint32_t from, std::uint32_t to, Take&& take) {
-  const auto& points = boundary.numbers.points();
+  const PointNumbers& points = boundary.numbers;
   const auto& all = boundary.stretches;
   const int way = compare_xy(points[from], points[to]);
   for (std::uint32_t at = from; at != to;) {
     look_for_interrupt();
-    auto leaving =
-        std::lower_bound(all.begin(), all.end(), OwnedStretch{at, 0, 0, 0}, stretch_less);
     std::uint32_t next = no_entry;
-    for (; leaving != all.end() && leaving->from == at; ++leaving) {
-      if (compare_xy(points[at], points[leaving->to]) != way ||
-          orientation(points[from], points[to], points[leaving->to]) != 0) {
+    for (std::uint32_t k = boundary.first_from[at]; k < boundary.first_from[at + 1]; ++k) {
+      const OwnedStretch& leaving = all[k];
+      if (compare_xy(points[at], points[leaving.to]) != way ||
+          orientation(points[from], points[to], points[leaving.to]) != 0) {
         continue;
       }
-      next = leaving->to;
-      take(*leaving);
+      next = leaving.to;
+      take(leaving);
     }
     if (next == no_entry) throw std::logic_error("a side of the union has no stretch");
     at = next;
@@ -189,7 +202,7 @@ void each_along(const SceneBoundary& boundary, std::uint32_t from, std::uint32_t
 std::vector<RingOwners> side_owners(const PolygonSet& region, const SceneBoundary& boundary,
                                     const AddOwners& add_owners) {
   std::vector<RingOwners> result;
-  const auto& points = boundary.numbers.points();
+  const PointNumbers& points = boundary.numbers;
   const auto add_ring = [&](const Ring& ring) {
     RingOwners& owners = result.emplace_back(ring.size());
     std::vector<std::uint32_t> vertices;

@@ -3,29 +3,15 @@
 
 #include <cstdint>
 #include <functional>
-#include <unordered_map>
 #include <vector>
 
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/passages/tight_graph.hpp"
 #include "reference/scene/edge_stretches.hpp"
+#include "reference/scene/point_numbers.hpp"
 #include "reference/scene/scene.hpp"
 
 namespace minkref::inline scene {
-
-/// Numbers for points; equal points have the same number.
-class PointNumbers {
- public:
-  std::uint32_t number(const FilteredPoint& point);
-  /// no_entry for a point that has none.
-  std::uint32_t find(const FilteredPoint& point) const;
-  const std::vector<FilteredPoint>& points() const { return points_; }
-
- private:
-  std::vector<FilteredPoint> points_;
-  std::vector<std::uint32_t> next_;  ///< point with the same digest
-  std::unordered_map<std::uint64_t, std::uint32_t> first_;
-};
 
 /// An edge of a placed sum that has a stretch from a point to another.
 struct OwnedStretch {
@@ -33,12 +19,15 @@ struct OwnedStretch {
   std::uint32_t sum = 0, edge = 0;
 };
 
-/// The boundary of the union: each stretch once for each edge that has it.
+/// The boundary of the union: each stretch once for each edge that has it. Sums and stretches must
+/// outlive it.
 struct SceneBoundary {
   PointNumbers numbers;
-  std::vector<OwnedStretch> stretches;  ///< sorted
+  std::vector<OwnedStretch> stretches;    ///< sorted
+  std::vector<std::uint32_t> first_from;  ///< the first stretch from each point, and the end
 
-  BoundaryGraph graph() const;
+  FilteredBoundary graph() const;
+  BoundaryGraph exact_graph() const;
 };
 SceneBoundary scene_boundary(const PlacedSums& sums, const SceneStretches& stretches);
 

@@ -3,16 +3,28 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/point_predicates.hpp"
-#include "reference/plane/sum.hpp"
+#include "reference/plane/tight_passages.hpp"
 #include "reference/scene/scene_convolution.hpp"
 
 namespace minkref::inline scene {
+
+/// Convolution edges that run along edges of a sum, or along parts of them.
+struct SumContacts {
+  std::vector<ConvolutionEdge> contacts;
+  std::vector<std::uint32_t> first;  ///< edge k has those from first[k] to before first[k + 1]
+
+  std::span<const ConvolutionEdge> of(std::uint32_t edge) const {
+    return std::span(contacts).subspan(first[edge], first[edge + 1] - first[edge]);
+  }
+};
 
 /// At the place (0, 0). Rings come first, one after the other; then tight passages, if asked for.
 struct SceneSum {
@@ -22,30 +34,50 @@ struct SceneSum {
     std::uint32_t from = 0, to = 0;
     std::uint32_t before = 0;  ///< the edge that arrives at `from`; of a passage the edge itself
   };
-  std::vector<Point> points;
+  /// An empty sum of a shape, by its number in the store.
+  SceneSum(std::uint32_t of_shape, Rational at_scale)
+      : shape(of_shape), scale(std::move(at_scale)) {}
+
+  std::uint32_t shape;
+  Rational scale;
+  std::vector<FilteredPoint> points;
   std::vector<Edge> edges;
-  std::uint32_t boundary = 0;  ///< so many edges are of rings
-  /// Convolution edges that run along an edge or a part of it: edge k has those from
-  /// first_contact[k] to before first_contact[k + 1].
-  std::vector<ConvolutionEdge> contacts;
-  std::vector<std::uint32_t> first_contact;
+  std::uint32_t boundary = 0;                             ///< so many edges are of rings
+  std::vector<std::vector<ConvolutionEdge>> of_passages;  ///< contacts of the other edges
+  BoxTree tree;                                           ///< over the edges, if they are many
   /// Points inside of an edge of the same sum, (edge, point), sorted.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> touches;
-};
 
-/// From the sum at a scale, with its tight passages if they are asked for. Exact. O(n log n).
-SceneSum scene_sum(const Sum& found, const SceneConvolution& convolution, const Rational& scale);
+  void add_ring(std::vector<FilteredPoint> ring);
+  void add_passage(const TightPassage& passage);
+  /// Fills the tree and the touches: no edges come any more. Exact. O(n log n).
+  void finish();
+
+  /// Contacts of all edges, exact; found when first asked for, by `convolution()`: the shape's
+  /// convolution. Safe to ask from several threads.
+  template <class Convolution>
+  const SumContacts& contacts(Convolution&& convolution) const {
+    std::call_once(asked_, [&] { contacts_ = find_contacts(convolution()); });
+    return contacts_;
+  }
+
+ private:
+  SumContacts find_contacts(const SceneConvolution& convolution) const;
+
+  mutable std::once_flag asked_;
+  mutable SumContacts contacts_;
+};
 
 /// A sum moved to its place, ready to be asked for contacts.
 struct PlacedSum {
-  PlacedSum(std::shared_ptr<const SceneSum> of, const Point& at);
+  PlacedSum(std::shared_ptr<const SceneSum> of, const Point& to);
 
   std::shared_ptr<const SceneSum> sum;
   Point place;
+  Box at;  ///< around the place
   std::vector<FilteredPoint> points;
   std::vector<Box> boxes;  ///< of edges
   Box box;
-  BoxTree tree;  ///< over the edges, if they are many
 
   const FilteredPoint& start(std::uint32_t edge) const { return points[sum->edges[edge].from]; }
   const FilteredPoint& end(std::uint32_t edge) const { return points[sum->edges[edge].to]; }
@@ -55,9 +87,9 @@ struct PlacedSum {
   /// Calls report(edge) for each edge whose box meets the closed box.
   template <class Report>
   void near(const Box& where, Report&& report) const {
-    if (tree.size() != 0) {
-      tree.query(where, [&](std::uint32_t edge) {
-        report(edge);
+    if (sum->tree.size() != 0) {
+      sum->tree.query(reflected(at, where), [&](std::uint32_t edge) {
+        if (boxes[edge].overlaps(where)) report(edge);
         return false;
       });
       return;
@@ -67,10 +99,5 @@ struct PlacedSum {
     }
   }
 };
-
-/// The box of a filtered point, a certain enclosure.
-inline Box box_of(const FilteredPoint& p) {
-  return {below(p.x()), below(p.y()), above(p.x()), above(p.y())};
-}
 
 }  // namespace minkref::inline scene

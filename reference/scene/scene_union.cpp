@@ -7,7 +7,7 @@
 #include "reference/error.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/sum.hpp"
-#include "reference/scene/obstacle_owners.hpp"
+#include "reference/scene/copy_contacts.hpp"
 
 namespace minkref::inline scene {
 
@@ -159,11 +159,9 @@ template <class Take>
 void SceneUnion::each_contact(std::uint32_t number, std::uint32_t edge, const Point& from,
                               const Point& to, const Copy& copy, Take&& take) const {
   const PlacedSum& placed = *state_->sums()[number];
-  const std::uint32_t first = placed.sum->first_contact[edge],
-                      end = placed.sum->first_contact[edge + 1];
-  for (std::uint32_t k = first; k < end; ++k) {
-    const ConvolutionEdge& contact = placed.sum->contacts[k];
-    if (end - first > 1) {
+  const auto contacts = state_->store()->contacts(*placed.sum).of(edge);
+  for (const ConvolutionEdge& contact : contacts) {
+    if (contacts.size() > 1) {
       Segment at = at_scale(contact, state_->store()->shapes()[copy.shape],
                             state_->store()->reflected_robot(), copy.scale);
       if (!shares({from, to}, {moved(at.start, copy.place), moved(at.end, copy.place)})) continue;
@@ -184,16 +182,10 @@ AddOwners SceneUnion::owners_of_edges() const {
                    });
     };
   }
-  return [this, copies = state_->copies_of_sums(),
-          obstacles = obstacle_owners(obstacles_->region().region, obstacles_->owners(), shapes(),
-                                      this->copies())](std::uint32_t number, std::uint32_t edge,
-                                                       const Point& from, const Point& to,
-                                                       std::vector<Owner>& owners) {
-    const std::uint32_t obstacle = copies[number][0];  // obstacles differ
-    each_contact(
-        number, edge, from, to, state_->copy(obstacle),
-        [&](const ConvolutionEdge& contact) { add_owners(obstacles, obstacle, contact, owners); });
-  };
+  return [contacts = std::make_shared<CopyContacts>(shapes(), state_->store()->reflected_robot(),
+                                                    copies())](
+             std::uint32_t, std::uint32_t, const Point& from, const Point& to,
+             std::vector<Owner>& owners) { contacts->add(from, to, owners); };
 }
 
 const std::vector<RingOwners>& SceneUnion::owners() const {
@@ -221,8 +213,8 @@ const std::vector<ScenePassage>& SceneUnion::passages() const { return pieces().
 
 FreeComponents SceneUnion::components(ContactRule rule) const {
   const FloatEnvironment standard;
-  if (rule == ContactRule::forbidden) return free_components(boundary().graph(), {}, rule);
-  FreeComponents found = free_components(boundary().graph(), tight().graph, rule);
+  if (rule == ContactRule::forbidden) return free_components(boundary().exact_graph(), {}, rule);
+  FreeComponents found = free_components(boundary().exact_graph(), tight().graph, rule);
   std::vector<std::uint32_t> of_pieces;
   for (const std::uint32_t edge : pieces().edges) of_pieces.push_back(found.of_passage[edge]);
   found.of_passage = std::move(of_pieces);

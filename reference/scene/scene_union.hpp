@@ -44,9 +44,7 @@ class SceneUnion {
   const Canonical& region() const;
 
   /// For each ring of region() (outer ring, holes, outer ring, holes, ...) and each side, from a
-  /// vertex to the next: the owners of the side or of a part of it, sorted. A robot that is a
-  /// segment touches a copy's edge, or with its own edge the vertex at which the copy's edge
-  /// begins.
+  /// vertex to the next: the owners of the side or of a part of it, sorted.
   const std::vector<RingOwners>& owners() const;
 
   /// The tight passages: the closure of the union's interior less the union of the open sums, as

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/build/build_options.hpp"
+#include "reference/build/build_control.hpp"
 #include "reference/plane/index/scale_index.hpp"
 #include "reference/scene/scene.hpp"
 #include "reference/scene/scene_sum.hpp"
@@ -50,14 +50,14 @@ class SumStore {
                                                     const BuildOptions& options,
                                                     SceneCounts& counts);
 
+  /// The contacts of a sum's edges; found when they are first asked for.
+  const SumContacts& contacts(const SceneSum& sum);
+
  private:
-  struct Shape {
-    std::optional<SceneConvolution> convolution;
-    std::shared_ptr<const ScaleIndex> index;
-  };
   void build_indices(const std::vector<Key>& keys, const BuildOptions& options,
-                     SceneCounts& counts);
-  SceneSum found_sum(const Key& key);
+                     const BuildControl& control, SceneCounts& counts);
+  const SceneConvolution& convolution(std::uint32_t shape);
+  std::shared_ptr<const SceneSum> found_sum(const Key& key) const;
   void forget_unused();
 
   static constexpr std::size_t many_scales = 200;  ///< so many static sums cost more than an index
@@ -66,8 +66,9 @@ class SumStore {
   std::vector<PolygonSet> shapes_;
   bool passages_;
   std::vector<std::uint32_t> same_;
+  std::vector<std::optional<ScaleIndex>> indices_;
   std::mutex mutex_;
-  std::vector<Shape> prepared_;
+  std::vector<std::optional<SceneConvolution>> convolutions_;
   std::map<Key, std::weak_ptr<const SceneSum>> sums_;
   std::size_t kept_ = 0;
 };

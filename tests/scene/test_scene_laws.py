@@ -205,10 +205,15 @@ def shared(first: tuple[Point, Point], second: tuple[Point, Point]) -> tuple[Any
     return (low, high) if low < high else None
 
 
-@pytest.mark.parametrize("robot", SOLID)
+def of_owners(robot: str) -> int:
+    """Scenes to draw: more for a segment, whose obstacles are merged before."""
+    return draws(32, 200) if robot == "segment" else draws(6, 40)
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
 def test_owners_of_a_side_are_the_copies_whose_sums_run_along_it(robot: str) -> None:
     """Compares owners with the boundaries of all sums."""
-    for draw in drawn(draws(6, 40), SEED + 9, robots=(robot,)):
+    for draw in drawn(of_owners(robot), SEED + 9, robots=(robot,)):
         scene = draw.scene()
         bounds = [
             [
@@ -229,11 +234,11 @@ def test_owners_of_a_side_are_the_copies_whose_sums_run_along_it(robot: str) -> 
                 assert len(found) == len(set(found)), (draw.told, side)
 
 
-@pytest.mark.parametrize("robot", SOLID)
+@pytest.mark.parametrize("robot", ROBOTS)
 def test_parents_of_a_side_run_along_it(robot: str) -> None:
     """An edge of the shape at a vertex of the turned robot, or the reverse, made by hand: all
     owners run along the side in its direction, and leave no gap."""
-    for draw in drawn(draws(6, 40), SEED + 10, robots=(robot,)):
+    for draw in drawn(of_owners(robot), SEED + 10, robots=(robot,)):
         scene = draw.scene()
         rings = [ring for polygon in scene.union().rings() for ring in polygon]
         for ring, owners in zip(rings, scene.owners(), strict=True):
@@ -245,6 +250,30 @@ def test_parents_of_a_side_run_along_it(robot: str) -> None:
                     assert low <= reached, (draw.told, side)
                     reached = max(reached, high)
                 assert reached == 1, (draw.told, side)
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_owners_of_a_passage_touch_all_along_it(robot: str) -> None:
+    """Each runs along its segment, one way or the other; an owner of a point passes there."""
+    for draw in drawn(of_owners(robot), SEED + 13, robots=(robot,)):
+        for passage in draw.scene(passages=True).passages():
+            ends = passage.points if len(passage.points) > 1 else passage.points * 2
+            for side, owners in zip(pairwise(ends), passage.owners, strict=True):
+                assert owners, (draw.told, side)
+                for owner in owners:
+                    edge = edge_of(draw, owner)
+                    if side[0] == side[1]:
+                        assert holds(edge, side[0]), (draw.told, side, owner)
+                    else:
+                        found = shared(side, edge) or shared(side, edge[::-1])
+                        assert found is not None, (draw.told, side, owner)
+
+
+def holds(edge: tuple[Point, Point], x: Point) -> bool:
+    """Tell whether a point lies on an edge."""
+    (a, b), within = edge, zip(*edge, x, strict=True)
+    turn = (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0])
+    return turn == 0 and all(min(p, q) <= at <= max(p, q) for p, q, at in within)
 
 
 def edge_of(draw: Draw, owner: minkref.Owner) -> tuple[Point, Point]:
