@@ -226,11 +226,8 @@ class LevelRows {
     if (found->depth.is_infinite()) {
       return PocketRow{found->leaf, std::nullopt, {infinity, infinity}, found->is_tie};
     }
-    const auto [top, bottom] =
-        squared_distance(numbers<RootNumber>(self_.tree.ends[found->leaf].vertex),
-                         self_.bridges.chord<RootNumber>(found->depth.nearest(), radius_));
     const Rational inverse = 1 / (diagram_.factor * diagram_.factor);
-    const RootNumber squared = RootNumber(inverse) * (top / bottom);
+    const RootNumber squared = RootNumber(inverse) * found->depth.exact();
     const Enclosure depth = enclose(root_of(squared));
     return PocketRow{found->leaf, expression(squared), {depth.lower, depth.upper}, found->is_tie};
   }

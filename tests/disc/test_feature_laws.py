@@ -252,3 +252,11 @@ def _height(vertex: Any, a: tuple[float, float], b: tuple[float, float]) -> floa
     return float(abs(x * (float(vertex[1]) - a[1]) - y * (float(vertex[0]) - a[0]))) / math.hypot(
         x, y
     )
+
+
+@pytest.mark.parametrize("seed", range(SHAPES))
+def test_bounds_of_depths_are_neighbouring_doubles(seed: int) -> None:
+    found = minkref.features(random_set(seed))
+    for notch in found.notches(Fraction(3, 2)):
+        low, high = notch.depth
+        assert high in (low, math.nextafter(low, math.inf)), seed

@@ -185,3 +185,36 @@ def test_a_bay_between_three_blocks_has_three_bridges() -> None:
     assert sorted(sorted(bridge.near) for bridge in alive.bridges) == [
         [(0, 2), (0, 8)], [(4, 10), (6, 10)], [(10, 2), (10, 8)],
     ]  # fmt: skip
+
+
+def leaning(x: Any, y: Any) -> tuple[Any, Any]:
+    """Turned and stretched so that lengths of edges become roots."""
+    return 2 * x - y, x + 2 * y
+
+
+def test_slots_that_are_alike_are_tied() -> None:
+    ring: list[tuple[int, int]] = [(0, 0), (41, 0), (41, 5)]
+    for x in range(39, 0, -2):
+        ring += [(x + 1, 5), (x + 1, 2), (x, 2), (x, 5)]
+    found = minkref.features(made([[[*ring, (0, 5)]]], leaning))
+    assert kinds_of(found) == {"reflex": 40, "merge": 20, "outside": 1}
+    assert all(node.tie for node in found.tree if node.children)
+    notches = found.notches(Fraction(1, 2))
+    # Equal bars and equal depths: by place, those that live on before the others.
+    assert [found.bars[n.bar].death[0] for n in notches] == sorted(
+        (bar.death[0] for bar in found.bars), reverse=True
+    )
+    assert len({notch.depth for notch in notches}) == 1
+
+
+def test_mirror_images_are_tied_at_places_of_different_fields() -> None:
+    """A pit and its image in the floor of a bay, with walls of roots."""
+    half = [(18, 20), (18, 6), (16, 5), (13, 2), (11, 6)]
+    ring = [(0, 0), (20, 0), (20, 20), *half, *((20 - x, y) for x, y in reversed(half)), (0, 20)]
+    for move in (lambda x, y: (x, y), leaning):
+        found = minkref.features(made([[ring]], move))
+        tied = [node for node in found.tree if node.tie]
+        assert len(tied) == 1 and len(tied[0].children) == 2
+        births, deaths = zip(*((bar.birth, bar.death) for bar in found.bars), strict=True)
+        assert set(births) == {(0, 0)}
+        assert sorted(Counter(deaths).values()) == [1, 1, 2]

@@ -40,8 +40,8 @@ class LeafDepth {
   bool is_infinite() const { return halves_ != nullptr && halves_->empty(); }
   /// Encloses a finite depth, within the frame.
   Interval near() const;
-  /// A half with the nearest bridge; requires a depth neither 0 nor infinite.
-  std::uint32_t nearest() const { return (*halves_)[nearest_half().number]; }
+  /// The squared depth within the frame, at a given radius; requires a depth not infinite.
+  RootNumber exact() const { return is_zero() ? RootNumber(0) : nearest_half().exact.value(); }
 
  private:
   struct Half {

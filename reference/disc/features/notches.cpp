@@ -66,9 +66,8 @@ struct FoundNotch {
 Enclosure depth_in_doubles(const DiscIndex& index, const LeafDepth& depth) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (depth.is_infinite()) return {infinity, infinity};
-  if (depth.is_zero()) return {0, 0};
-  const Interval near = sqrt(depth.near()) / Interval(index.diagram().factor);
-  return {near.lower(), near.upper()};
+  const Rational inverse = 1 / (index.diagram().factor * index.diagram().factor);
+  return enclose(root_of(RootNumber(inverse) * depth.exact()));
 }
 
 }  // namespace
