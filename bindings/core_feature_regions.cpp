@@ -59,7 +59,7 @@ std::vector<StepRow> rows_of(const std::vector<DrawnStep>& steps) {
   return rows;
 }
 
-/// All regions at one radius; the rest material is found when first asked for.
+/// All regions at a radius, with rest material.
 class RegionsAt {
  public:
   RegionsAt(const BoundFeatures& all, const std::optional<std::string>& squared)
@@ -184,7 +184,7 @@ class RegionsAt {
   }
 
  private:
-  /// The last node tells which feature it is just above.
+  /// The last node tells the feature.
   std::optional<std::uint32_t> live_node(const FeatureRegion& feature) const {
     const std::uint32_t last = *std::max_element(
         feature.nodes.begin(), feature.nodes.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -231,7 +231,7 @@ void bind_feature_regions(nb::module_& module, nb::class_<BoundFeatures>& bound)
   nb::class_<RegionsAt>(module, "RegionsAt",
                         "The regions of features, the alpha-shape and the rest at one radius.")
       .def_prop_ro("components", &RegionsAt::components,
-                   "Of the alpha-shape, as a closed set: sets that touch are one.")
+                   "The alpha-shape's, as a closed set: touching sets count once.")
       .def_prop_ro("holes", &RegionsAt::holes, "Bounded components of the complement.")
       .def("features", &RegionsAt::features, Released(),
            "By feature: its node of the merge tree (None once a hole is filled), numbers of "

@@ -103,7 +103,7 @@ class RestOfFeature(TypedDict):
 
 
 class RestAtAlpha(TypedDict):
-    """What a closing with the disc adds to the set."""
+    """The rest material: a closing with the disc adds it to the set."""
 
     area: Enclosure
     of_features: list[RestOfFeature]

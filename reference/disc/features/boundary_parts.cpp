@@ -41,7 +41,7 @@ class PartFinder {
     }
   }
 
-  /// The vertices passed from the upper or lower end of one half to the start of another.
+  /// The vertices passed between two halves' feet.
   std::vector<std::uint32_t> between(std::uint32_t number, std::uint32_t from,
                                      std::uint32_t to) const {
     const DiagramGraph::Walk& walk = graph_.walks[number];

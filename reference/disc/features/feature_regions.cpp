@@ -48,8 +48,8 @@ class RegionFinder {
     return found_.features[numbers_.at(nodes_.root(lower_node(half)))];
   }
 
-  /// Polygons along one walk touch, and those around a feature hang together through its chords.
-  /// Each component has one outer ring, and each hole one.
+  /// Polygons along a walk touch, and polygons around a feature hang together through chords. Each
+  /// component has an outer ring, and each hole a ring.
   void count() {
     const DiagramEvents& diagram = index_.diagram();
     std::uint32_t polygons = 0;

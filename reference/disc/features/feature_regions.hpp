@@ -1,4 +1,4 @@
-// The regions of P's features at a radius, and the alpha-shape (Behar & Lien 2012, Sec. 8.2).
+// The features' regions at a radius, and the alpha-shape (Behar & Lien 2012, Sec. 8.2).
 #pragma once
 
 #include <cstdint>
@@ -9,30 +9,30 @@
 
 namespace minkref::inline disc {
 
-/// A connected set of points of the outer medial axis nearer to P than the radius. Its region lies
-/// between hidden parts of the boundary of P and the chords at its corners.
+/// Connected points on the outer medial axis, nearer to P than the radius. The region lies between
+/// hidden parts and the chords at the feature's corners.
 struct FeatureRegion {
-  std::vector<std::uint32_t> nodes;  ///< of the diagram's graph, ascending: events, reflex ends
-  std::vector<PartRing> rings;       ///< of hidden parts; the region is on the right
+  std::vector<std::uint32_t> nodes;  ///< graph nodes, ascending: events, reflex ends
+  std::vector<PartRing> rings;       ///< hidden parts, with the region on the right
 };
 
-/// The alpha-shape at a radius consists of P and the chords of all points of the axis as near, or
-/// nearer: P and the regions. It has the components and holes of the closed sum P ⊕ ρD.
+/// The alpha-shape unites P with the chords at all axis points up to the radius, that is, with the
+/// regions. Components and holes match the closed sum P ⊕ ρD.
 struct FeatureRegions {
   FeatureRadius radius;
   BoundaryParts parts;
   std::vector<FeatureRegion> features;  ///< by their first nodes
-  std::size_t components;               ///< of the alpha-shape as a closed set: what touches is one
-  std::size_t holes;                    ///< bounded components of its complement
+  std::size_t components;  ///< the alpha-shape's, as a closed set: touching sets count once
+  std::size_t holes;       ///< bounded components around
 };
 
-/// Finds the features of points nearer to P than a radius, given by its square in coordinates of P;
-/// none: infinity. At the radius of an event this is the state just below. Exact, by whole numbers.
-/// O(n log n). Throws BadInput ("bad-radius") for a square that is not above 0.
+/// Finds all features at a squared radius; none: infinity. At an event's radius: the state just
+/// below. Exact: compares whole numbers. O(n log n). Throws BadInput ("bad-radius") for a square
+/// not above 0.
 FeatureRegions feature_regions(const DiscIndex& index,
                                const std::optional<Rational>& squared_radius);
 
-/// The vertices, by feature, at which the reflex ends of the graph lie, in the order of the nodes.
+/// Lists the reflex ends' vertices, as features, ordered like the graph's nodes.
 std::vector<std::uint32_t> reflex_vertices(const DiscIndex& index);
 
 }  // namespace minkref::inline disc

@@ -14,13 +14,13 @@ struct DrawnStep {
   double x0, y0, x1, y1, cx, cy;
 };
 
-/// A closed curve's steps in coordinates of P. Each number is the nearest double.
+/// A closed curve's steps, as nearest doubles.
 std::vector<DrawnStep> drawn_outline(const RegionOutlines& outlines, const PartRing& ring,
                                      bool is_hidden);
 std::vector<DrawnStep> drawn_rest(const RegionOutlines& outlines, const RestMaterial& rest,
                                   const RestRing& ring);
 
-/// A point of the frame in coordinates of P; as the nearest doubles.
+/// Converts a point from the frame to P; then to nearest doubles.
 RootPoint placed(const RegionOutlines& outlines, const RootPoint& point);
 std::pair<double, double> drawn_point(const RegionOutlines& outlines, const RootPoint& point);
 

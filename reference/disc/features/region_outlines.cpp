@@ -8,7 +8,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// The edge that a half is in front of; none of a vertex.
+/// The edge before a half; none for a vertex.
 std::uint32_t edge_before(const DiscIndex& index, std::uint32_t half) {
   return index.diagram().curves.features[index.graph().halves[half].feature].edge;
 }
@@ -87,7 +87,7 @@ void add_cross(const DiscIndex& index, const OutlineStep& step, const Rational& 
     terms.add(cross(step.from, step.to), half);
     return;
   }
-  // Along a line only the difference of both ends counts.
+  // Along a line only the ends' difference counts.
   const RootPoint on = numbers<RootNumber>(index.diagram().curves.edges[step.edge].start);
   terms.add(cross(on, step.to), half);
   terms.add(cross(on, step.from), -half);

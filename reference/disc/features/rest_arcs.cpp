@@ -44,7 +44,7 @@ const Vector<N>& RestArcs::centre(std::uint32_t corner) {
   }
 }
 
-/// The sign of a number, from intervals of doubles or from roots.
+/// A number's sign, from double intervals or roots.
 template <class Of>
 int RestArcs::decided(Of&& of) {
   if (const auto certain = certified_sign(of(Interval()))) return *certain;
@@ -68,7 +68,7 @@ bool RestArcs::is_vertex_foot(std::uint32_t corner, std::uint32_t vertex, bool a
   return (at_start ? half.feature : halves[half.twin].feature) == vertex;
 }
 
-/// The place, from the centre, at which a cover starts or ends.
+/// Where a cover starts or ends, from the centre.
 template <class N>
 Vector<N> RestArcs::place(std::uint32_t corner, const Cover& cover, bool at_start) {
   const OffsetCurves& curves = outlines_.index().diagram().curves;
@@ -77,8 +77,8 @@ Vector<N> RestArcs::place(std::uint32_t corner, const Cover& cover, bool at_star
                  N(Rational(1, 2)), !at_start);
 }
 
-/// The part of an arc that the disc about another corner covers. A disc covers neither foot, so it
-/// covers a part inside the arc, or nothing, which the direction of its centre tells.
+/// Finds the part covered from a further corner. Discs cover neither foot, so each covers a part
+/// inside the arc, or nothing, as the centre's direction tells.
 std::optional<RestArcs::Cover> RestArcs::cover_of(std::uint32_t corner, std::uint32_t other) {
   if (are_one_circle(corner, other)) return std::nullopt;
   const auto way = [&]<class N>(const N&) { return centre<N>(other) - centre<N>(corner); };
@@ -110,7 +110,7 @@ std::optional<RestArcs::Cover> RestArcs::cover_of(std::uint32_t corner, std::uin
   return cover;
 }
 
-/// Along an arc, of less than half a turn.
+/// Along an arc below half a turn.
 int RestArcs::order(std::uint32_t corner, const Cover& a, bool a_start, const Cover& b,
                     bool b_start) {
   const auto rank = [](const Cover& cover, bool start) {
@@ -124,7 +124,7 @@ int RestArcs::order(std::uint32_t corner, const Cover& a, bool a_start, const Co
   });
 }
 
-/// Adds what the covers leave of an arc.
+/// Adds the arc without covers.
 void RestArcs::add_free(std::uint32_t corner, std::vector<Cover> covers,
                         std::vector<FreeArc>& found) {
   std::sort(covers.begin(), covers.end(),
@@ -139,7 +139,7 @@ void RestArcs::add_free(std::uint32_t corner, std::vector<Cover> covers,
       last = cover.end();
       continue;
     }
-    // Several covers may start at one point, behind a free arc.
+    // Several covers may start together, behind a free arc.
     if (order(corner, cover, true, *first, true) == 0 && !cover.from_foot) {
       found.back().to.with.push_back(cover.other);
     }
@@ -155,7 +155,7 @@ void RestArcs::add_free(std::uint32_t corner, std::vector<Cover> covers,
 }
 
 std::vector<FreeArc> RestArcs::of(const std::vector<std::uint32_t>& corners) {
-  // From left to right: discs meet only if their centres are less than two radii apart.
+  // From left to right: discs meet only if the centres are less than two radii apart.
   std::vector<std::uint32_t> sorted = corners;
   std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
     return rounded_[a].x.lower() < rounded_[b].x.lower();

@@ -1,5 +1,5 @@
-// Arcs that bound the rest material: about each corner of a feature, the arc between both feet, as
-// far as no disc about another corner covers it.
+// Arcs around rest material: about each feature corner runs an arc between both feet, without the
+// parts inside discs about further corners.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,23 @@
 
 namespace minkref::inline disc {
 
-/// Corners whose circles cross or touch an arc at its end; none at a foot.
+/// Corners with circles through an arc's end; none at a foot.
 struct ArcEnd {
   std::vector<std::uint32_t> with = {};
-  std::uint32_t vertex = DiagramGraph::none;  ///< on the circle of the first, too, and on the arc's
+  std::uint32_t vertex = DiagramGraph::none;  ///< shared with the first circle
   bool only_touches = false;                  ///< the first
 
   bool is_foot() const { return with.empty(); }
 };
 
-/// A part of the circle about a corner, counter-clockwise, behind the corner's bridge.
+/// A part of a corner's circle, counter-clockwise, behind the bridge.
 struct FreeArc {
   std::uint32_t corner;
   ArcEnd from, to;
 };
 
-/// The point, from the centre a, at which the circle about a enters the disc about b, or leaves it,
-/// running counter-clockwise. Both radii are equal, and more than half the distance.
+/// Where the circle about a, counter-clockwise, enters the disc about b, or leaves; from a. Both
+/// radii are equal, and more than half the distance.
 template <class N>
 Vector<N> crossing_from(const Vector<N>& a, const Vector<N>& b, const N& squared_radius,
                         const N& half, bool enters) {
@@ -45,7 +45,7 @@ inline MpfrInterval rational_like(const Rational& value, const MpfrInterval& lik
   return {value, like.precision()};
 }
 
-/// The end of an arc about a, from a. Circles through one vertex meet again in its mirror image.
+/// The end for an arc about a, from a. Circles through a vertex meet again at the mirror image.
 template <class N>
 Vector<N> arc_end(const OffsetCurves& curves, const ArcEnd& end, const Vector<N>& a,
                   const Vector<N>& b, const N& squared_radius, const N& half, bool at_start) {
@@ -62,17 +62,17 @@ class RestArcs {
   /// The outlines must outlive the object, at a finite radius.
   explicit RestArcs(const RegionOutlines& outlines);
 
-  /// The free arcs about the corners of one feature, given by number. Exact: doubles, then
-  /// roots; circles that touch, and circles that meet in one point, are told from others. O(n^2)
+  /// Finds the free arcs about a feature's corners. Exact: doubles, then roots, also for touching
+  /// circles and for three circles through a point. O(n^2)
   /// comparisons of doubles for n corners.
   std::vector<FreeArc> of(const std::vector<std::uint32_t>& corners);
 
  private:
-  /// The part of an arc inside the disc about another corner.
+  /// An arc's part inside a further corner's disc.
   struct Cover {
     std::uint32_t other;
     bool from_foot, to_foot, only_touches;
-    std::uint32_t vertex;  ///< a foot of both; none
+    std::uint32_t vertex;  ///< a shared foot, or none
 
     ArcEnd end() const { return {{other}, vertex, only_touches}; }
   };
@@ -92,10 +92,11 @@ class RestArcs {
 
   const RegionOutlines& outlines_;
   Rational squared_;
-  std::vector<Vector<Interval>> rounded_;            ///< centres
-  std::vector<std::optional<Vector<Surd>>> exact_;   ///< centres, on demand
-  std::vector<std::vector<std::uint32_t>> touched_;  ///< by corner: vertices on the circle, sorted
-  std::vector<std::uint32_t> upper_;  ///< by corner: the event at the corner, or none
+  std::vector<Vector<Interval>> rounded_;           ///< centres
+  std::vector<std::optional<Vector<Surd>>> exact_;  ///< centres, on demand
+  std::vector<std::vector<std::uint32_t>>
+      touched_;                       ///< for each corner: vertices on the circle, sorted
+  std::vector<std::uint32_t> upper_;  ///< for each corner: the event there, or none
 };
 
 }  // namespace minkref::inline disc

@@ -1,4 +1,4 @@
-// The rest material at a radius: what a closing with the disc adds to P.
+// The rest material at a radius: a closing with the disc adds this to P.
 #pragma once
 
 #include <cstdint>
@@ -8,35 +8,34 @@
 
 namespace minkref::inline disc {
 
-/// A piece of the boundary: a hidden part of the boundary of P, or a free arc.
+/// A boundary piece: a hidden part, or a free arc.
 struct RestPiece {
   bool is_arc;
   std::uint32_t number;
 };
 
-/// Pieces one after the other, with the rest on the right; none: a whole walk.
+/// Consecutive pieces, with the rest on the right; none: a whole walk.
 struct RestRing {
   std::vector<RestPiece> pieces;
   std::uint32_t walk;
 };
 
-/// The rest within one feature's region.
+/// The rest within a feature's region.
 struct FeatureRest {
   std::vector<RestRing> rings;
-  std::size_t components;  ///< of the interior
+  std::size_t components;  ///< the interior's
 };
 
-/// closing(P) \ P, where the closing (P ⊕ ρD) ⊖ ρD holds all points that no disc of radius ρ
-/// outside of P reaches. It consists of the regions without the open discs about the corners of
-/// their own features: a disc that comes into a region through a chord covers there no more than
-/// the disc about the chord's corner does (docs/disc.md).
+/// closing(P) \ P: no disc outside P with the radius ρ reaches these points. Each region loses the
+/// open discs about the feature's own corners. A disc entering a region through a chord covers no
+/// more than the disc about the chord's corner (docs/features.md).
 struct RestMaterial {
   std::vector<FreeArc> arcs;
-  std::vector<FeatureRest> features;  ///< as FeatureRegions has them
+  std::vector<FeatureRest> features;  ///< like FeatureRegions::features
 };
 
-/// Finds the rest at a finite radius. Exact. O(n log n), and O(k^2) comparisons of doubles for k
-/// corners of one feature.
+/// Finds the rest at a finite radius. Exact. O(n log n), and O(k^2) double comparisons for k
+/// corners around a feature.
 RestMaterial rest_material(const RegionOutlines& outlines);
 
 }  // namespace minkref::inline disc

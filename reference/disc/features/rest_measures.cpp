@@ -8,7 +8,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// Sums over rings, by any number of bits; the rest lies on the right.
+/// Sums over rings at any precision; the rest lies on the right.
 class RestSums {
  public:
   RestSums(const RegionOutlines& outlines, const RestMaterial& rest)
@@ -45,7 +45,7 @@ class RestSums {
     return MpfrInterval(Rational(-1, 2), bits) * sum;
   }
 
-  /// Of the steps alone.
+  /// The steps alone.
   RootTerms terms(const Rational& unit) const {
     RootTerms found;
     for (const OutlineStep& step : steps_) add_cross(outlines_.index(), step, -unit, found);

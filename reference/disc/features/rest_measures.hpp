@@ -1,16 +1,16 @@
-// Areas of rest material.
+// Rest material's areas.
 #pragma once
 
 #include "reference/disc/features/rest_material.hpp"
 
 namespace minkref::inline disc {
 
-/// Whether a ring goes round a component of the rest, and not along what the component surrounds.
+/// Whether a ring goes round a component, and not along an island or a gap inside.
 bool is_around_rest(const RegionOutlines& outlines, const RestMaterial& rest, const RestRing& ring);
 
-/// The area between two neighbouring doubles, in coordinates of P: within one feature's region, or
-/// in all. Transcendental if there is an arc, since the angles add up to an amount whose sine is
-/// algebraic and which is not 0 (Lindemann); so bits tell. Else the area of a region.
+/// Encloses the area within some features' regions between two neighbouring doubles. With arcs the
+/// area is transcendental, since the angles' sum has an algebraic sine and differs from 0
+/// (Lindemann), so bits tell. Without arcs: a region's area.
 Interval rest_area(const RegionOutlines& outlines, const RestMaterial& rest,
                    const std::vector<std::size_t>& features);
 

@@ -12,9 +12,7 @@ from itertools import combinations, pairwise
 from minkref import _core
 from minkref.disc.feature_regions import RegionsAt
 from minkref.disc.features import Features
-from minkref.fuzz.geometry.plane import Ring, Shape
 from minkref.fuzz.judges.disc.place_draws import KINDS, drawn_set, set_of
-from minkref.fuzz.plane.families.drawing import shape_text
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
@@ -26,11 +24,13 @@ GAPS = 20  # at most, of one set
 TILED = (Fraction(5, 4), Fraction(5, 2), Fraction(13, 2))  # many feet are rational there
 SHARES = (Fraction(1, 5), Fraction(1, 2), Fraction(4, 5))  # of the way between two events
 BATCH = 4
+Number = Fraction | int
+Corner = tuple[Number, Number]
 
 
 @dataclass
 class Looked:
-    """What was looked at, and what was wrong."""
+    """Counts of checked laws, and faults."""
 
     counts: Counter[str] = field(default_factory=Counter)
     wrong: list[str] = field(default_factory=list)
@@ -105,7 +105,7 @@ def _at_infinity(name: str, P: _core.PolygonSet, features: Features, looked: Loo
 def _hull_area(P: _core.PolygonSet) -> Fraction:
     """Twice around: the lower chain, then the upper one (Andrew)."""
     points = sorted({(Fraction(x), Fraction(y)) for polygon in P.rings() for x, y in polygon[0]})
-    hull: Ring = []
+    hull: list[Corner] = []
     for chain in (points, points[::-1]):
         base = len(hull)
         for p in chain:
@@ -117,7 +117,7 @@ def _hull_area(P: _core.PolygonSet) -> Fraction:
     return Fraction(sum(p[0] * q[1] - p[1] * q[0] for p, q in pairwise(closed))) / 2
 
 
-def _turn(a: tuple, b: tuple, c: tuple) -> Fraction:  # type: ignore[type-arg]
+def _turn(a: Corner, b: Corner, c: Corner) -> Number:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
@@ -142,17 +142,17 @@ def _simple(rings: list[list[tuple[str, str]]]) -> _core.PolygonSet | None:
     """The region as a valid set, unless a corner is irrational or a ring touches itself."""
     if any("sqrt" in value for ring in rings for point in ring for value in point):
         return None
-    found: Shape = []
+    found: list[list[Corner]] = []
     for ring in rings:
-        corners = [(Fraction(x), Fraction(y)) for x, y in reversed(ring)]
-        kept = [p for p, q in zip(corners, [*corners[1:], corners[0]], strict=True) if p != q]
-        found.append(kept)  # type: ignore[arg-type]
-    outer = [ring for ring in found if _doubled(ring) > 0]  # type: ignore[arg-type]
+        corners: list[Corner] = [(Fraction(x), Fraction(y)) for x, y in reversed(ring)]
+        found.append(
+            [p for p, q in zip(corners, [*corners[1:], corners[0]], strict=True) if p != q]
+        )
+    outer = [ring for ring in found if _doubled(ring) > 0]
     if len(outer) != 1:
         return None
     holes = [ring for ring in found if ring is not outer[0]]
-    text = shape_text([[outer[0], *holes]])  # type: ignore[list-item]
-    shape = _core.PolygonSet.from_json(text)
+    shape = set_of([[outer[0], *holes]])
     try:
         shape.validate("region")
     except _core.BadInput:
@@ -160,7 +160,7 @@ def _simple(rings: list[list[tuple[str, str]]]) -> _core.PolygonSet | None:
     return shape
 
 
-def _doubled(ring: Ring) -> Fraction:
+def _doubled(ring: list[Corner]) -> Fraction:
     return Fraction(sum(p[0] * q[1] - p[1] * q[0] for p, q in pairwise([*ring, ring[0]])))
 
 
