@@ -7,6 +7,7 @@ import json
 import re
 import sys
 
+from .form import canonical_json
 from .judge import Judge
 
 
@@ -35,4 +36,6 @@ def polygons_of(text: str) -> list[list[list[tuple[str, str]]]]:
 
 
 if __name__ == "__main__":
-    print(json.dumps(Judge(polygons_of(sys.stdin.read())).document(), indent=1))
+    judge = Judge(polygons_of(sys.stdin.read()))
+    tree = json.loads(canonical_json(judge))
+    print(json.dumps({**judge.document(), "tree": tree}, indent=1))

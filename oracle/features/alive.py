@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cmp_to_key
 
 from .chord import Chord, chord, chord_at, depth
 from .graph import Part
 from .levels import Levels, Sets
 from .number import Number, number, order
-from .tree import Bar, Tree
+from .tree import Bar, Tree, order_of_ends
 
 
 @dataclass(eq=False)
@@ -101,5 +102,10 @@ def _find_pocket(tree: Tree, feature: Feature) -> None:
                 best = []
         best.append((leaf, deep))
     if best:
-        feature.pocket, feature.depth = min(best, key=lambda row: wedges[row[0]].at)
+
+        def before(a: int, b: int) -> int:
+            return order_of_ends(tree.levels, a, b)
+
+        feature.pocket = min((leaf for leaf, _ in best), key=cmp_to_key(before))
+        feature.depth = best[0][1]
         feature.tie = len(best) > 1

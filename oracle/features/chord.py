@@ -5,7 +5,7 @@ from __future__ import annotations
 from .graph import Part
 from .levels import Levels
 from .number import Number, number, root
-from .outline import Corner, Edge, Point, cross
+from .outline import Corner, Edge, Point, cross, dot
 from .place import Exact, Place
 
 Chord = tuple[Exact, Exact]
@@ -13,8 +13,6 @@ Chord = tuple[Exact, Exact]
 
 def chord_at(levels: Levels, part: Part, level: int) -> Chord:
     """The nearest points where a part reaches a level, or passes it."""
-    if level < levels.infinity and levels.level(part.high) == level:
-        return chord_of(levels, part.pair, levels.graph.places[part.high[1]])
     return chord(levels, part, None if level == levels.infinity else levels.squares[level])
 
 
@@ -52,21 +50,22 @@ def _from_edge(edge: Edge, corner: Corner, square: Number, side: int) -> Exact:
     """The foot on an edge: h and r being the heights of corner and place, the place is sqrt(2 h r -
     h^2) beside the corner."""
     over = edge.over(corner.at)
-    beside = root(root(square / edge.square) * (2 * over) / edge.square
-                  - (over / edge.square) ** 2) * side  # fmt: skip
+    height = root(square) * root(1 / edge.square)
+    beside = root(height * (2 * over / edge.square) - (over / edge.square) ** 2) * side
     part = over / edge.square
     return (beside * edge.along[0] + (corner.at[0] - part * edge.normal[0]),
             beside * edge.along[1] + (corner.at[1] - part * edge.normal[1]))  # fmt: skip
 
 
 def _between_edges(a: Edge, b: Edge, square: Number) -> Chord:
-    (ax, ay), (bx, by) = a.normal, b.normal
-    turn = cross(a.normal, b.normal)
-    r = root(square)
-    p, q = r * root(a.square) + a.height, r * root(b.square) + b.height
-    x, y = (p * by - q * ay) / turn, (q * ax - p * bx) / turn
-    s, t = r / root(a.square), r / root(b.square)
-    return (x - s * ax, y - s * ay), (x - t * bx, y - t * by)
+    """Feet move along both edges from the lines' crossing, as far as the radius grows."""
+    turn, along = cross(a.normal, b.normal), dot(a.normal, b.normal)
+    x = (a.height * b.normal[1] - b.height * a.normal[1]) / turn
+    y = (a.normal[0] * b.height - b.normal[0] * a.height) / turn
+    far = (root(a.square * b.square) - along) / turn * root(square)
+    s, t = far * root(1 / a.square), far * root(1 / b.square) * -1
+    (ax, ay), (bx, by) = a.along, b.along
+    return (s * ax + x, s * ay + y), (t * bx + x, t * by + y)
 
 
 def depth(at: Point, chord: Chord) -> Number:

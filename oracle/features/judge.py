@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import gcd
 from typing import Any
 
 from .alive import Feature, features_at
 from .graph import Graph, Incomplete
 from .levels import Levels
+from .notches import Notch, notches
 from .number import Number
-from .outline import Corner, Edge, Outline, Point
+from .outline import Corner, Edge, Outline, Point, primitive
 from .tiles import shape_counts
 from .tracks import Track, tracks
 from .tree import Node, Tree
@@ -64,6 +64,12 @@ class Judge:
         """Components and holes of the alpha-shape, a closed set."""
         return shape_counts(self.levels, squared_radius)
 
+    def notches(
+        self, alpha: Fraction, persistence: Fraction, alpha_to: Fraction | None = None
+    ) -> list[Notch]:
+        """Wedges to cut at, in the order of cuts; alpha is a diameter."""
+        return notches(self.tree, alpha, persistence, alpha_to)
+
     def wedge_name(self, k: int) -> Name:
         """A vertex, and the primitive direction of an edge: it leaves the vertex, the wedge to its
         right."""
@@ -90,31 +96,6 @@ class Judge:
     def _placed(self, p: Point) -> Point:
         return p[0] + self.origin[0], p[1] + self.origin[1]
 
-    def node_text(self, node: Node) -> str:
-        """A node with its subtree. Equal trees of a set have equal texts, however the set is
-        written."""
-        if node.kind == "reflex":
-            return " ".join(self.wedge_name(node.wedge))
-        groups = sorted(
-            "{" + " | ".join(sorted(map(self._place_text, group))) + "}" for group in node.groups
-        )
-        below = sorted(map(self.node_text, node.children))
-        return f"{node.kind}{''.join(groups)}({', '.join(below)})"
-
-    def _place_text(self, k: int) -> str:
-        """Features; places with the same features get numbers by radius, then place."""
-        places = self.graph.places
-        alike = [j for j, other in enumerate(places) if other.sites == places[k].sites]
-        before = sum(
-            (self.levels.of_place[j], *places[j].near) < (self.levels.of_place[k], *places[k].near)
-            for j in alike
-        )
-        name = "; ".join(" ".join(site) for site in self.place_name(k))
-        return f"{name} #{before}" if len(alike) > 1 else name
-
-    def text(self) -> str:
-        return "\n".join(sorted(map(self.node_text, self.tree.roots)))
-
     def document(self) -> dict[str, Any]:
         levels, infinity = self.levels, self.levels.infinity
         leaves = [node for node in self.tree.nodes if node.kind != "node"]
@@ -136,7 +117,6 @@ class Judge:
                 for bar in sorted(self.tree.bars, key=lambda bar: (bar.birth, bar.death))
             ],
             "tracks": [[low, None if high == infinity else high] for low, high in self.tracks()],
-            "tree": self.text(),
         }  # fmt: skip
 
     def _row(self, node: Node) -> dict[str, Any]:
@@ -148,10 +128,3 @@ class Judge:
         if node.children:
             row |= {"degree": len(node.children), "tie": node.tie}
         return row
-
-
-def primitive(way: Point) -> tuple[int, int]:
-    common = way[0].denominator * way[1].denominator
-    x, y = int(way[0] * common), int(way[1] * common)
-    divisor = gcd(x, y)
-    return x // divisor, y // divisor

@@ -18,13 +18,16 @@ PRIMES = [n for n in range(2, 1000) if all(n % k for k in range(2, isqrt(n) + 1)
 class Number:
     """A node of an expression; `rational`: its value, if known without a proof."""
 
-    __slots__ = ("_bits", "_high", "_low", "above", "below", "parts", "rational", "roots", "way")
+    __slots__ = (
+        "_bits", "_high", "_low", "above", "below", "parts", "rational", "root", "roots", "way",
+    )  # fmt: skip
 
     def __init__(
         self, way: str, parts: tuple[Number, ...], rational: Fraction | None = None
     ) -> None:
         self.way, self.parts, self.rational = way, parts, rational
         self._bits, self._low, self._high = -1, 0, 0
+        self.root: Number | None = None
         self.above, self.below = self._bounds()
         self.roots: frozenset[Number] = frozenset[Number]().union(*(p.roots for p in parts))
         if way == "root":
@@ -108,8 +111,10 @@ class Number:
                 if r > 0 or s < 0:
                     break
                 more = 2 * more + FIRST_BITS
-            ends = [Fraction(t << bits, u) for t in (p, q) for u in (r, s)]
-            return _floor(min(ends)), -_floor(-max(ends))
+            if r < 0:
+                p, q, r, s = -q, -p, -s, -r
+            least, most = (p << bits) // (s if p >= 0 else r), (-q << bits) // (r if q >= 0 else s)
+            return least, -most
         (p, q), (r, s) = a.bounds(bits), b.bounds(bits)
         if self.way == "+":
             return p + r, q + s
@@ -160,10 +165,6 @@ def _log(value: int) -> float:
     return log2(value) + 1e-9 if value > 1 else 0.0
 
 
-def _floor(value: Fraction) -> int:
-    return value.numerator // value.denominator
-
-
 def _root_above(square: int) -> int:
     root = isqrt(max(square, 0))
     return root + (root * root < square)
@@ -189,12 +190,14 @@ _ROOTS: dict[Fraction, Number] = {}
 
 
 def root(value: Number | Rational) -> Number:
-    """The square root of a number of at least 0. Equal rationals have one root."""
+    """The square root of a number of at least 0, one for equal rationals."""
     x = number(value)
     if x.rational is None and x.sign() == 0:
         return number(0)
     if x.rational is None:
-        return Number("root", (x,))
+        if x.root is None:
+            x.root = _root_of_square(x) or Number("root", (x,))
+        return x.root
     if x.rational < 0:
         raise ValueError(f"a square root of {x.rational}")
     rest = x.rational.numerator * x.rational.denominator
@@ -209,6 +212,17 @@ def root(value: Number | Rational) -> Number:
     if key not in _ROOTS:
         _ROOTS[key] = Number("root", (number(key),))
     return _ROOTS[key] * outside
+
+
+def _root_of_square(x: Number) -> Number | None:
+    """The root of a rational times a square, without a new root around the square."""
+    if x.way != "*" or x.parts[1].rational is None:
+        return None
+    inner = x.parts[0]
+    if inner.way != "*" or inner.parts[0] is not inner.parts[1]:
+        return None
+    own = inner.parts[0]
+    return (own if own.sign() > 0 else -own) * root(x.parts[1])
 
 
 def order(a: Number, b: Number) -> int:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
+from math import gcd
 
 Point = tuple[Fraction, Fraction]
 Ring = list[Point]
@@ -22,6 +23,13 @@ def cross(p: Point, q: Point) -> Fraction:
 
 def dot(p: Point, q: Point) -> Fraction:
     return p[0] * q[0] + p[1] * q[1]
+
+
+def primitive(way: Point) -> tuple[int, int]:
+    common = way[0].denominator * way[1].denominator
+    x, y = int(way[0] * common), int(way[1] * common)
+    divisor = gcd(x, y)
+    return x // divisor, y // divisor
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,8 @@ from typing import Literal
 
 from .chord import chord_at, depth
 from .levels import Levels, Sets
-from .number import Number, order
+from .number import Number, number, order
+from .outline import primitive
 from .place import Exact
 
 Kind = Literal["reflex", "minimum", "node", "hole", "outside"]
@@ -144,15 +145,19 @@ class Tree:
         return best
 
     def _place_order(self, a: Node, b: Node) -> int:
+        """Compares places of elder leaves."""
         assert a.elder and b.elder
+        if a.elder.kind == "reflex":
+            return order_of_ends(self.levels, a.elder.wedge, b.elder.wedge)
         return order_of_places(self.least_place(a.elder), self.least_place(b.elder))
 
-    def least_place(self, leaf: Node) -> Exact:
+    def least_place(self, node: Node) -> Exact:
+        """The least of all places of a node."""
         graph = self.levels.graph
-        if leaf.kind == "reflex":
-            x, y = graph.outline.wedges[leaf.wedge].at
-            return Number("", (), x), Number("", (), y)
-        points = [(graph.places[k].x, graph.places[k].y) for group in leaf.groups for k in group]
+        if node.kind == "reflex":
+            x, y = graph.outline.wedges[node.wedge].at
+            return number(x), number(y)
+        points = [(graph.places[k].x, graph.places[k].y) for group in node.groups for k in group]
         return min(points, key=cmp_to_key(order_of_places))
 
     def _roots(self) -> list[Node]:
@@ -199,6 +204,13 @@ def _order_of_depths(a: Number | None, b: Number | None) -> int:
     if a is None or b is None:
         return (a is None) - (b is None)
     return order(a, b)
+
+
+def order_of_ends(levels: Levels, a: int, b: int) -> int:
+    """Compares wedges: by vertex, then by the primitive direction of the edge that leaves it."""
+    p, q = (levels.graph.outline.wedges[k] for k in (a, b))
+    mine, other = ((w.at, primitive(w.second.along)) for w in (p, q))
+    return (mine > other) - (mine < other)
 
 
 def order_of_places(a: Exact, b: Exact) -> int:
