@@ -95,7 +95,7 @@ class Outline:
         self.wedges: list[Wedge] = []
         self.holes = 0  # bounded components of the complement
         self.walks = 0
-        pieces = _split(_turned(polygons))
+        pieces = edges_of(polygons)
         after = _links(pieces)
         left = set(range(len(pieces)))
         while left:
@@ -125,6 +125,11 @@ class Outline:
                 self.corners.append(Corner(e.b, e.part))
             else:
                 self.wedges.append(Wedge(e.b, e, f))
+
+
+def edges_of(polygons: Sequence[Sequence[Sequence[Point]]]) -> list[Edge]:
+    """Edges with the set on the left, cut where vertices lie on them."""
+    return _split(_turned(polygons))
 
 
 def _turned(polygons: Sequence[Sequence[Sequence[Point]]]) -> list[list[Ring]]:

@@ -31,6 +31,8 @@ def feature_faults(
     faults = [*comparison.radii(), *comparison.bars()]
     if judge.tracks() != comparison.tracks():
         faults.append(f"tracks: {judge.tracks()} and {comparison.tracks()}")
+    if faults:  # numbers below stand for bars and nodes
+        return faults
     for alpha in _alphas(judge, dice):
         counts["alphas"] += 1
         faults += comparison.alive(alpha, counts)

@@ -26,11 +26,13 @@ class Table:
     counts: Counter[str] = field(default_factory=Counter)
     faults: list[str] = field(default_factory=list)
     unanswered: list[str] = field(default_factory=list)
+    seconds: float = 0.0  # of the first judge
 
     def add(self, other: Table) -> None:
         self.counts.update(other.counts)
         self.faults += other.faults
         self.unanswered += other.unanswered
+        self.seconds += other.seconds
 
 
 def count(name: str, judge: Judge, counts: Counter[str]) -> None:

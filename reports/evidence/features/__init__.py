@@ -1,2 +1,2 @@
-"""Features of a growing disc: the alpha-shape has the components and holes of the closed sum, and
-its regions tile the rest of the convex hull; the rest material is what a closing adds."""
+"""Features of a growing disc are those of judges of their own; regions tile what a hull adds, cuts
+resolve their notches, and readings of many radii are fast."""
