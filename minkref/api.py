@@ -171,11 +171,10 @@ def inset(
     threads: int = 1,
     route: str = "definition",
 ) -> Offset:
-    """Compute the erosion of P by a disc about the origin, given by `radius` > 0 or by the radius's
-    square: all places whose distance from the outside of P is the radius or more. Its remnants,
-    points and segments beside the region, are the `tight_passages` of the result. Exact, and as
-    offset does it, of the outside of P. Empty for a segment or a point. Raises BadInput.
-    docs/erosion.md."""
+    """Erode P by a disc about the origin, given by `radius` > 0 or by the radius's square: all
+    places at least the radius away from P's outside. `tight_passages` lists the remnants, points
+    and segments beside the region. Exact; computed as offset computes sums, for P's outside. Empty
+    for a segment or a point. Raises BadInput. docs/erosion.md."""
     _validate(P=P)
     square = square_of(radius, squared_radius, "inset")
     return _core.inset(P, square, max(1, whole("threads", threads)), text_of("route", route))

@@ -103,10 +103,9 @@ class DiscIndex:
 
 
 def inradius(P: _core.PolygonSet, threads: int = 1) -> list[OffsetEvent]:
-    """Find the largest discs within P: the events at their radius, each with its place and the
-    features of P that bound the disc there. Exact; the places of a flat ridge are those of its
-    events. P has an area and is validated first. Takes as long as the DiscIndex of P's outside.
-    Raises BadInput, LimitExceeded. docs/erosion.md."""
+    """Find the largest discs within P: events at the inradius, each with a place and the features
+    bounding the disc. Exact; a flat ridge shows its events' places. Validates P, which must have an
+    area. Takes as long as a DiscIndex. Raises BadInput, LimitExceeded. docs/erosion.md."""
     expect_sets(P=P)
     P.validate("P")
     count = max(1, whole("threads", threads))

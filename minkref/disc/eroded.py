@@ -1,4 +1,4 @@
-"""The sum with a disc behind an inset: what is outside of P, and names of its features in P."""
+"""Insets as sums: the outside plus a disc, with features named as in P."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from minkref.errors import Refusal
 
 @dataclass(frozen=True)
 class ErodedByDisc:
-    """The `outside` of P, whose sum with a disc has the inset as its holes."""
+    """The `outside` of P: its sum with a disc leaves the inset as holes."""
 
     outside: _core.Outside
 
@@ -21,7 +21,7 @@ class ErodedByDisc:
         return self.outside.set
 
     def in_P(self, row: Any) -> Any:
-        """An event of the outside with P's own edges; its vertices are those of P."""
+        """Name an event's edges as P does; vertices keep their coordinates."""
         *rest, features = row
         own = [self.feature(*feature) for feature in features]
         return (*rest, sorted(own, key=lambda one: (one[0], *map(Fraction, one[1:]))))
@@ -33,7 +33,7 @@ class ErodedByDisc:
         return kind, str(ring), str(index)
 
     def largest(self, threads: int) -> list[Any]:
-        """The events at the largest radius of a disc within P, with P's own edges."""
+        """Find the events at the inradius, edges named as in P."""
         index = _core.disc_index(self.set, threads)
         first = last = len(index.kinds())
         radius = index.radii()[-1]
@@ -43,7 +43,7 @@ class ErodedByDisc:
 
 
 def eroded_by_disc(P: _core.PolygonSet, name: str) -> ErodedByDisc:
-    """Refuses a point or a segment: no disc has room in it."""
+    """Make P's outside. Refuses points and segments, which leave no disc room."""
     if not P.is_region:
         what = "it has no area, so that no disc has room in it"
         raise Refusal(what, name, "give a set of polygons", "degenerate-operands")

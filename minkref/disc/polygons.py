@@ -45,9 +45,9 @@ def sum_near(P: _core.PolygonSet, disc: Disc, within: Fraction, outside: bool) -
 def inset_near(
     P: _core.PolygonSet, disc: Disc, within: Fraction, outside: bool
 ) -> _core.PolygonSet:
-    """Make a polygon set inside of P less a disc that has all of its points at which a disc larger
-    by `within` fits too; or around it, and within P less a disc that is smaller by `within`. As
-    sum_near, which makes the other side of it."""
+    """Make a polygon set inside P's erosion by a disc, around P's erosion by a disc larger by
+    `within`; or around the erosion, inside P's erosion by a smaller disc. Turns sum_near inside
+    out."""
     if not P.is_region:
         return _core.PolygonSet()
     around = sum_near(_core.Outside(P).set, disc, within, not outside)

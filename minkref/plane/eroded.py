@@ -1,4 +1,4 @@
-"""The sum behind an erosion: its holes are what the erosion leaves (docs/erosion.md)."""
+"""Erosions as sums: the outside plus -Q leaves the erosion as holes (docs/erosion.md)."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from minkref.plane.scaling import PlaneScale, static_pair
 
 @dataclass(frozen=True)
 class ErodingPair:
-    """The operands `outside` of P, and -Q. `least`: below this scale Q's box does not fit into that
-    of the scaled P, so that nothing is left; the sum counts from half of it on."""
+    """P's `outside` and -Q. `least`: below this scale Q's box finds no room in the scaled P's box,
+    and the erosion is empty; sums count from half this scale on."""
 
     outside: _core.Outside
     P: Operand
@@ -25,7 +25,7 @@ class ErodingPair:
     def window(
         self, first: Fraction | None, last: Fraction | None
     ) -> tuple[Fraction | None, Fraction | None]:
-        """The scales of a window from which on the sum counts. Nothing is left at the others."""
+        """Cut a window to scales at which sums count; erosions are empty below."""
         if self.least == 0:
             return first, last
         begin = max(first or Fraction(0), self.least / 2)
@@ -33,7 +33,7 @@ class ErodingPair:
 
 
 def refuse_others(erode: bool, route: str, routes: Sequence[str]) -> None:
-    """Refuses a route that no erosion has."""
+    """Refuse other routes with --erode."""
     if erode and route not in routes:
         what = f"the route {route} has no erosion"
         mend = f"choose one of {', '.join(routes)}, or leave out --erode"
@@ -41,14 +41,14 @@ def refuse_others(erode: bool, route: str, routes: Sequence[str]) -> None:
 
 
 def has_room(P: Operand, Q: Operand, scale: PlaneScale) -> bool:
-    """Whether Q's box fits into that of the scaled P."""
+    """Tell whether the scaled P's box has room for Q's box."""
     made, at = static_pair(P, scale)
     least = _core.least_scale_with_room(made.set, Q.set)
     return least is not None and Fraction(least) <= at
 
 
 def eroding_pair(P: Operand, Q: Operand) -> ErodingPair:
-    """The pair of an erosion of a P with an area, at all scales. Refuses what has none."""
+    """Make the pair for all scales. Refuses a P without area."""
     refuse_empty(Q)
     if not P.set.is_region:
         what = "the first operand has no area, so that it leaves a segment or a point at most"

@@ -21,10 +21,10 @@ Passages = list[dict[str, Any]]
 
 @dataclass(frozen=True)
 class Erosion:
-    """A closed set: its region, and its remnants, the points and polylines beside the region.
-    `remnants` have `points`, and for each segment the features in `contacts`, as the tight passages
-    of `minkref sum --json`; those of an opening have no contacts. `components` and `holes`: of the
-    region. `point in erosion`: whether the closed set has the point."""
+    """A closed set: a region, and remnants, points and polylines beside the region. Remnants have
+    `points`, and features in `contacts` for each segment, like tight passages in `minkref sum
+    --json`; openings name no contacts. `components` and `holes` count the region's. `point in
+    erosion` asks the whole closed set."""
 
     region: _core.PolygonSet
     components: int
@@ -35,7 +35,7 @@ class Erosion:
 
     @property
     def is_empty(self) -> bool:
-        """Neither a region nor a remnant."""
+        """Tell whether nothing is left."""
         return self.region.is_empty and not self.remnants
 
     @property
@@ -56,9 +56,9 @@ class Erosion:
 
 @dataclass(frozen=True)
 class NoFit:
-    """The places of a moving shape relative to a fixed one. `region`: the closed set of places at
-    which both have a point in common; interiors overlap in its interior, less the `exact_fits`. On
-    its boundary and at exact fits the shapes touch and do not overlap."""
+    """Places of a moving shape beside a fixed shape. `region`: the closed set of places where both
+    meet. On the region's boundary and at `exact_fits` they touch without overlap; elsewhere inside,
+    interiors overlap."""
 
     region: _core.PolygonSet
     components: int
@@ -123,7 +123,7 @@ def no_fit(A: _core.PolygonSet, B: _core.PolygonSet, scale: PlaneScale = 1) -> N
 
 
 def erosion_from(found: _core.Sum) -> Erosion:
-    """An erosion of the extension module's answer."""
+    """Convert the extension module's answer."""
     rows = found.passage_rows()
     points = tuple(tuple((Fraction(x), Fraction(y)) for x, y in places) for places, _ in rows)
     return Erosion(
@@ -143,7 +143,7 @@ def erosion_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> Erosion:
 
 
 def _ways(points: tuple[tuple[Fraction, Fraction], ...]) -> list[Any]:
-    """A point, or the segments of a polyline, as shapes."""
+    """Make shapes: a point, or a polyline's segments."""
     if len(points) == 1:
         return [points[0]]
     return [{"type": "LineString", "coordinates": [list(a), list(b)]} for a, b in pairwise(points)]

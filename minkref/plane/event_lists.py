@@ -132,8 +132,7 @@ class BoundaryEventList:
         outside: _core.Outside | None = None,
     ) -> None:
         """Keep the events inside `window`, a part of the window of `found`. `outside`: the sum's
-        first operand if an erosion is asked for. What is a hole of the sum then is a component of
-        the erosion, and the other way round."""
+        first operand for an erosion, whose components are the sum's holes, and vice versa."""
         self.found = found
         self._eroded = outside is not None
         self._low, self._high = (None if b is None else Fraction(b) for b in window)
@@ -234,8 +233,8 @@ def find_events(
     outside: _core.Outside | None = None,
 ) -> EventList:
     """Find events of one kind within the closed window. `route`: dynamic follows the reduced
-    convolution, winding the full one. `outside`: P is the set of it, and boundary and topology
-    events are those of the erosion. Exact."""
+    convolution, winding the full one. `outside`, P being its set: find the erosion's events.
+    Exact."""
     low, high = window
     if kind in ("pair", "parallel"):
         return PairEventList(_core.pair_events(P, Q, low, high, kind, form, route))
@@ -247,8 +246,8 @@ def find_events(
 def _of_erosion(
     feature: str, before: list[int], after: list[int]
 ) -> tuple[str, list[int], list[int]]:
-    """A change of the sum of an outside as a change of the erosion: holes of a sum are numbered
-    from 1 and components from 0, which is the component of the box."""
+    """Translate a change of an outside's sum to the erosion. Sums number holes from 1, components
+    from 0, the box's own."""
     if feature == "component":
         return "hole", before, after
     return "component", [number - 1 for number in before], [number - 1 for number in after]

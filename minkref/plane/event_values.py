@@ -171,7 +171,9 @@ def events(
         covered = text_of_bounds(*pair.window(*given))
         P, Q, outside = pair.P.set, pair.Q.set, pair.outside
     if route == "index":
-        found = BoundaryEventList(_core.ScaleIndex(P, Q, *covered), kind, window, outside)
+        found = BoundaryEventList(
+            _core.ScaleIndex(P, Q, covered[0], covered[1]), kind, window, outside
+        )
     else:
         found = find_events(P, Q, covered, kind, form, route, outside)
     if where is not None:

@@ -1,4 +1,4 @@
-"""Erosions in space: the cavities of the sum of what is outside of P and -Q (docs/erosion.md)."""
+"""Erosions in space: cavities left by the outside plus -Q (docs/erosion.md)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WIDTHS = 3  # of P between P and the box around it
 
 @dataclass(frozen=True)
 class Room:
-    """The least and the greatest place that Q may have by the boxes of both."""
+    """Least and greatest place for Q, by both boxes."""
 
     low: Point
     high: Point
@@ -43,7 +43,7 @@ def box_of(points: list[Point]) -> tuple[Point, Point]:
 
 
 def room(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling) -> Room:
-    """The places of Q at which its box lies within that of the scaled P."""
+    """Find the places where the scaled P's box holds Q's box."""
     (low, high), (least, greatest) = box_of(points_of(P.surface)), box_of(points_of(Q.surface))
     by = tuple(map(Fraction, scaling))
     return Room(
@@ -53,8 +53,8 @@ def room(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling) -> Room:
 
 
 def outside_of(P: SpaceOperand) -> SpaceOperand:
-    """A box around P without the interior of P: P's faces turned over, and those of a box that is
-    wider by three widths on either side, and so in each direction. Refuses a P without volume."""
+    """Make a box around P, three widths away in each direction, and turn P's faces over. Refuses a
+    P without volume."""
     if not P.is_solid:
         what = "the first operand has no volume, so that it leaves nothing with one"
         raise Refusal(what, P.name, "give a polyhedron", "not-solid")
@@ -70,21 +70,21 @@ def outside_of(P: SpaceOperand) -> SpaceOperand:
 
 
 def negated(Q: SpaceOperand) -> SpaceOperand:
-    """-Q: the faces turn over with it."""
+    """Make -Q; faces turn over."""
     points = [tuple(-c for c in point) for point in points_of(Q.surface)]
     faces = [list(ring)[::-1] for ring in Q.surface.rings()]
     return replace(Q, name=f"-{Q.name}", surface=_core.Polyhedron(_texts(points), faces), body=None)
 
 
 def cavities(found: _core.PolyhedralSet, within: Room) -> _core.PolyhedralSet:
-    """The cavities of a set as a set: the faces within a box, seen from the other side. Other faces
-    lie outside of the box."""
+    """Turn a set's cavities into a set: keep faces within the room, turned over; all other faces
+    lie outside."""
     planes = []
     for normal, offset, polygons in found.__getstate__():
         kept = [rings for rings in polygons if within.holds(_corner(normal, offset, rings[0][0]))]
         if kept:
-            turned = tuple(str(-Fraction(c)) for c in normal)
-            planes.append((turned, str(-Fraction(offset)), kept))
+            x, y, z = (str(-Fraction(c)) for c in normal)
+            planes.append(((x, y, z), str(-Fraction(offset)), kept))
     planes.sort(key=lambda plane: (*map(Fraction, plane[0]), Fraction(plane[1])))
     made = _core.PolyhedralSet.__new__(_core.PolyhedralSet)
     made.__setstate__(planes)
@@ -92,8 +92,8 @@ def cavities(found: _core.PolyhedralSet, within: Room) -> _core.PolyhedralSet:
 
 
 def _corner(normal: Sequence[str], offset: str, corner: Sequence[str]) -> list[Fraction]:
-    """The point of an oriented plane with these two coordinates: those of all axes but the first in
-    which the normal is not zero."""
+    """Complete two coordinates to a point in an oriented plane; the missing axis is the normal's
+    first nonzero one."""
     n = [Fraction(c) for c in normal]
     axis = next(k for k in range(3) if n[k])
     x = [Fraction(c) for c in corner]

@@ -1,9 +1,8 @@
-"""The options of `minkref erode`, `opening`, `closing`, `nofit` and `innerfit` in the plane."""
+"""The options of `minkref erode`, `opening`, `closing`, `nofit` and `innerfit`."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
 from pathlib import Path
 from typing import Annotated
 
@@ -11,16 +10,16 @@ import typer
 from minkref import _core
 from minkref.cli.memory import Memory
 from minkref.cli.options import ONE, Json, Scale, ScaleInPlane, ScaleInSpace, Triangles
-from minkref.cli.request import Read
 from minkref.cli.verb import Absent, Verb
-from minkref.disc.disc import read_tolerance
 from minkref.plane.commands.scale_index import IndexFile
+from minkref.scaling import Scaling
 from minkref.settings import DISC, PLANE, SPACE, Setting
-from minkref.space.scaling import UNIT
+from minkref.verbs.sum import Outside, Tolerance
 
 ROUTES = (*_core.ROUTES, "dynamic", "index")
 DEFAULT = "paper"
 SPACE_ROUTES = ("edges", "definition")
+UNIT: Scaling = ("1", "1", "1")
 DISC_ROUTES = ("definition", "paper")
 
 Eroded = Annotated[
@@ -68,28 +67,12 @@ Plot = Annotated[
 ]
 
 
-Tolerance = Annotated[
-    Fraction | None,
-    typer.Option(
-        "--tolerance",
-        help="With a disc, in formats without arcs: write a polygon set inside of the erosion, "
-        "around the erosion by a disc that is larger by this.",
-        metavar="T",
-    ),
-    Read(read_tolerance),
-]
 Passages = Annotated[
     bool,
     typer.Option(
         "--passages",
         help="In space: find the remnants too, for operands of few convex pieces. In the plane "
         "they are always found.",
-    ),
-]
-Beyond = Annotated[
-    bool,
-    typer.Option(
-        "--outside", help="The polygon set that --tolerance asks for contains the erosion."
     ),
 ]
 Route = Annotated[
@@ -128,7 +111,7 @@ class ErodeWithDisc:
     form: Format = None
     only_region: OnlyRegion = False
     tolerance: Tolerance = None
-    outside: Beyond = False
+    outside: Outside = False
     memory: Memory = None
     json: Json = False
 
@@ -149,7 +132,7 @@ class ErodeInSpace:
 
 @dataclass(frozen=True)
 class MorphologyRequest:
-    """An opening or a closing."""
+    """Openings and closings."""
 
     P: Eroded
     Q: Eroding
@@ -189,7 +172,7 @@ class InnerFitRequest:
 
 
 def only_in_plane(command: str, run: str, request: type) -> dict[Setting, Verb | Absent]:
-    """The settings of a command that there is in the plane only."""
+    """Make the table for a command without discs and polyhedra."""
     mend = "give two sets in the plane; `minkref erode` and `minkref sum` also take"
     return {
         PLANE: Verb(request, run),

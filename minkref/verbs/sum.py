@@ -148,14 +148,16 @@ Tolerance = Annotated[
     Fraction | None,
     typer.Option(
         "--tolerance",
-        help="With a disc, in formats without arcs: write a polygon inside of the sum, all "
-        "points of which are within this of it.",
+        help="With a disc, in formats without arcs: write a polygon inside of the answer, all "
+        "points of which are within this of it; of an erosion those where a disc larger by this "
+        "has room.",
         metavar="T",
     ),
     Read(read_tolerance),
 ]
 Outside = Annotated[
-    bool, typer.Option("--outside", help="The polygon that --tolerance asks for contains the sum.")
+    bool,
+    typer.Option("--outside", help="The polygon that --tolerance asks for contains the answer."),
 ]
 Measures = Annotated[
     bool,

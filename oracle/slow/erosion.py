@@ -32,8 +32,8 @@ class Erosion:
 
 
 def erosion(P: Operand, Q: Operand, scale: Fraction = Fraction(1)) -> Erosion:
-    """Erode sP, which has an area, by Q. Exact. InputError for a P without area, an empty Q, and
-    what minkowski_sum refuses. Cost: that of the sum of P's surroundings and -Q."""
+    """Erode sP by Q. Exact. InputError for a P without area, an empty Q, and all refusals of
+    minkowski_sum. Costs as much as summing P's surroundings and -Q."""
     if not P.polygons or Q.is_empty:
         raise InputError("erosion takes a P with an area, and a Q that is not empty")
     at = state(checked_frame(outside(P, room(Q, scale)), turned(Q), scale), scale)
@@ -54,13 +54,13 @@ def turned(Q: Operand) -> Operand:
 
 
 def room(Q: Operand, scale: Fraction) -> Fraction:
-    """More than Q is wide and high, before the scaling."""
+    """Return a margin larger than Q, before scaling."""
     left, low, right, high = box_of(Q.points())
     return (right - left + high - low + 1) / scale
 
 
 def outside(P: Operand, margin: Fraction) -> Operand:
-    """Return P's box, wider by the margin on all sides, without P's interior."""
+    """Cut P's interior out of its box, widened by the margin."""
     left, low, right, high = box_of(P.points())
     left, low, right, high = left - margin, low - margin, right + margin, high + margin
     rings = P.rings()
@@ -80,7 +80,7 @@ def outside(P: Operand, margin: Fraction) -> Operand:
 
 
 def polygon(at: State, outer: list[Edge], holes: list[list[Edge]]) -> Polygon:
-    """Write a hole of the sum as a polygon, its rings in canonical form."""
+    """Write a hole as a polygon, rings in canonical form."""
     inner = [ring_of(at, ring) for ring in holes]
     return Polygon(ring_of(at, outer), sorted(inner))
 

@@ -163,7 +163,7 @@ TEST(Erosion, OpeningByASegmentKeepsWhatHasNoArea) {
   const Sum chord = opening(diamond, segment_set({0, 0}, {4, 0}), 1);
   EXPECT_TRUE(chord.region.empty());
   EXPECT_EQ(points_of(chord), (std::vector<Point>{{-2, 0}, {2, 0}}));
-  // The row between both holes is the only one: beside the rooms it is bare.
+  // One row passes between both holes, bare beside the rooms.
   const PolygonSet rooms =
       region(rectangle(0, 0, 12, 4), {{{6, 2}, {7, 3}, {5, 3}}, {{6, 2}, {5, 1}, {7, 1}}});
   const Sum rows = opening(rooms, segment_set({0, 0}, {8, 0}), 1);

@@ -22,7 +22,7 @@ ROOM = PolygonSet([[(0, 0), (9, 0), (9, 9), (0, 9)], [(3, 3), (5, 3), (5, 5), (3
 
 @pytest.mark.parametrize("index", range(draws(45, 300)))
 def test_erosions_are_those_of_the_slow_engine(index: int) -> None:
-    """Regions, remnants, and places one by one; prints the case."""
+    """Compares regions, remnants, single places; prints the case."""
     ruling = judge(erosion_case(SEED, index), 5)
     assert ruling.compared > 8 and not ruling.messages, ruling.messages
 
@@ -69,7 +69,7 @@ def test_closing_has_the_set_and_opening_lies_within() -> None:
 
 
 def test_erosion_is_dual_to_the_sum_of_the_outside() -> None:
-    """What the sum of the outside and -Q leaves of the box is the erosion."""
+    """The outside plus -Q leaves the erosion of the box."""
     for index in range(draws(20, 100)):
         case = erosion_case(SEED + 1, index)
         if _core.erosion(case.P, case.Q, case.scale).components == 0:

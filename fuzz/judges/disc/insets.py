@@ -1,4 +1,4 @@
-"""Insets, erosions by a disc, against distances from the boundary of P, exactly."""
+"""Judges erosions by a disc by exact distances from P's boundary."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ POINTS = 40
 
 
 def inset_case(seed: int, index: int) -> tuple[_core.PolygonSet, str, _core.DiscIndex]:
-    """A set, a squared radius, every third one that of an event, and the index of the outside."""
+    """Draw a set and a squared radius, every third at an event; index the outside."""
     attempt = 0
     while True:
         dice = Dice(f"minkref insets {seed} {index} {attempt}")
@@ -54,7 +54,7 @@ def inset_case(seed: int, index: int) -> tuple[_core.PolygonSet, str, _core.Disc
 
 
 def inset_faults(seed: int, index: int) -> tuple[int, list[str]]:
-    """How many things were compared, and what was found to be wrong."""
+    """Compare, count comparisons, list faults."""
     P, square, around = inset_case(seed, index)
     found, other = _core.inset(P, square), _core.inset(P, square, 1, "paper")
     faults: list[str] = []
@@ -77,7 +77,7 @@ def inset_faults(seed: int, index: int) -> tuple[int, list[str]]:
 
 
 def _vertices(expect: object, found: _core.Offset, P: _core.PolygonSet, square: float) -> None:
-    """Drawn corners have the radius as their distance, as near as doubles tell."""
+    """Check that drawn corners keep the radius as distance, up to rounding."""
     assert callable(expect)
     sides = [[(float(x), float(y)) for x, y in side] for side in _sides(P)]
     size = max(abs(c) for side in sides for point in side for c in point) + 1
@@ -92,7 +92,7 @@ def _vertices(expect: object, found: _core.Offset, P: _core.PolygonSet, square: 
 def _polygons(
     expect: object, found: _core.Offset, P: _core.PolygonSet, square: Fraction, dice: Dice
 ) -> None:
-    """Polygon sets inside and around; points, by their exact distances."""
+    """Check polygon sets inside and around, and random points, by exact distances."""
     assert callable(expect)
     disc = Disc("disc", square)
     within = Fraction(1, 50)
@@ -129,7 +129,7 @@ def _nearest(x: Place, sides: list[tuple[Place, Place]]) -> Fraction:
 
 
 def _away(x: tuple[N, N], a: tuple[N, N], b: tuple[N, N]) -> N:
-    """The squared distance from a segment."""
+    """Return the squared distance from a segment."""
     u, v = (b[0] - a[0], b[1] - a[1]), (x[0] - a[0], x[1] - a[1])
     length, along = u[0] * u[0] + u[1] * u[1], u[0] * v[0] + u[1] * v[1]
     if along <= 0:

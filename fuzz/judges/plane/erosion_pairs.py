@@ -1,4 +1,4 @@
-"""Pairs to erode: a set, a shape that has room in it or just fits, and a scale."""
+"""Draws pairs to erode: a set, a shape with room inside or an exact fit, and a scale."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.geometry.plane import box
+from minkref.fuzz.geometry.plane import Point, box
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.families.dice import Dice
@@ -23,8 +23,7 @@ PATIENCE = 200
 
 
 def erosion_case(seed: int, index: int) -> Case:
-    """The case of a seed and an index: P is eroded by Q at the scale. Every third one is
-    degenerate."""
+    """Draw a case by seed and index: P, Q, and a scale to erode at; every third case degenerate."""
     name = f"erosion:{seed}:{index}"
     for attempt in range(PATIENCE):
         dice = Dice(f"minkref {name} {attempt}")
@@ -47,7 +46,7 @@ def _operands(dice: Dice, families: tuple[str, ...], seed: int, index: int) -> D
 
 
 def _general(dice: Dice, seed: int, index: int) -> Drawn | None:
-    """A pair of a family, so much scaled that Q has room, or just has."""
+    """Draw a pair from a family, at a scale with room for Q, or barely."""
     P, Q, _ = _operands(dice, GENERAL, seed, index)
     return _with_room(dice, P, Q)
 
@@ -74,7 +73,9 @@ def _degenerate(dice: Dice, seed: int, index: int) -> Drawn | None:
         found = _with_room(dice, P, Q)
         return None if found is None else _at_event(dice, *found)
     if kind == 3:  # a point or a segment
-        ends = [(dice.randint(-3, 3), dice.randint(-3, 3)) for _ in range(dice.randint(1, 2))]
+        ends: list[Point] = [
+            (dice.randint(-3, 3), dice.randint(-3, 3)) for _ in range(dice.randint(1, 2))
+        ]
         if len(set(ends)) < len(ends):
             return None
         flat = _core.PolygonSet.from_json(shape_text([[ends]]))
@@ -87,7 +88,7 @@ def _degenerate(dice: Dice, seed: int, index: int) -> Drawn | None:
 
 
 def _slot(dice: Dice, width: int, height: int) -> _core.PolygonSet:
-    """Rooms joined by passages as wide as the box."""
+    """Join rooms by passages as wide as the box."""
     bars = [box(dice.randint(0, 6), dice.randint(0, 6), width, dice.randint(1, 9))]
     bars += [box(dice.randint(0, 6), dice.randint(0, 6), dice.randint(1, 9), height)]
     bars += [box(dice.randint(0, 6), dice.randint(0, 6), width + 1, height + dice.randint(0, 2))]

@@ -1,4 +1,4 @@
-"""Places of parts: no-fit and inner-fit, decided place by place; pieces cut out of containers."""
+"""Judges no-fit place by place; puts cut-out pieces back into containers."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from minkref import _core
-from minkref.fuzz.geometry.plane import box
+from minkref.fuzz.geometry.plane import Ring, box
 from minkref.fuzz.judges.plane.erosion_pairs import erosion_case
 from minkref.fuzz.judges.plane.slow_erosion import candidates, remnants_of
 from minkref.fuzz.judges.plane.slow_operands import slow_operand
@@ -21,8 +21,8 @@ PLACES = 6  # of each kind, at most
 
 
 def place_faults(seed: int, index: int) -> tuple[int, list[str]]:
-    """How many places of B were decided, and what no_fit says otherwise of them than the slow
-    engine, which compares pairs of convex pieces: apart, touching, or overlapping."""
+    """Decide places of B as apart, touching or overlapping: count them, and list differences of
+    no_fit from the slow engine, which compares pairs of convex pieces."""
     case = erosion_case(seed, index)
     dice = Dice(f"minkref places {seed} {index}")
     B = _core.negated(case.Q)
@@ -45,7 +45,7 @@ def place_faults(seed: int, index: int) -> tuple[int, list[str]]:
 
 
 class Boundary:
-    """The boundary of a region as a set of points."""
+    """A region's boundary points."""
 
     def __init__(self, region: _core.PolygonSet) -> None:
         rings = [ring for polygon in region.rings() for ring in polygon]
@@ -65,14 +65,14 @@ def told(meeting: slow.Meeting) -> str:
 
 
 def jigsaw(seed: int, index: int) -> tuple[_core.PolygonSet, _core.PolygonSet, Place]:
-    """A container whose room is a piece, moved to a place, with other rooms beside it that are too
-    small; perhaps the piece has holes that are bodies in the room. The piece fits at the place."""
+    """Draw a piece, perhaps with a hole, and a container: the piece moved to a place, beside a room
+    too small for anything. The piece fits at this place alone."""
     dice = Dice(f"minkref jigsaw {seed} {index}")
     while True:
         ring = untangled(scattered(dice, dice.randint(4, 10), 12, 12))
         if ring is None:
             continue
-        polygon = [counter_clockwise(ring)]
+        polygon: list[Ring] = [[*counter_clockwise(ring)]]
         if dice.random() < 0.5:
             x, y = dice.randint(1, 10), dice.randint(1, 10)
             polygon.append(box(x, y, 1, 1)[::-1])

@@ -1,4 +1,4 @@
-"""Erosions by every route against the slow engine, and place by place against the definition."""
+"""Judges erosions: all routes by the slow engine, single places by the definition."""
 
 from __future__ import annotations
 
@@ -23,9 +23,8 @@ NEAR = Fraction(1, 1 << 40)
 
 
 def judge(case: Case, places: int = PLACES) -> Ruling:
-    """The regions with their digests, components, holes and remnants, by the routes paper, winding,
-    definition and index; then vertices, middles of edges, points beside them on both sides, points
-    of remnants and beside them, and random points."""
+    """Compare regions, components, holes and remnants by the routes paper, winding, definition and
+    index; then vertices, points beside edges on both sides, remnants, and random places."""
     ruling = Ruling()
     P, Q = slow_operands(case)
     scale = slow_scale(case)
@@ -49,7 +48,7 @@ def _remnants(ruling: Ruling, case: Case, ours: _core.Sum, truth: object) -> Non
 
 
 def _by_index(ruling: Ruling, case: Case, expected: tuple[str, int, int]) -> None:
-    """Reads the sum of the outside off an index of that one scale."""
+    """Compare with an index made for this scale alone."""
     least = _core.least_scale_with_room(case.P, case.Q)
     if least is None or Fraction(case.scale) < Fraction(least):
         return
@@ -81,7 +80,7 @@ def _places(
 def candidates(
     case: Case, ours: _core.Sum, remnants: Passages, dice: object
 ) -> dict[str, list[Place]]:
-    """Places to ask for, by kind."""
+    """List places to decide, by kind."""
     rings = [ring for polygon in ours.region.rings() for ring in polygon]
     sides = [side for ring in rings for side in zip(ring, [*ring[1:], ring[0]], strict=True)]
     ways = [way for points in remnants for way in pairwise(points)]
@@ -97,7 +96,7 @@ def candidates(
 
 
 def _around(a: Place, b: Place) -> list[Place]:
-    """The middle of an edge, and points next to it on either side and along it."""
+    """Make an edge's middle, and points beside and along."""
     (x, y), ux, uy = _middle(a, b), b[0] - a[0], b[1] - a[1]
     return [
         (x, y),
@@ -111,7 +110,7 @@ def _middle(a: Place, b: Place) -> Place:
 
 
 def _random(case: Case, ours: _core.Sum, dice: object) -> list[Place]:
-    """Places at which Q's box lies about within that of the scaled P."""
+    """Draw places where Q's box lies near the scaled P's box."""
     assert hasattr(dice, "randrange")
     points = [p for polygon in case.P.scaled(case.scale).rings() for p in polygon[0]]
     own = [p for polygon in case.Q.rings() for p in polygon[0]]

@@ -77,7 +77,7 @@ def _written(
     request: ErodeWithDisc,
     remnants: list[list[tuple[float, float]]],
 ) -> tuple[str, bool]:
-    """The text of the output, and whether it is exact."""
+    """Write the output text; tell whether it is exact."""
     if target.form == "json":
         return canonical + "\n", True
     if target.form == "dxf":

@@ -39,7 +39,7 @@ ExactFits = list[dict[str, Any]]
 
 @dataclass(frozen=True)
 class Found:
-    """A region and what lies beside or inside of it without area."""
+    """A region, and exact fits without area."""
 
     region: _core.PolygonSet
     components: int
@@ -50,8 +50,8 @@ class Found:
 
 @dataclass(frozen=True)
 class Question:
-    """What a command asks. `operands`: the names of both in the document; `fits`: the name of what
-    has no area; `sign`: between both operands, for people; `around`: the result lies within P."""
+    """A command's question. `operands`: both document fields; `fits`: the field for exact fits;
+    `told`: a phrase for people; `around`: whether P surrounds the result."""
 
     command: str
     operands: tuple[str, str]
@@ -121,7 +121,7 @@ def run_innerfit(request: InnerFitRequest) -> None:
 def eroded(
     P: Operand, Q: Operand, scale: PlaneScale, route: str, index: Path | None = None
 ) -> Found:
-    """The erosion by any route of a sum."""
+    """Erode by any route."""
     refuse_empty(Q)
     where = f"{P.name} and {Q.name}"
     if not P.set.is_region or not has_room(P, Q, scale):
@@ -134,7 +134,7 @@ def eroded(
 
 
 def in_operands(passage: dict[str, Any], outside: _core.Outside) -> dict[str, Any]:
-    """A tight passage with features of P for those of its outside."""
+    """Name a tight passage's contacts by P's features, not by the outside's."""
 
     def renamed(parent: dict[str, Any]) -> dict[str, Any]:
         row = (parent["kind"], 1, *parent["edge"], *parent["vertex"])
@@ -210,7 +210,7 @@ def _answer(asked: Question) -> None:
 def _written(
     asked: Question, P: Operand, Q: Operand, found: Found, target: Target
 ) -> tuple[str, bool]:
-    """The output text, and whether exact."""
+    """Write the output text; tell whether it is exact."""
     if target.form == "svg" and not asked.request.only_region:
         from minkref.reports.sum_picture import sum_picture
 

@@ -1,4 +1,4 @@
-"""The document of `erode` with a disc."""
+"""Documents: `erode` with a disc."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The documents of `erode`, `opening`, `closing`, `nofit` and `innerfit` in the plane."""
+"""Documents: `erode`, `opening`, `closing`, `nofit`, `innerfit` in the plane."""
 
 from __future__ import annotations
 

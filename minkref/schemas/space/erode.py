@@ -1,4 +1,4 @@
-"""The document of `erode` in space."""
+"""Documents: `erode` in space."""
 
 from __future__ import annotations
 

@@ -73,8 +73,7 @@ def run(request: ErodeInSpace) -> None:
 def eroded(
     P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str, passages: bool
 ) -> tuple[_core.PolyhedralSet, float, dict[str, Any] | None]:
-    """The erosion, the seconds that its sum took, and its remnants, if they are asked for or are
-    known to be none."""
+    """Erode: the set, its sum's seconds, and remnants if wanted or known to be none."""
     if Q.surface.vertices == 0:
         what = "Q is empty, so that every place is in the erosion"
         mend = "give a polyhedron, a plane polygon, a segment or a point"

@@ -12,7 +12,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// The number itself, where all terms are rational.
+/// The sum, if all terms are rational.
 std::optional<Rational> rational_sum(const RootTerms& terms) {
   Rational sum = 0;
   for (const auto& [root, factor] : terms.terms()) {
@@ -22,7 +22,7 @@ std::optional<Rational> rational_sum(const RootTerms& terms) {
   return sum;
 }
 
-/// Area and length without arcs: numbers that may be rational, where more bits would not tell.
+/// Measures boundaries without arcs: rational numbers, which bits alone never tell.
 class StraightMeasures {
  public:
   explicit StraightMeasures(const OffsetRegion& inset) {

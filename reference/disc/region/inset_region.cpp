@@ -17,9 +17,9 @@ namespace {
 
 constexpr auto nobody = static_cast<std::size_t>(-1);
 
-/// The same pieces in walks that keep to one wedge of the complement: at a point where two walks
-/// meet, each goes on as the other one. (The sum has at least half of the directions about a point
-/// of its boundary, so that three walks never meet.)
+/// Links the pieces to walks along single wedges of the complement: where two walks meet, each goes
+/// on as the other. (At a boundary point the sum has at least half of all directions, so three
+/// walks never meet.)
 StaticOffset linked_outside(const StaticOffset& offset) {
   StaticOffset linked = offset;
   const PiecePlaces places(offset);
@@ -57,9 +57,9 @@ StaticOffset linked_outside(const StaticOffset& offset) {
   return linked;
 }
 
-/// Tells whether rings go round points of P's outside. Such a point is at least as far from the
-/// boundary as the radius. An arc of a right angle or less and its chord are nearer to each other,
-/// so that the chords go round the same points.
+/// Tells whether rings go round points of P's outside. Such points keep the radius as distance from
+/// the boundary; an arc of at most a right angle stays nearer to its chord. So chords go round the
+/// same points as arcs.
 class Around {
  public:
   explicit Around(const StaticOffset& offset) : offset_(offset), at_(*offset.at) {}
@@ -110,7 +110,7 @@ class Around {
   const PatchesAt& at_;
 };
 
-/// The rings of the complement, by component; those of the unbounded one are left out.
+/// The complement's rings, by bounded component.
 class Complement {
  public:
   explicit Complement(const StaticOffset& linked)
@@ -176,7 +176,7 @@ std::vector<std::uint32_t> curves_along(const StaticOffset& offset,
   return found;
 }
 
-/// The components of the sum's complement, in the canonical order of their curves.
+/// The complement's bounded components, in canonical order.
 std::vector<OffsetComponent> components_of(const StaticOffset& linked) {
   Complement complement(linked);
   const auto form_ring = [&](std::size_t k) -> FormRing {

@@ -1,4 +1,4 @@
-// The places at which pieces of a boundary start.
+// Numbers the places where boundary pieces start.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace minkref::inline disc {
 
-/// The starts of all pieces; starts at one place share a number. Exact. O(n log n), and O(k^2) for
-/// k starts that doubles do not tell apart.
+/// Numbers all pieces' starts; starts at one place share a number. Exact. O(n log n), and O(k^2)
+/// for k starts that doubles do not tell apart.
 class PiecePlaces {
  public:
   explicit PiecePlaces(const StaticOffset& offset)

@@ -14,7 +14,7 @@ Rational cross(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Joins the segments of one line that overlap or touch.
+/// Joins collinear segments that overlap or touch.
 std::vector<BareSegment> joined(std::vector<BareSegment> segments) {
   std::sort(segments.begin(), segments.end(),
             [](const auto& a, const auto& b) { return before(a.from, b.from); });
@@ -35,7 +35,7 @@ std::vector<BareSegment> joined(std::vector<BareSegment> segments) {
   return lines;
 }
 
-/// Where a segment meets an edge; nothing for a parallel edge, whose neighbours meet it.
+/// Adds crossings with an edge; a parallel edge's neighbours add its ends.
 void add_cut(const BareSegment& line, const Point& a, const Point& b, std::vector<Point>& cuts) {
   const Rational at_a = cross(line.from, line.to, a), at_b = cross(line.from, line.to, b);
   if (at_a == 0) cuts.push_back(a);

@@ -63,7 +63,7 @@ PolygonSet between(const Point& a, const Point& b) {
 
 Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y}; }
 
-/// Adds Q to what is between two points: to the regions, or to the segments where that is flat.
+/// Sweeps Q from a to b: adds a region, or a flat segment.
 void add_swept(const PolygonSet& Q, const Point& a, const Point& b,
                std::vector<PolygonSet>& regions, std::vector<BareSegment>& segments) {
   if (Q.is_region()) {
@@ -108,7 +108,7 @@ PolygonSet negated(const PolygonSet& Q) {
 }
 
 Canonical inside_out(const PolygonSet& sum) {
-  // The box's component comes first, since it reaches farthest to the left.
+  // The box's component comes first: leftmost.
   PolygonSet rings;
   for (const Polygon& polygon : sum.polygons) {
     if (&polygon != &sum.polygons.front()) {

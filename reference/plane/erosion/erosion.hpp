@@ -1,4 +1,4 @@
-// Erosion, opening, closing: what is left of a set where another one has room (docs/erosion.md).
+// Erosion, opening, closing (docs/erosion.md).
 #pragma once
 
 #include <optional>
@@ -8,34 +8,31 @@
 
 namespace minkref::inline plane {
 
-/// The erosion `sP - Q = {x : x + Q within sP}` at a rational scale s > 0. `region`: the closure of
-/// its interior, canonical; `tight_passages`: its remnants, the points and polylines of the erosion
-/// beside the region, with the contacts of P and -Q. Both together are the whole erosion. Exact.
-/// P and Q, perhaps points or segments, must have passed `validate`. Computed as the holes of the
-/// sum of P's outside and -Q, at the cost of that sum; nothing is computed where Q's box does not
-/// fit into that of sP. Throws BadInput for s <= 0 ("bad-scale") and an empty Q ("empty-operand"):
-/// each place is in the erosion by the empty set.
+/// Erodes P at a rational scale s > 0: `sP - Q = {x : x + Q within sP}`. `region`: the closed
+/// interior, canonical; `tight_passages`: remnants, points and polylines beside the region, with
+/// contacts between P and -Q. Both together make the whole erosion. Exact. P and Q, perhaps points
+/// or segments, must have passed `validate`. Takes the holes of the sum of P's outside and -Q, at
+/// this sum's cost; computes nothing if Q's box has no room. Throws BadInput for s <= 0
+/// ("bad-scale") and for an empty Q ("empty-operand"), since x + Q then always lies within P.
 Sum erosion(const PolygonSet& P, const PolygonSet& Q, const Rational& scale,
             Route route = Route::paper);
 
-/// The opening `(sP - Q) + Q`: all copies of Q within sP together. Where Q is a segment or a point,
-/// `tight_passages` has what of it lies beside the region, without contacts. Exact; throws as
-/// erosion does.
+/// Opens sP: unites all copies of Q within sP, `(sP - Q) + Q`. For a segment or a point Q,
+/// `tight_passages` holds parts beside the region, without contacts. Exact; throws as erosion does.
 Sum opening(const PolygonSet& P, const PolygonSet& Q, const Rational& scale);
 
-/// The closing `(sP + Q) - Q`, with its remnants. Exact; throws as erosion and minkowski_sum do.
+/// Closes sP: `(sP + Q) - Q`, with remnants. Exact; throws as erosion and minkowski_sum do.
 Sum closing(const PolygonSet& P, const PolygonSet& Q, const Rational& scale);
 
-/// The least scale at which Q's box fits into that of sP, 0 for a point: below it the erosion is
-/// empty. None if it fits at no scale. Both sets are not empty. Exact.
+/// Finds the least scale at which Q's box fits into sP's box, 0 for a point; none if no scale fits.
+/// The erosion is empty below. P and Q must not be empty. Exact.
 std::optional<Rational> least_scale_with_room(const PolygonSet& P, const PolygonSet& Q);
 
-/// The holes of a sum of an outside (outside.hpp) as a set of their own, canonical, with its
-/// components and holes. `sum` is the region of that sum at a scale that is at least half of
-/// least_scale_with_room. Exact. O((n + k) log n).
+/// Turns a sum's holes into a set, canonical, with components and holes. `sum`: an outside
+/// (outside.hpp) plus -Q, at half of least_scale_with_room or more. Exact. O((n + k) log n).
 Canonical inside_out(const PolygonSet& sum);
 
-/// `-Q`: Q turned by half a turn about the origin; each ring and vertex keeps its number.
+/// Turns Q by half a turn about the origin, to `-Q`; rings and vertices keep their numbers.
 PolygonSet negated(const PolygonSet& Q);
 
 }  // namespace minkref::inline plane

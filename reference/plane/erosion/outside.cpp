@@ -9,7 +9,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// A hole of P, with what tells whether a ring lies in it.
+/// A hole of P, ready for nested rings.
 struct Hole {
   const Ring* ring;
   std::uint32_t number;
@@ -20,7 +20,7 @@ struct Hole {
 
 PolygonSet alone(const Ring& ring) { return {{{ring, {}}}}; }
 
-/// The rings touch at points at most, so some point of any edge settles it.
+/// Rings only touch at points, so some point along any edge decides.
 bool lies_in(const Ring& ring, const FilteredRing& hole) {
   for (const Point& p : ring) {
     const Location location = locate(hole, FilteredPoint(p));
@@ -33,7 +33,7 @@ bool lies_in(const Ring& ring, const FilteredRing& hole) {
   }
 }
 
-/// The innermost hole that a ring lies in; none for a ring in no hole.
+/// Finds the innermost hole around a ring, or none.
 Hole* innermost(std::vector<Hole>& holes, const Ring& ring) {
   const ExactBox box(alone(ring));
   Hole* found = nullptr;

@@ -9,17 +9,17 @@
 
 namespace minkref::inline plane {
 
-/// A closed box less the interior of a polygon set P that lies within it: the closure of P's
-/// complement, as far as the box goes. Each ring but the box's own is a ring of P run backwards.
+/// A closed box less the interior of a polygon set P inside: P's closed complement within the box.
+/// Each ring except the box's own is a ring of P, run backwards.
 class Outside {
  public:
   PolygonSet set;  ///< valid; ring 0 is the box
 
   /// `P` has passed `validate` and has an area; the box holds it with room on all sides. Exact.
-  /// O(h n) for h holes and n vertices, where boxes do not tell which ring lies in which hole.
+  /// O(h n) for h holes and n vertices, unless boxes tell nested rings apart.
   Outside(const PolygonSet& P, const Point& low, const Point& high);
 
-  /// The vertex of P that a vertex of `set` is, and the edge of P that an edge is.
+  /// Name P's vertex or edge behind a vertex or edge of `set`.
   VertexId vertex_of_P(const VertexId& vertex) const;
   VertexId edge_of_P(const VertexId& edge) const;
   /// The same contact, named by an edge or a vertex of P.
@@ -32,11 +32,11 @@ class Outside {
   std::vector<RingOfP> rings_;
 };
 
-/// With a box that is wider than P by three widths on either side, and higher by three heights: the
-/// same for all shapes that P is eroded by. Exact. Cost as above.
+/// Makes the outside within a box three widths of P wider on either side, and three heights higher:
+/// one operand for all eroding shapes. Exact. Cost as above.
 Outside outside_of(const PolygonSet& P);
 
-/// The box of a set that is not empty: its least and its greatest corner.
+/// A nonempty set's box: least and greatest corner.
 struct ExactBox {
   Point low, high;
   explicit ExactBox(const PolygonSet& set);
