@@ -57,6 +57,7 @@ class Timed:
 def timed(work: Callable[[], Any], repetitions: int) -> Timed:
     seconds = []
     for _ in range(repetitions):
+        value = None  # the end of the one before is no part of this one
         began = time.perf_counter()
         value = work()
         seconds.append(time.perf_counter() - began)
@@ -105,13 +106,14 @@ def _sums(
     """A sum at a new scale: from the index, by the static route, by CGAL."""
     turned = robot.scaled("-1")
     copies = placed(SAMPLED)
+    asked = [(int(c.shape), str(c.scale)) for c in copies]
     indices = [_core.ScaleIndex(shape, turned, "3/10", "2") for shape in shapes]
     from_index = timed(
-        lambda: [indices[int(c.shape)].rings(str(c.scale), "homogeneous") for c in copies],
+        lambda: [indices[shape].rings(scale, "homogeneous") for shape, scale in asked],
         7 * repetitions,
     )
     static = timed(
-        lambda: [_core.minkowski_sum(shapes[int(c.shape)], turned, str(c.scale)) for c in copies],
+        lambda: [_core.minkowski_sum(shapes[shape], turned, scale) for shape, scale in asked],
         repetitions,
     )
     sums = CgalSums()
