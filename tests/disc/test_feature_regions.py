@@ -130,6 +130,19 @@ def test_regions_are_those_of_the_live_features(number: int) -> None:
                    if feature.node is None)  # fmt: skip
 
 
+@pytest.mark.parametrize("number", range(12))
+def test_at_an_event_areas_are_limits_from_below(number: int) -> None:
+    shape, all_of, _ = drawn(number)
+    index = _core.disc_index(set_of(shape))
+    squares = {row[1] for row in index.rows(0, len(index.kinds())) if row[1] is not None}
+    for square in sorted(squares, key=Fraction)[::3]:
+        below = str(Fraction(square) * (1 - Fraction(1, 10**12)))
+        found, before = (RegionsAt(all_of._found.regions(text)) for text in (square, below))
+        for own, other in zip(found.rest, before.rest, strict=True):
+            assert own.area[0] == pytest.approx(other.area[0], abs=1e-4), (SEED, number, square)
+        assert found.shape_area[0] == pytest.approx(before.shape_area[0], abs=1e-4)
+
+
 @pytest.mark.parametrize("number", range(8))
 def test_rest_is_the_area_of_a_sampled_closing(number: int) -> None:
     shape, all_of, radii = drawn(number)
