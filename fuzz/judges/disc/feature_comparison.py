@@ -64,7 +64,7 @@ def _root(square: Fraction) -> Fraction | None:
 
 
 class _Comparison:
-    """Of one set, with equal trees: node k of either is node k of both."""
+    """Compares one set's answers; trees are equal, so numbers of nodes are, too."""
 
     def __init__(self, judge: Judge, found: _core.Features) -> None:
         self.judge, self.found = judge, found

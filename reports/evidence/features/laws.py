@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-import random
-import time
-
-from minkref import _core
-from minkref.fuzz.judges.disc.feature_comparison import feature_faults
-from minkref.fuzz.judges.disc.feature_draws import KINDS, drawn_set, set_of
-from minkref.fuzz.judges.disc.feature_shape_laws import Table, count, diagram_faults, sum_faults
-from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, DiagramJudge, absence
-from minkref.oracle.features import Judge
+from minkref.fuzz.judges.disc.feature_draws import KINDS
+from minkref.fuzz.judges.disc.feature_shape_laws import Table
+from minkref.fuzz.judges.disc.features_before_judges import compare
+from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, absence
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
@@ -18,28 +13,12 @@ MINUTES = Minutes(0.5, 4, 40)
 
 SEED = 2052
 SETS, BATCH = Counts(40, 200, 2000), 10
-SECONDS = 60.0  # for a diagram
 TIES = ("sets with several places at one radius", "sets with ridges",
         "sets with nodes of degree 3 or more", "sets with ties of birth and depth")  # fmt: skip
 
 
 def batch(first: int) -> Table:
-    """Compares sets by number."""
-    table = Table()
-    with DiagramJudge(CGAL, SECONDS) as cgal, DiagramJudge(BOOST, SECONDS) as boost:
-        for number in range(first, first + BATCH):
-            name, shape = drawn_set(SEED, number)
-            begun = time.process_time()
-            judge = Judge(shape)
-            table.seconds += time.process_time() - begun
-            count(name, judge, table.counts)
-            dice = random.Random(f"minkref feature laws {SEED}:{number}")
-            faults = feature_faults(judge, _core.features(set_of(shape)), dice, table.counts)
-            faults += sum_faults(shape, judge, dice, table.counts)
-            table.faults += [f"{name}: {fault}" for fault in faults]
-            for library in (cgal, boost):
-                diagram_faults(name, shape, judge, library, table)
-    return table
+    return compare(SEED, range(first, first + BATCH))
 
 
 def run(findings: Findings, size: Size) -> None:
