@@ -18,7 +18,7 @@ def places(
     lines: list[Line], spots: list[Spot], own: set[tuple[int, int]], are_parallel: bool, root: Root
 ) -> list[Place]:
     """Places equally far from three lines and points together, in front of all lines. `own` has
-    (i, j) if line i ends at point j; other points lie off the lines. No two lines face the same way;
+    (i, j) if line i ends at point j; other points lie off all lines. No two lines face one way;
     `are_parallel`: both lines are, if there are two."""
     if len(lines) == 3:
         return list(_lines(lines, root))
