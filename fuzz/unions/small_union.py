@@ -3,31 +3,32 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
 from itertools import chain, combinations, islice
-from math import gcd, lcm
 
 from minkref.fuzz.plane.smaller_operands import (
     Operand,
-    fewer_holes,
-    fewer_polygons,
-    gaps,
     is_valid_operand,
-    moved_operand,
-    narrowed,
     plain_operand,
     ranked,
     read_operand_text,
     rounded_operand,
     scaled_operand,
-    vertices_moved,
-    vertices_of,
     with_denominators,
-    without_runs,
-    without_vertices,
+)
+from minkref.fuzz.plane.smaller_sets import (
+    LIMITS,
+    Change,
+    bold_steps,
+    counts_of,
+    fine_steps,
+    length_of,
+    narrowings,
+    to_the_axes,
+    whole_factor,
 )
 
 FEWEST_SETS = 2
@@ -47,9 +48,7 @@ class SmallUnion:
     def size(self) -> tuple[int, int, int, int, str]:
         """Counts vertices, rings, sets, and the numbers' length."""
         text = self.literal
-        rings = [ring for each in self.sets for polygon in each for ring in polygon]
-        length = len(text) + 2 * text.count("-") + 20 * text.count("/")
-        return (sum(map(len, rings)), len(rings), len(self.sets), length, text)
+        return (*counts_of(self.sets), len(self.sets), length_of(text), text)
 
     @cached_property
     def literal(self) -> str:
@@ -59,15 +58,12 @@ class SmallUnion:
     def valid(self) -> bool:
         return len(self.sets) >= FEWEST_SETS and all(map(is_valid_operand, self.sets))
 
-    def with_set(self, k: int, operand: Operand) -> SmallUnion:
-        return SmallUnion((*self.sets[:k], operand, *self.sets[k + 1 :]))
-
     @cached_property
     def together(self) -> Operand:
         """Lists all polygons, set after set."""
         return tuple(chain.from_iterable(self.sets))
 
-    def changed(self, change: Callable[[Operand], Operand]) -> SmallUnion:
+    def changed(self, change: Change) -> SmallUnion:
         """Changes all sets together; the change keeps their polygons."""
         polygons = iter(change(self.together))
         return SmallUnion(tuple(tuple(islice(polygons, len(each))) for each in self.sets))
@@ -91,39 +87,23 @@ def _candidates(case: SmallUnion) -> Iterator[SmallUnion]:
                 SmallUnion(sets[:k] + sets[k + count :]) for k in range(0, len(sets), count)
             )
     yield from (SmallUnion(sets[:k] + sets[k + 1 :]) for k in range(len(sets)))
-    for step in (fewer_polygons, fewer_holes):
-        yield from _each(case, step)
-    for part in (2, 3, 4):
-        yield from _each(case, partial(without_runs, part=part))
-    yield from _each(case, partial(without_vertices, count=1))
+    yield from map(SmallUnion, bold_steps(sets))
     yield from _simpler_numbers(case)
-    yield from _each(case, partial(without_vertices, count=2))
-    yield from _each(case, vertices_moved)
-
-
-def _each(case: SmallUnion, step: Callable[[Operand], Iterator[Operand]]) -> Iterator[SmallUnion]:
-    """Applies a step to each set in turn."""
-    for k, operand in enumerate(case.sets):
-        yield from (case.with_set(k, fewer) for fewer in step(operand))
+    yield from map(SmallUnion, fine_steps(sets))
 
 
 def _simpler_numbers(case: SmallUnion) -> Iterator[SmallUnion]:
-    points = vertices_of(case.together)
-    if not points:
+    move, factor = to_the_axes(case.together), whole_factor(case.together)
+    if move is None:
         return
-    x, y = min(p[0] for p in points), min(p[1] for p in points)
-    yield case.changed(partial(moved_operand, by=(-x, -y)))
-    denominator = lcm(*(number.denominator for point in points for number in point))
-    divisor = gcd(*(int(number * denominator) for point in points for number in point))
-    if divisor:
-        yield case.changed(partial(scaled_operand, factor=Fraction(denominator, divisor)))
+    yield case.changed(move)
+    if factor is not None:
+        yield case.changed(partial(scaled_operand, factor=factor))
     for unit in map(Fraction, (64, 16, 8, 4, 2, 1)):
         yield case.changed(partial(rounded_operand, step=unit))
         less = case.changed(partial(scaled_operand, factor=1 / unit))
         yield less.changed(partial(rounded_operand, step=Fraction(1)))
-    for most in (1, 2, 4, 8, 16, 64):
+    for most in LIMITS:
         yield case.changed(partial(with_denominators, most=most))
     yield case.changed(ranked)
-    for axis in (0, 1):
-        for after, by in gaps(case.together, axis):
-            yield case.changed(partial(narrowed, axis=axis, after=after, by=by))
+    yield from map(case.changed, narrowings(case.together))
