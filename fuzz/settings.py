@@ -8,6 +8,7 @@ from typing import Any
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.invalid.question import REFUSALS
 from minkref.fuzz.motion.question import PATHS
+from minkref.fuzz.offsets.question import OFFSETS
 from minkref.fuzz.plane.setting import PLANE
 from minkref.fuzz.setting import Question, Setting, ShrinkableQuestion, SmallCase
 from minkref.fuzz.space.setting import SPACE
@@ -15,8 +16,8 @@ from minkref.fuzz.targets.asking import Asking
 from minkref.fuzz.unions.question import UNIONS
 
 SETTINGS: tuple[Setting, ...] = (PLANE, SPACE)
-QUESTIONS: tuple[Question, ...] = (PATHS, UNIONS, REFUSALS)
-SHRINKABLE: tuple[ShrinkableQuestion, ...] = (PATHS, UNIONS)
+QUESTIONS: tuple[Question, ...] = (PATHS, UNIONS, OFFSETS, REFUSALS)
+SHRINKABLE: tuple[ShrinkableQuestion, ...] = (PATHS, UNIONS, OFFSETS)
 
 
 def setting_of(dimension: int) -> Setting:

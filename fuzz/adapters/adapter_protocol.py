@@ -15,6 +15,7 @@ Set = dict[str, Any]  # {"polygons": ...} or {"vertices": ..., "faces": ...}
 Sum = Callable[[Set, Set], dict[str, Any]]
 Path = Callable[[Set, Set, dict[str, Any]], dict[str, Any]]
 Union = Callable[[list[Set]], dict[str, Any]]
+Offset = Callable[[Set, Any], dict[str, Any]]
 Verbs = Mapping[str, Path]
 LONGEST_REASON = 4000  # characters
 
@@ -39,15 +40,21 @@ class Adapter:
     """Answers requests: `hello` is the declaration, `sum_of(sP, Q)` returns a result's members, and
     each function of `verbs`, by verb, a result's members from P, Q and the request: `path`,
     `update`, or `at` itself for an implementation that scales P by itself. `union_of(sets)` returns
-    the members of a union."""
+    the members of a union, `offset_of(P, radius)` those of P grown by a disc."""
 
     def __init__(
-        self, hello: dict[str, Any], sum_of: Sum | None, verbs: Verbs, union_of: Union | None = None
+        self,
+        hello: dict[str, Any],
+        sum_of: Sum | None,
+        verbs: Verbs,
+        union_of: Union | None = None,
+        offset_of: Offset | None = None,
     ) -> None:
         self.hello = hello
         self.sum_of = sum_of
         self.verbs = verbs
         self.union_of = union_of
+        self.offset_of = offset_of
         self.P: Set | None = None
         self.Q: Set | None = None
 
@@ -62,6 +69,8 @@ class Adapter:
                 return {"status": "result"}
             if verb == "union" and self.union_of is not None:
                 return {"status": "result", **self.union_of(request["sets"])}
+            if verb == "offset" and self.offset_of is not None:
+                return {"status": "result", **self.offset_of(request["P"], request["radius"])}
             if isinstance(verb, str) and verb in self.verbs:
                 if self.P is None or self.Q is None:
                     raise ValueError(f"`{verb}` before any `load`")
@@ -111,13 +120,14 @@ def serve(
     path_of: Path | None = None,
     verbs: Verbs | None = None,
     union_of: Union | None = None,
+    offset_of: Offset | None = None,
 ) -> None:
     """Answers until `stop` or the input's end. `given`: streams that were taken already. `path_of`
     answers the verb `path`, and `verbs` others, from P, Q and the request; `union_of` the verb
-    `union`, from the sets."""
+    `union`, from the sets; `offset_of` the verb `offset`, from P and the radius."""
     requests, answers = given or streams()
     others: Verbs = {} if path_of is None else {"path": path_of}
-    adapter = Adapter(hello, sum_of, {**others, **(verbs or {})}, union_of)
+    adapter = Adapter(hello, sum_of, {**others, **(verbs or {})}, union_of, offset_of)
     for line in requests:
         if not line.strip():
             continue

@@ -111,14 +111,18 @@ def doubled_area(ring: Sequence[Point]) -> Number:
 
 def contains(polygons: Shape, point: Point) -> bool:
     """The point lies in the closed set."""
+    y = point[1]
     for polygon in polygons:
         inside = False
         for ring in polygon:
             for a, b in zip(ring, ring[1:] + ring[:1], strict=True):
+                a_above, b_above = a[1] > y, b[1] > y
+                if (a_above and b_above) or (not a_above and not b_above and a[1] != y != b[1]):
+                    continue  # most edges: wholly above or below
                 side = turn(a, b, point)
                 if side == 0 and in_box(a, b, point):
                     return True
-                if (a[1] > point[1]) != (b[1] > point[1]) and (side > 0) == (b[1] > a[1]):
+                if a_above != b_above and (side > 0) == (b[1] > a[1]):
                     inside = not inside
         if inside:
             return True

@@ -79,9 +79,9 @@ class PlaneAsking(Asking):
         if not is_asked_again(case, outcome):
             return outcome
         second = self._ask(name, case)
-        if second.region is None and outcome.verdict not in GOOD:
+        if second.digest is None and outcome.verdict not in GOOD:
             return outcome
-        if second.region is not None and second.region.digest == outcome.digest:
+        if second.digest is not None and second.digest == outcome.digest:
             return outcome
         rejudged = self._judged(case, {**self.answers, name: second}, [name])
         for worse in (outcome, *rejudged):

@@ -21,6 +21,7 @@ ROUTES = {
     DYNAMIC: "dynamic update, from one scale to another",
     INDEX: "read off the boundary of the swept sum, built for all scales of a window",
 }
+OFFSETTING = ("definition", "paper", INDEX)  # routes to a set grown by a disc
 MOST_PAIRS = {"definition": 7_000, DYNAMIC: 40_000, INDEX: 40_000}
 UPDATING = {
     route: Declaration(f"minkref:{route}", capabilities=PLANE | {"update"})
@@ -43,12 +44,27 @@ class ReferenceTarget:
 
     def sum(self, case: AnyCase) -> Answer:
         if not isinstance(case, Case):
-            return skipped("does not declare space, rejects-invalid, path or union")
+            return skipped("does not declare space, rejects-invalid, path, union or offset")
         if self.route in UPDATING:
             return self.updated_sum(case, case)
         return self._guarded(
             lambda: _core.minkowski_sum(case.P, case.Q, case.scale, self.route, "rational")
         )
+
+    def offset(self, P: _core.PolygonSet, squared_radius: str) -> Answer:
+        """The canonical text of P grown by a disc."""
+        if self.route not in OFFSETTING:
+            return skipped("does not declare offset")
+        try:
+            if self.route == INDEX:
+                text = _core.disc_index(P).canonical_json(squared_radius)
+            else:
+                text = _core.offset(P, squared_radius, 1, self.route).canonical_json()
+        except MemoryError as error:
+            return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
+        except Exception as error:  # noqa: BLE001 any exception is the target's fault
+            return Answer(verdict=Verdict.ERRORED, message=message_of(error))
+        return Answer(curves=text)
 
     def updated_sum(self, before: Case, case: Case) -> Answer:
         """The sum at the scale of `case`, reached by steps from the scale of `before`, or read off

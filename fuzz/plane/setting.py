@@ -12,7 +12,16 @@ from minkref.errors import refusing
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import EVENTS, PAIR_EVENTS, PATH, RANGES, REJECTS, UNION, UPDATE
+from minkref.fuzz.cases.verbs import (
+    EVENTS,
+    OFFSET,
+    PAIR_EVENTS,
+    PATH,
+    RANGES,
+    REJECTS,
+    UNION,
+    UPDATE,
+)
 from minkref.fuzz.geometry.number_text import number_of
 from minkref.fuzz.plane.asking import PlaneAsking
 from minkref.fuzz.plane.case import Case
@@ -31,7 +40,7 @@ class Plane(Setting):
     target = "minkref:paper"
     asking = PlaneAsking
     families: ClassVar[dict[str, str]] = {name: one.title for name, one in FAMILIES.items()}
-    verbs = (UPDATE, EVENTS, PAIR_EVENTS, REJECTS, PATH, RANGES, UNION)
+    verbs = (UPDATE, EVENTS, PAIR_EVENTS, REJECTS, PATH, RANGES, UNION, OFFSET)
     never = frozenset({"non-uniform"})  # no case needs it: other targets get `S P` as P
 
     def holds(self, operands: list[Any]) -> bool:
@@ -70,7 +79,8 @@ class Plane(Setting):
     ) -> Case | None:
         if not isinstance(base, Case):
             raise NoCase(
-                "nothing is got from a case of invalid operands, of a path, or of sets to unite"
+                "nothing is got from a case of invalid operands, of a path, of sets to unite, or "
+                "of a set to grow"
             )
         return derived(base, name, operation, number)
 

@@ -25,7 +25,7 @@ DEEPEST_MUTANT = 4
 AXES_PER_ROUND = 4  # families with a factor for each axis
 PROBES_PER_ROUND = 3
 PATHS_PER_ROUND = 3  # per verb
-UNIONS_PER_ROUND = 3  # per family
+SETS_PER_ROUND = 3  # per family of sets to unite or to grow
 GRID_BITS = 24  # for cases on a grid, or in doubles
 CONVEX_FAMILIES = ("space-convex", "space-sphere")  # taken by most targets with updates
 TOUCHING = "passing"  # the family with topology events of the kind `touch`
@@ -67,6 +67,7 @@ class CaseList:
     invalid: bool = False  # also pairs with one invalid operand
     paths: tuple[str, ...] = ()  # verbs of paths
     unions: tuple[str, ...] = ()  # families of sets to unite
+    offsets: tuple[str, ...] = ()  # families of sets to grow
     doubles: bool = False  # no target takes other numbers: each pair on a grid, too
     spent: float = 0.0  # seconds used by an earlier part of the run
     notes: list[str] = field(default_factory=list)
@@ -127,7 +128,7 @@ class CaseList:
         """Returns the settings that distinguish runs."""
         names = ("seed", "pairs", "seconds", "named", "models", "families", "space", "laws")
         head: dict[str, object] = {name: getattr(self, name) for name in names}
-        more = ("derived", "files", "invalid", "paths", "unions", "doubles")
+        more = ("derived", "files", "invalid", "paths", "unions", "offsets", "doubles")
         return {**head, **{name: getattr(self, name) for name in more}}
 
     def miss(self) -> None:
@@ -140,7 +141,7 @@ class CaseList:
             self._learned.append((number, text, coverage))
 
     def _generated(self) -> Iterator[CaseName | Wait]:
-        if not (self.families or self.space or self.unions):
+        if not (self.families or self.space or self.unions or self.offsets):
             return
         if not self.derived:
             for index in itertools.count():
@@ -149,7 +150,7 @@ class CaseList:
                 if self.invalid:
                     yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
                 yield from self._paths(index)
-                yield from self._unions(index)
+                yield from self._of_sets(index)
         for index in itertools.count():
             yield from self._round(index)
             yield Wait.FOR_ALL
@@ -169,7 +170,7 @@ class CaseList:
         if self.invalid:
             yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
         yield from self._paths(index)
-        yield from self._unions(index)
+        yield from self._of_sets(index)
         for family in dice.sample(self.families, min(PROBES_PER_ROUND, len(self.families))):
             for probe in sorted(dice.sample(range(9), 3)):
                 text = f"probe:{probe}({texts[family]})"
@@ -202,11 +203,12 @@ class CaseList:
                 number = index * PATHS_PER_ROUND + k
                 yield CaseName(f"{verb}{end}:{self.seed}:{number}", "paths")
 
-    def _unions(self, index: int) -> Iterator[CaseName]:
-        for family in self.unions:
-            for k in range(UNIONS_PER_ROUND):
-                number = index * UNIONS_PER_ROUND + k
-                yield CaseName(f"{family}:{self.seed}:{number}", "unions")
+    def _of_sets(self, index: int) -> Iterator[CaseName]:
+        for group, families in (("unions", self.unions), ("offsets", self.offsets)):
+            for family in families:
+                for k in range(SETS_PER_ROUND):
+                    number = index * SETS_PER_ROUND + k
+                    yield CaseName(f"{family}:{self.seed}:{number}", group)
 
     def _by_axes(self, index: int, texts: dict[str, str]) -> Iterator[CaseName]:
         """Yields cases of some families with a factor for each axis, and updates to such."""

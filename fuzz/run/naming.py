@@ -19,6 +19,8 @@ path:SEED:INDEX           a part on a path, at given scales (path-grid: on a gri
 path-ranges:SEED:INDEX    the same, all valid scales of a window (path-ranges-grid: on a grid)
 union:SEED:INDEX          sets to unite (union-grid: on a grid of 24 bits; union-known: known)
 {"sets":[...]}            such sets themselves
+offsets:SEED:INDEX        a set to grow by a disc (offsets-grid: on a grid; offsets-known: known)
+{"offset":{...},"radius":"7/5"}   such a set itself
 {"part":...,"obstacles":...,"path":...,"contact":...,"scales":[...]}   such a case itself
 """
 

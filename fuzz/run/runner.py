@@ -9,12 +9,14 @@ from dataclasses import dataclass, field
 
 from minkref.fuzz.cases.verbs import (
     EVENTS,
+    OFFSET,
     PAIR_EVENTS,
     PATH,
     RANGES,
     REJECTS,
     UNION,
     UPDATE,
+    is_offset,
     is_path,
     is_union,
 )
@@ -124,8 +126,11 @@ def verb_of(text: str) -> str:
     verbs |= {f"{INVALID}:": REJECTS}
     verbs |= {f"{RANGES}:": RANGES, f"{RANGES}-": RANGES, f"{PATH}:": PATH, f"{PATH}-grid": PATH}
     verbs |= {f"{UNION}:": UNION, f"{UNION}-": UNION}
+    verbs |= {"offsets:": OFFSET, "offsets-": OFFSET}  # `offset` is a family of pairs
     if is_union(text):
         return UNION
+    if is_offset(text):
+        return OFFSET
     if is_path(text):
         return PATH if '"scales"' in text else RANGES
     return next((verb for start, verb in verbs.items() if text.startswith(start)), "at")

@@ -6,15 +6,16 @@ import json
 import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any, TypeVar
 
 from minkref.errors import cut, message_of
 from minkref.fuzz.cases.any_case import AnyCase
-from minkref.fuzz.cases.verbs import UNION
+from minkref.fuzz.cases.verbs import OFFSET, UNION
 from minkref.fuzz.targets.adapter_process import GAVE_UP, AdapterProcess, Failure
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.numbers import Unreadable
+from minkref.fuzz.targets.numbers import Unreadable, sent_number
 from minkref.fuzz.verdicts.verdict import Verdict
 
 MOST_FAILED_STARTS = 3
@@ -151,7 +152,7 @@ class ProgramTarget:
 
 
 class AdapterTarget(ProgramTarget):
-    """Asks for updates, events, paths and unions, too."""
+    """Asks for updates, events, paths, unions and offsets, too."""
 
     @property
     def most_pairs(self) -> int:
@@ -182,15 +183,31 @@ class AdapterTarget(ProgramTarget):
     def union(self, case: AnyCase, sets: Sequence[str]) -> Answer:
         """Asks for the union: without `load`, and no state changes."""
 
+        def fields(declaration: Declaration) -> dict[str, Any]:
+            return {"sets": [case.exchange.sent(text, declaration) for text in sets]}
+
+        return self._asked_at_once(case, UNION, fields)
+
+    def offset(self, case: AnyCase, text: str, radius: Fraction) -> Answer:
+        """Asks for a set grown by a disc: without `load`, and no state changes."""
+
+        def fields(declaration: Declaration) -> dict[str, Any]:
+            P = case.exchange.sent(text, declaration)
+            return {"P": P, "radius": sent_number(radius, declaration)}
+
+        return self._asked_at_once(case, OFFSET, fields)
+
+    def _asked_at_once(
+        self, case: AnyCase, verb: str, fields: Callable[[Declaration], dict[str, Any]]
+    ) -> Answer:
+        """Asks a question that holds its sets."""
+
         def ask(declaration: Declaration) -> Answer:
             import time
 
             since = time.perf_counter()
             value = self._process.ask(
-                UNION,
-                self.limits.seconds,
-                dimension=case.dimension,
-                sets=[case.exchange.sent(text, declaration) for text in sets],
+                verb, self.limits.seconds, dimension=case.dimension, **fields(declaration)
             )
             seconds = time.perf_counter() - since
             if value["status"] != "result":

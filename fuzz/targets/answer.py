@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from minkref.errors import message_of
+from minkref.exact import digest
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.region import Region, plain_polygons, region_of_polygons
@@ -46,8 +47,9 @@ class Limits:
 
 @dataclass
 class Answer:
-    """A target's answer: a region, in space a polyhedron, or a verdict that explains its absence.
-    WRONG without a region or polyhedron: the target called the operands invalid."""
+    """A target's answer: a region, in space a polyhedron, of a grown set perhaps `curves`, or a
+    verdict that explains its absence. WRONG without a set: the target called the operands
+    invalid."""
 
     region: Region | None = None
     verdict: Verdict | None = None
@@ -57,6 +59,19 @@ class Answer:
     declaration: Declaration = REGIONS
     solid: Polyhedron | None = None
     log: str = ""
+    curves: str | None = None
+
+    @property
+    def text(self) -> str | None:
+        """The set in the plane as canonical JSON."""
+        return self.curves if self.region is None else self.region.json
+
+    @property
+    def digest(self) -> str | None:
+        """Of the set in the plane."""
+        if self.region is not None:
+            return self.region.digest
+        return None if self.curves is None else digest(self.curves)
 
 
 class Target(Protocol):

@@ -55,7 +55,8 @@ class Asking(ABC):
         lost = self.lost.get(JUDGING + name)
         if lost is None:
             return answer
-        return replace(answer, region=None, solid=None, verdict=lost.verdict, message=lost.message)
+        unread = replace(answer, region=None, solid=None, curves=None)
+        return replace(unread, verdict=lost.verdict, message=lost.message)
 
 
 def is_asked_again(case: AnyCase, outcome: Outcome) -> bool:

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref.fuzz.cases.grid import bits_of
-from minkref.fuzz.cases.verbs import PATH, RANGES, UNION
+from minkref.fuzz.cases.verbs import OFFSET, PATH, RANGES, UNION
 from minkref.fuzz.geometry.number_text import number_of
 
 # For each capability, the trait of cases needing it.
@@ -33,6 +33,7 @@ CAPABILITIES = {
     "path": "whether a part passes along a path, in the plane, at given scales",
     "path-ranges": "all scales at which a part passes along a path, in the plane",
     "union": "sets to unite, in the plane",
+    "offset": "a set to grow by a disc, in the plane",
 }
 PLANE = frozenset(
     ("plane", "non-convex", "holes", "components", "touching", "empty", "point", "segment")
@@ -42,10 +43,10 @@ OF_THE_ANSWER = frozenset(("seq", "status", "protocol"))
 MEMBERS = frozenset(
     ("name", "version", "language", "arithmetic", "numbers", "grid", "tolerance", "sum", "sets")
 ) | {"capabilities"}
-OF_TOLERANCE = frozenset(("absolute", "relative"))
+OF_TOLERANCE = frozenset(("absolute", "relative", "radius"))
 OF_GRID = frozenset(("bits", "unit", "largest"))
 NO_SUMS = "none"  # `sum` of a target that is asked for no sums
-OTHER_VERBS = frozenset((UNION, PATH, RANGES))
+OTHER_VERBS = frozenset((UNION, OFFSET, PATH, RANGES))
 FREE = "x-"  # members whose names begin so mean nothing to us
 
 
@@ -64,6 +65,7 @@ class Declaration:
     numbers: str = "text"
     absolute: Fraction = Fraction(0)
     relative: Fraction = Fraction(0)
+    of_radius: Fraction = Fraction(0)  # for offsets: a part of the radius
     sum: str = "region"
     sets: str = "regularised"
     bits: int | None = None  # the target's integer grid
@@ -87,6 +89,15 @@ class Declaration:
         """The half side of the square or cube by which a result may differ. `magnitude` adds the
         largest absolute coordinates of sP and of Q; for a union, it is the largest of all sets."""
         return Fraction(0) if self.exact else self.absolute + self.relative * magnitude
+
+    def tolerance_document(self) -> dict[str, str]:
+        value = {"absolute": str(self.absolute), "relative": str(self.relative)}
+        return {**value, "radius": str(self.of_radius)} if self.of_radius else value
+
+    def offset_tolerance(self, magnitude: Fraction, radius: Fraction) -> Fraction:
+        """By how much the radius of an offset may differ, in places. `magnitude`: the largest
+        absolute coordinate of the set."""
+        return self.tolerance(magnitude + radius) + self.of_radius * radius
 
     def rounds(self, numbers: Callable[[], list[Fraction]]) -> str | None:
         """Returns the reason for rounding coordinates on the way in; None without rounding."""
@@ -116,7 +127,7 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
     _refuse_unknown("capability", set(capabilities), frozenset(CAPABILITIES))
     tolerance = value.get("tolerance", {})
     if not isinstance(tolerance, dict):
-        raise DeclarationError("tolerance is not an object with absolute and relative")
+        raise DeclarationError("tolerance is not an object with absolute, relative or radius")
     _refuse_unknown("member of tolerance", set(tolerance), OF_TOLERANCE)
     _refuse_unknown("member of grid", set(_grid(value)), OF_GRID)
     declared = Declaration(
@@ -127,6 +138,7 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
         numbers=_one_of(value, "numbers", ("text", "double")),
         absolute=_number(tolerance, "absolute"),
         relative=_number(tolerance, "relative"),
+        of_radius=_number(tolerance, "radius"),
         sum=_one_of(value, "sum", ("region", "boundary", NO_SUMS)),
         sets=_one_of(value, "sets", ("regularised", "closed")),
         bits=_bits(value),
@@ -139,8 +151,8 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
     if declared.boundary and "space" in declared.capabilities:
         raise DeclarationError("sum: boundary is for the plane, and capabilities has space")
     if not declared.makes_sums and not declared.capabilities & OTHER_VERBS:
-        raise DeclarationError("sum: none leaves nothing to ask for without union or path")
-    if declared.exact and (declared.absolute or declared.relative):
+        raise DeclarationError("sum: none leaves nothing to ask for without union, offset or path")
+    if declared.exact and (declared.absolute or declared.relative or declared.of_radius):
         raise DeclarationError("exact arithmetic has no tolerance")
     return declared
 

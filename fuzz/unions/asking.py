@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from minkref.fuzz.plane.asking import PlaneAsking
 from minkref.fuzz.targets.adapter import AdapterTarget
@@ -35,12 +36,15 @@ class UnionAsking(PlaneAsking):
         """The doubt about the truth, decided once for all targets."""
         return doubt_about(self.case)
 
-    def _ask(self, name: str, case: AskedUnion) -> Answer:  # type: ignore[override]
+    def _ask(self, name: str, case: Any) -> Answer:
         if name in self.lost:
             lost = self.lost[name]
             return Answer(
                 verdict=lost.verdict, message=lost.message, signal=lost.signal, seconds=lost.seconds
             )
+        return self._asked(name, case)
+
+    def _asked(self, name: str, case: AskedUnion) -> Answer:
         target = self.target(name)
         if not isinstance(target, AdapterTarget):
             return skipped("does not declare union")

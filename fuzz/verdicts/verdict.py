@@ -53,8 +53,9 @@ class Reason(StrEnum):
 class Witness:
     """A point that a reader can check by hand. Inside: scale p + q = point, p in P, q in Q.
     Outside: P scaled does not meet the set of all point - q. For a union, the number of a set with
-    the point, or none. With a tolerance, the whole square (in
-    space the cube) with this half side around the point lies inside, or outside."""
+    the point, or none. For an offset, the squared distance from the set. With a tolerance, the
+    whole square (in space the cube) with this half side around the point lies inside, or outside;
+    for an offset, at each radius that differs by at most so much."""
 
     point: tuple[str, ...]
     in_truth: bool
@@ -67,6 +68,9 @@ class Witness:
     on_path: tuple[str, str] | None = None  # the segment, and how far along it
     sets: int | None = None  # for a union: how many sets it unites; p and q are None
     of_set: int | None = None  # the number of a set with the point, from 1; None if no set has it
+    radius: str | None = None  # of an offset; p and q are None
+    squared_distance: str | None = None  # from the set that is grown
+    nearest: tuple[str, ...] | None = None  # its feature: "inside", "vertex" x y, "edge" x y x y
     places: int | None = None  # at none of so many, which decide for all, the part collides
 
     def document(self) -> dict[str, Any]:
@@ -85,6 +89,10 @@ class Witness:
             value |= {"contact": self.contact, "on_path": on_path, "places": self.places}
         if self.sets is not None:
             value |= {"sets": self.sets, "of_set": self.of_set}
+        if self.radius is not None:
+            nearest = list(self.nearest) if self.nearest else None
+            value |= {"radius": self.radius, "squared_distance": self.squared_distance}
+            value["nearest"] = nearest
         return value if self.scale is None else {**value, "scale": self.scale}
 
 

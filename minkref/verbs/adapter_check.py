@@ -19,7 +19,7 @@ from minkref.cli.target_options import (
     walls_and_limits,
 )
 from minkref.fuzz.all_targets import ALL_TARGETS
-from minkref.fuzz.cases.verbs import PATH, RANGES, UNION
+from minkref.fuzz.cases.verbs import OFFSET, PATH, RANGES, UNION
 from minkref.fuzz.isolation.isolation import AUTO, Isolation
 from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.shrink.asker import Asker
@@ -62,6 +62,7 @@ class Trying:
     scale: str = "1"
     path: dict[str, Any] | None = None  # a question about one, P being the part
     others: tuple[str, ...] | None = None  # a question about the union of P, Q and these
+    radius: str | None = None  # a question about P grown by a disc
 
     @property
     def literal(self) -> str:
@@ -71,6 +72,9 @@ class Trying:
         if self.others is not None:
             sets = [texts.loads(text) for text in (self.P, self.Q, *self.others)]
             return texts.dumps({"sets": sets}, separators=(",", ":"))
+        if self.radius is not None:
+            value = {"offset": texts.loads(self.P), "radius": self.radius}
+            return texts.dumps(value, separators=(",", ":"))
         value = {"P": texts.loads(self.P), "Q": texts.loads(self.Q), "scale": self.scale}
         return texts.dumps(value, separators=(",", ":"))
 
@@ -107,6 +111,12 @@ UNIONS = [
     Trying("the union of a triangle and a square", TRIANGLE, SQUARE, others=()),
     Trying("of a triangle and a box that touch at a vertex", TRIANGLE, BESIDE, others=()),
     Trying("of a frame and two boxes: one fills the hole", FRAME, INSIDE, others=(BESIDE,)),
+]
+
+OFFSETS = [
+    Trying("a triangle grown by a disc", TRIANGLE, "", radius="1"),
+    Trying("a frame: the hole becomes smaller", FRAME, "", radius="1/2"),
+    Trying("a frame: the hole is filled", FRAME, "", radius="3/2"),
 ]
 
 
@@ -148,9 +158,9 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Start an adapter, show what it declares and what that leaves out, and ask for four sums: two
-    of convex operands, one of an operand that is not convex, and one with a hole; and for paths and
-    unions, if it declares them. Exits with 1 if an answer is proven wrong, 3 if the adapter breaks,
-    and 2 if it does not start."""
+    of convex operands, one of an operand that is not convex, and one with a hole; and for paths,
+    unions and offsets, if it declares them. Exits with 1 if an answer is proven wrong, 3 if the
+    adapter breaks, and 2 if it does not start."""
     watch = Stopwatch()
     walls, limits = walls_and_limits(call_seconds, call_memory, call_processes, isolation, pass_env)
     chosen = [ALL_TARGETS.select_one(target)]
@@ -158,7 +168,7 @@ def command(
     declared = declarations[entry.name]
     able = declared.capabilities
     asked = {"plane": IN_PLANE, "space": IN_SPACE} if declared.makes_sums else {}
-    asked |= {PATH: ON_PATHS, RANGES: ALL_ON_PATHS, UNION: UNIONS}
+    asked |= {PATH: ON_PATHS, RANGES: ALL_ON_PATHS, UNION: UNIONS, OFFSET: OFFSETS}
     trials = [trying for word, some in asked.items() if word in able for trying in some]
     with ending_in_order(), Asker(entry.name, ALL_TARGETS, limits) as asker:
         rows = [(trying, asker.ask(trying.literal)[1]) for trying in trials]
@@ -188,7 +198,7 @@ def _declared(declared: Declaration) -> dict[str, Any]:
     return {
         "arithmetic": declared.arithmetic,
         "numbers": declared.numbers,
-        "tolerance": {"absolute": str(declared.absolute), "relative": str(declared.relative)},
+        "tolerance": declared.tolerance_document(),
         "sum": declared.sum,
         "capabilities": sorted(declared.capabilities),
     }

@@ -116,7 +116,7 @@ def _target_document(entry: TargetEntry, declared: Declaration) -> dict[str, Any
         "name": entry.name,
         "version": entry.version,
         "arithmetic": declared.arithmetic,
-        "tolerance": {"absolute": str(declared.absolute), "relative": str(declared.relative)},
+        "tolerance": declared.tolerance_document(),
         "sum": declared.sum,
         "capabilities": sorted(declared.capabilities),
     }

@@ -9,6 +9,7 @@ from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.output.terminal import escaped
 from minkref.reports.conformance.case_view import CaseView, written
 from minkref.reports.conformance.markdown_text import plain
+from minkref.reports.conformance.offset_words import offset_question
 from minkref.reports.conformance.path_words import path_argument, path_question
 from minkref.reports.conformance.union_words import union_question
 from minkref.reports.conformance.words import meaning
@@ -17,12 +18,11 @@ from minkref.reports.conformance.words import meaning
 def bug_report(view: CaseView, version: str | None, presence: list[str]) -> str:
     """Title, versions, input, expected, got, how to reproduce it without minkref, and why the
     expected is right."""
-    outcome, case = view.outcome, view.case
+    outcome = view.outcome
     name = library(outcome.target)
     kinds = ", ".join(outcome.kinds)
     lines = [
-        f"# Minkowski sum of {'two solids' if case.dimension == 3 else 'two polygons'}: "
-        f"{'; '.join(meaning(kind) for kind in outcome.kinds)}",
+        f"# {_subject(view)}: {'; '.join(meaning(kind) for kind in outcome.kinds)}",
         "",
         "## Versions",
         "",
@@ -50,6 +50,12 @@ def bug_report(view: CaseView, version: str | None, presence: list[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _subject(view: CaseView) -> str:
+    if view.case.offset is not None:
+        return "Offset of a polygon"
+    return f"Minkowski sum of {'two solids' if view.case.dimension == 3 else 'two polygons'}"
+
+
 def _input(view: CaseView) -> str:
     scale = view.case.scale
     texts = [f"{name}: {text}" for name, text in view.operand_texts]
@@ -57,6 +63,8 @@ def _input(view: CaseView) -> str:
         texts.append(f"scale: {scale}. The sum is that of P, scaled about the origin by it, and Q.")
     if view.case.union is not None:
         texts += union_question(view.case.union)
+    if view.case.offset is not None:
+        texts += offset_question(view.case.offset)
     if view.case.path is not None:
         texts += ["P is the part, Q the obstacles.", *path_question(view.case.path)]
     return "\n".join(texts)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from typing import Any
 
 from minkref import _core
@@ -20,6 +21,8 @@ from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import Outcome, Reason
 from minkref.output.terminal import counted, escaped
 from minkref.reports.conformance.argument import argument_in_plane, point_text
+from minkref.reports.conformance.offset_pictures import offset_pictures
+from minkref.reports.conformance.offset_words import offset_argument, offset_question, offset_set
 from minkref.reports.conformance.path_words import path_argument, path_question
 from minkref.reports.conformance.plane_pictures import (
     Picture,
@@ -94,6 +97,8 @@ class CaseView:
         """The question about the operands, a line each."""
         if self.case.union:
             return union_question(self.case.union)
+        if self.case.offset:
+            return offset_question(self.case.offset)
         return path_question(self.case.path) if self.case.path else [f"scale: {self.case.scale}"]
 
     @property
@@ -105,12 +110,15 @@ class CaseView:
         has = "has" if witness.in_truth else "does not have"
         wrong = "; the result is wrong there" if self.outcome.got else ""
         what = "sum" if witness.sets is None else "union"
+        what = what if witness.radius is None else "grown set"
         return f"The {what} {has} the point x = {point_text(witness.point)}{wrong}."
 
     @property
     def operand_texts(self) -> list[tuple[str, str]]:
         if self.case.union:
             return [(name, written(text)) for name, text in named_sets(self.case.union)]
+        if self.case.offset:
+            return [("the set", written(offset_set(self.case.offset)))]
         return [
             (name, written(text))
             for name, text in (("P", self.case.P), ("Q", self.case.Q))
@@ -151,6 +159,8 @@ def _view(finding: Finding, title: str, name: str, boundary: bool) -> CaseView:
             _fill_path(view, case.P, case.Q)
         elif case.union is not None:
             _fill_union(view, case.union)
+        elif case.offset is not None:
+            _fill_offset(view, case.offset)
         elif case.dimension == 3:
             _fill_space(view, case.P, case.Q)
         else:
@@ -180,6 +190,16 @@ def _fill_union(view: CaseView, literal: str) -> None:
         view.panes = comparison_pictures(view.expected, view.outcome)
     if view.outcome.witness is not None:
         view.argument = union_argument(view.outcome.witness)
+
+
+def _fill_offset(view: CaseView, literal: str) -> None:
+    view.operands = set_pictures([("the set", offset_set(literal))])
+    view.expected = view.case.expected
+    if view.expected is not None:
+        radius = Fraction(json.loads(literal)["radius"])
+        view.panes = offset_pictures(view.expected, radius, view.outcome)
+    if view.outcome.witness is not None:
+        view.argument = offset_argument(view.outcome.witness)
 
 
 def _fill_plane(view: CaseView, P: str, Q: str, boundary: bool) -> None:
@@ -249,6 +269,11 @@ def written(text: str) -> str:
             lines.append(f"polygon {_ring(polygon['outer'])}")
             lines += [f"  hole {_ring(hole)}" for hole in polygon.get("holes", [])]
         lines = lines or ["the empty set"]
+    elif "components" in value:
+        for component in value["components"]:
+            lines.append(f"ring {_curves(component['outer'])}")
+            lines += [f"  hole {_curves(hole)}" for hole in component["holes"]]
+        lines = lines or ["the empty set"]
     else:
         lines.append(f"vertices {_ring(value['vertices'])}")
         lines.append("faces " + " ".join(f"[{' '.join(map(str, f))}]" for f in value["faces"]))
@@ -260,3 +285,8 @@ def written(text: str) -> str:
 
 def _ring(ring: list[list[Any]]) -> str:
     return " ".join(f"({', '.join(str(n) for n in point)})" for point in ring)
+
+
+def _curves(ring: list[list[str]]) -> str:
+    """Circles about a centre, and lines by direction and height (docs/disc.md)."""
+    return " ".join(f"{kind} ({', '.join(numbers)})" for kind, *numbers in ring)

@@ -54,19 +54,19 @@ def set_pictures(named: Iterable[tuple[str, str]]) -> list[Picture]:
     return [_drawn([("first", _exact(text))], name, width=SMALL) for name, text in named]
 
 
-def comparison_pictures(expected: str, outcome: Outcome) -> list[Picture]:
+def comparison_pictures(expected: str, outcome: Outcome, drawn: str | None = None) -> list[Picture]:
     """Expected, got and difference in one frame, the witness marked; a close-up if the difference
-    is small or thin."""
-    wanted = _exact(expected)
+    is small or thin. `drawn`: the polygons to draw instead of what the outcome has."""
+    wanted, answer = _exact(expected), drawn or outcome.got
     groups: list[tuple[str, list[Set]]] = [("expected", [("sum", wanted)])]
     differing: list[Set] = []
-    if outcome.got is not None:
-        right, got = map(_core.PolygonSet.from_json, (expected, outcome.got))
+    if answer is not None:
+        right, got = map(_core.PolygonSet.from_json, (expected, answer))
         differing = [
             ("missing", exact_polygons(_core.minus(right, got))),
             ("extra", exact_polygons(_core.minus(got, right))),
         ]
-        groups.append((f"got from {outcome.target}", [("got", _exact(outcome.got))]))
+        groups.append((f"got from {outcome.target}", [("got", _exact(answer))]))
         groups.append((_difference(differing), [("faint", wanted), *differing]))
     witness = outcome.witness
     marked = (witness, _place(witness.point)) if witness else None

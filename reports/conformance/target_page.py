@@ -65,6 +65,8 @@ def facts_of(row: dict[str, Any] | None) -> list[tuple[str, str]]:
             f"{_number(absolute)} + {_number(relative)} times the largest coordinate of sP plus "
             "that of Q, in each coordinate"
         )
+    if "radius" in row["tolerance"]:
+        tolerance += f"; of an offset also {_number(row['tolerance']['radius'])} times the radius"
     return [
         ("version", row["version"] or "not known"),
         ("sum", sums.get(row["sum"], row["sum"])),

@@ -12,10 +12,11 @@ import sys
 
 from adapter_protocol import Set, serve  # type: ignore[import-not-found,unused-ignore]
 from minkref import _core
+from minkref.fuzz.libraries.paper.with_disc import corrected, grown
 from minkref.version import version
 
 #: Numbers that its arithmetic does not hold are rounded to the nearest that it does.
-CAPABILITIES = "plane non-convex holes components touching empty point segment rational"
+CAPABILITIES = "plane non-convex holes components touching empty point segment rational offset"
 
 
 def operand(value: Set) -> _core.PolygonSet:
@@ -40,7 +41,11 @@ def main(arithmetic: str) -> None:
         result: dict[str, object] = json.loads(answer.region.canonical_json())
         return result
 
-    serve(hello, sum_of)
+    def offset_of(P: Set, radius: str) -> dict[str, object]:
+        """By the program of the Appendix, its sentences corrected."""
+        return grown(json.dumps(P), radius, arithmetic, corrected())
+
+    serve(hello, sum_of, offset_of=offset_of)
 
 
 if __name__ == "__main__":

@@ -17,11 +17,12 @@ from minkref import _core
 from minkref.fuzz.libraries.paper.in_plane import PlaneProgram
 from minkref.fuzz.libraries.paper.in_space import SpaceProgram
 from minkref.fuzz.libraries.paper.program_name import PREFIX, ProgramName, read_name
+from minkref.fuzz.libraries.paper.with_disc import grown
 from minkref.version import version
 
 Fields = dict[str, Any]
 IN_PLANE = "plane non-convex holes components touching empty point segment rational"
-WALKED = "update pair-events space non-uniform"
+WALKED = "update pair-events space non-uniform offset"
 REFUSALS = (_core.UndecidedSign, _core.BadInput, _core.LimitExceeded)
 
 
@@ -30,6 +31,7 @@ class Programs:
 
     def __init__(self, name: ProgramName) -> None:
         self._plane, self._space = PlaneProgram(name), SpaceProgram(name)
+        self._name = name
 
     def at(self, P: Set, Q: Set, request: Fields) -> Fields:
         if "faces" in P:
@@ -43,6 +45,10 @@ class Programs:
     def pair_events(self, P: Set, Q: Set, request: Fields) -> Fields:
         texts = json.dumps(P), json.dumps(Q)
         return guarded(lambda: self._plane.pair_events(*texts, request["from"], request["to"]))
+
+    def offset(self, P: Set, radius: str) -> Fields:
+        name = self._name
+        return guarded(lambda: grown(json.dumps(P), radius, name.arithmetic, name.disc))
 
 
 def guarded(work: Callable[[], Fields]) -> Fields:
@@ -75,7 +81,8 @@ def main(argument: str) -> None:
     name = read_name(f"{PREFIX}@{argument}")
     programs = Programs(name)
     verbs = {"at": programs.at, "update": programs.update, "pair-events": programs.pair_events}
-    serve(declaration(name), None, verbs=verbs)
+    offset_of = None if name.is_static else programs.offset
+    serve(declaration(name), None, verbs=verbs, offset_of=offset_of)
 
 
 if __name__ == "__main__":

@@ -38,7 +38,8 @@ class _Choices:
 IN_PLANE = _Choices(_core.paper_readings(), _core.check_paper_reading)
 IN_SPACE = _Choices(_core.space_update_readings(), _core.check_space_update_reading)
 OF_REPAIR = _Choices(_core.repair_readings(), _core.check_repair_reading)
-_ALL = {"readings": IN_PLANE, "facets": IN_SPACE, "repair": OF_REPAIR}
+WITH_DISC = _Choices(_core.appendix_readings(), _core.check_appendix_reading)
+_ALL = {"readings": IN_PLANE, "facets": IN_SPACE, "repair": OF_REPAIR, "disc": WITH_DISC}
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,7 @@ class ProgramName:
     readings: dict[str, str]  # in the plane, Section 4
     facets: dict[str, str]  # in space, Section 5
     repair: dict[str, str]  # in space of convex bodies, Section 6
+    disc: dict[str, str]  # with a disc, the Appendix
 
     @property
     def is_static(self) -> bool:

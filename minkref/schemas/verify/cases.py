@@ -87,16 +87,17 @@ class Isolation(TypedDict):
 
 
 class Tolerance(TypedDict):
-    """Absolute, and relative to the coordinates."""
+    """Absolute, and relative to the coordinates; of offsets, a part of the radius too."""
 
     absolute: str
     relative: str
+    radius: NotRequired[str]
 
 
 class Witness(TypedDict):
     """Inside: scale p + q = point. Outside: the scaled P does not meet the point less Q. Of a
     path: point + scale p = q, or at no place that decides does the part collide. For a union: a set
-    has the point, or none has it."""
+    has the point, or none has it. For an offset: the squared distance from the set."""
 
     point: AnyPoint
     in_truth: Annotated[bool, Meta(description="The point lies in the sum.")]
@@ -110,7 +111,7 @@ class Witness(TypedDict):
             Number,
             Meta(
                 description="The whole square or cube of this half side around the point lies "
-                "inside, or outside."
+                "inside, or outside; for an offset, at each radius that differs by at most this."
             ),
         ]
     ]
@@ -135,6 +136,19 @@ class Witness(TypedDict):
         Annotated[
             int | None,
             Meta(description="The number of a set with the point, from 1; null if no set has it."),
+        ]
+    ]
+    radius: NotRequired[Annotated[Number, Meta(description="For an offset: that of the disc.")]]
+    squared_distance: NotRequired[
+        Annotated[
+            Number | None,
+            Meta(description="From the set that is grown; null where this is the empty set."),
+        ]
+    ]
+    nearest: NotRequired[
+        Annotated[
+            list[str] | None,
+            Meta(description="Its nearest feature: inside, vertex x y, or edge x y x y."),
         ]
     ]
 

@@ -1,0 +1,1 @@
+"""Targets asked for sets grown by a disc, and verdicts."""

@@ -1,0 +1,51 @@
+"""Targets asked to grow a set by a disc."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from minkref.fuzz.offsets.asked_offset import AskedOffset
+from minkref.fuzz.offsets.curves import form_of
+from minkref.fuzz.offsets.judgement import doubt_about, in_doubt, judge_offset
+from minkref.fuzz.plane.reference import ReferenceTarget
+from minkref.fuzz.targets.adapter import AdapterTarget
+from minkref.fuzz.targets.answer import Answer, skipped
+from minkref.fuzz.unions.asking import UnionAsking
+from minkref.fuzz.verdicts.verdict import Outcome
+
+
+@dataclass
+class OffsetAsking(UnionAsking):
+    """The grown set, as each target has it: curves, or polygons near them."""
+
+    def expected(self, outcomes: list[Outcome]) -> str:
+        case: AskedOffset = self.case
+        return form_of(case.expected.canonical_json())
+
+    @cached_property
+    def _doubt(self) -> str | None:
+        """The doubt about the truth, decided once for all targets."""
+        return doubt_about(self.case)
+
+    def _asked(self, name: str, case: AskedOffset) -> Answer:  # type: ignore[override]
+        target = self.target(name)
+        if isinstance(target, ReferenceTarget):
+            answer = target.offset(case.set, str(case.radius**2))
+            if answer.curves is None:
+                return answer
+            return replace(answer, curves=form_of(answer.curves))
+        if not isinstance(target, AdapterTarget):
+            return skipped("does not declare offset")
+        return self._in_time(name, lambda: target.offset(case, case.P_json, case.radius))
+
+    def _judged(  # type: ignore[override]
+        self, case: AskedOffset, answers: dict[str, Answer], names: list[str]
+    ) -> list[Outcome]:
+        found: list[Outcome] = []
+        for name in names:
+            answer = self._judgeable(name, answers[name])
+            self._judging(name)
+            doubt = self._doubt if answer.text is not None else None
+            found += in_doubt(name, answer, doubt) if doubt else judge_offset(case, name, answer)
+        return found

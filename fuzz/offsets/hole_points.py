@@ -1,0 +1,82 @@
+"""A point of each hole of a set grown by a disc, as the reference draws the holes' boundaries."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from minkref import _core
+
+Piece = tuple[str, float, float, float, float, float, float, float]
+Spot = tuple[float, float]
+STEPS = 40
+ON_ARC = 8  # points of a rounded arc
+
+
+def points_of_holes(grown: _core.Offset) -> list[tuple[Fraction, Fraction]]:
+    """One point for each hole, by doubles in a frame about as large as the hole: wrong only if the
+    hole is thinner than doubles tell. The caller measures distances."""
+    if not grown.holes:
+        return []
+    found = []
+    for i, rings in enumerate(grown.drawn_rings()):
+        for j, ring in enumerate(rings[1:], 1):
+            found.append(_in_frame_of(grown, ring, (i, j)))
+    return found
+
+
+def _in_frame_of(
+    grown: _core.Offset, ring: Sequence[Piece], number: tuple[int, int]
+) -> tuple[Fraction, Fraction]:
+    """Measures the hole again from a corner, in units near the hole's size."""
+    origin = (Fraction(ring[0][1]), Fraction(ring[0][2]))
+    x0, y0 = ring[0][1], ring[0][2]
+    size = max(max(abs(x - x0), abs(y - y0)) for _, x, y, *_ in ring)
+    factor = Fraction(1) if size <= 0 else Fraction(2) ** -math.frexp(size)[1]
+    i, j = number
+    near = grown.drawn_rings((str(origin[0]), str(origin[1])), str(factor))[i][j]
+    x, y = _inner(near)
+    return origin[0] + Fraction(x) / factor, origin[1] + Fraction(y) / factor
+
+
+def _inner(ring: Sequence[Piece]) -> Spot:
+    """A point right of a piece, inside the ring, as far from the piece as possible."""
+    path = [spot for piece in ring for spot in _path(piece)]
+    best = max(_candidates(ring), key=lambda found: found[0] if _is_in(found[1], path) else -1.0)
+    return best[1]
+
+
+def _candidates(ring: Sequence[Piece]) -> Iterator[tuple[float, Spot]]:
+    for kind, x0, y0, x1, y1, cx, cy, _ in ring:
+        length = math.hypot(x1 - x0, y1 - y0) or 1e-300
+        nx, ny = (y1 - y0) / length, (x0 - x1) / length
+        x, y = (x0 + x1) / 2, (y0 + y1) / 2
+        if kind == "arc":
+            radius = math.hypot(x0 - cx, y0 - cy)
+            x, y = cx + radius * nx, cy + radius * ny
+        for k in range(STEPS):
+            step = length / 2**k
+            yield step, (x + step * nx, y + step * ny)
+
+
+def _path(piece: Piece) -> Iterator[Spot]:
+    kind, x0, y0, x1, y1, cx, cy, _ = piece
+    if kind != "arc":
+        yield (x0, y0)
+        return
+    radius = math.hypot(x0 - cx, y0 - cy)
+    first = math.atan2(y0 - cy, x0 - cx)
+    turn = (math.atan2(y1 - cy, x1 - cx) - first) % math.tau
+    for k in range(ON_ARC):
+        angle = first + turn * k / ON_ARC
+        yield (cx + radius * math.cos(angle), cy + radius * math.sin(angle))
+
+
+def _is_in(spot: Spot, path: Sequence[Spot]) -> bool:
+    x, y = spot
+    inside = False
+    for (ax, ay), (bx, by) in zip(path, [*path[1:], path[0]], strict=True):
+        if (ay > y) != (by > y) and ax + (y - ay) / (by - ay) * (bx - ax) > x:
+            inside = not inside
+    return inside

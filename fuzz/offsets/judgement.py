@@ -1,0 +1,257 @@
+"""The verdict on a target's set grown by a disc."""
+
+from __future__ import annotations
+
+import zlib
+from dataclasses import dataclass
+from fractions import Fraction
+
+from minkref import _core
+from minkref.errors import cut
+from minkref.exact import digest
+from minkref.fuzz.geometry.plane import Shape
+from minkref.fuzz.geometry.region import Region
+from minkref.fuzz.offsets.asked_offset import AskedOffset
+from minkref.fuzz.offsets.curve_witness import CurveWitness
+from minkref.fuzz.offsets.curves import NOTHING, counts_of, form_of
+from minkref.fuzz.offsets.distance import Distances
+from minkref.fuzz.offsets.distance_check import holds
+from minkref.fuzz.offsets.event_window import changes_within, event_within
+from minkref.fuzz.offsets.sandwich import Breach, Sandwich
+from minkref.fuzz.plane.comparison import WitnessRefuted
+from minkref.fuzz.plane.judgement import DOUBT, REFEREE, too_large, without_answer
+from minkref.fuzz.targets.answer import Answer
+from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
+
+PROVED = 4  # among so many small cases, one has its sum found by both routes
+MOST_VERTICES = 60  # of such a case
+MOST_PAIRS = 8_000_000  # edges of an answer times edges of the set
+
+
+def judge_offset(case: AskedOffset, name: str, answer: Answer) -> list[Outcome]:
+    """Polygons lie between two sums, with smaller and larger discs; curves are those of the sum.
+    A rational point decides, by its exact distance from the set, and plain fractions check it. If
+    they refute the reference, the target is undecided, and an outcome names the referee."""
+    try:
+        return [_judged(case, name, answer)]
+    except WitnessRefuted as error:
+        return in_doubt(name, answer, f"{DOUBT}: {error}")
+    except _core.LimitExceeded as error:
+        return [too_large(name, answer, error)]
+    except MemoryError:
+        return [_undecided(name, answer, "there is too little memory to judge the answer")]
+
+
+def _judged(case: AskedOffset, name: str, answer: Answer) -> Outcome:
+    if answer.verdict is Verdict.WRONG:
+        return _refuted(case, name, answer, some_point(case), (Reason.REJECTED_VALID,))
+    if answer.curves is None and answer.region is None:
+        return without_answer(name, answer)
+    half = answer.declaration.offset_tolerance(case.magnitude, case.radius)
+    if half >= case.radius:
+        message = "its tolerance is not less than the radius"
+        return Outcome(name, Verdict.SKIPPED, message=message, seconds=answer.seconds)
+    if case.set.is_empty:
+        return _of_nothing(case, name, answer)
+    if answer.curves is not None:
+        return _Curves(case, name, answer, half).judged(answer.curves)
+    assert answer.region is not None
+    return _Polygons(case, name, answer, half).judged(answer.region)
+
+
+@dataclass(frozen=True)
+class _Polygons:
+    case: AskedOffset
+    name: str
+    answer: Answer
+    half: Fraction
+
+    def judged(self, region: Region) -> Outcome:
+        case, half = self.case, self.half
+        result: Shape = [[[*ring] for ring in polygon] for polygon in region.set.rings()]
+        near = Distances(case.shape)
+        if sum(len(r) for p in result for r in p) * len(near.edges) > MOST_PAIRS:
+            message = f"more than {MOST_PAIRS:,} pairs of edges are not judged"
+            return Outcome(self.name, Verdict.SKIPPED, message=message)
+        low, high = case.radius - half, case.radius + half
+        breaches = Sandwich(near, low, high, result).breaches(case.holes_at(high))
+        if breaches:
+            reasons = tuple(dict.fromkeys(self._reason(region, each) for each in breaches))
+            witness = witness_of(case, near, breaches[0], half)
+            return _refuted(case, self.name, self.answer, witness, reasons)
+        counted = self._miscounted(region, near, low, high)
+        if counted is not None:
+            return counted
+        return Outcome(
+            self.name, Verdict.PASS_WITHIN, seconds=self.answer.seconds, digest=region.digest
+        )
+
+    def _reason(self, region: Region, breach: Breach) -> Reason:
+        components, holes = self.case.counts
+        if breach.missing:
+            if region.holes > holes:
+                return Reason.HOLE_INVENTED
+            lost = breach.whole or region.components < components
+            return Reason.COMPONENT if lost and components > 1 else Reason.MISSING
+        if breach.whole or region.holes < holes:
+            return Reason.HOLE_LOST
+        return Reason.COMPONENT if region.components > components else Reason.EXTRA
+
+    def _miscounted(
+        self, region: Region, near: Distances, low: Fraction, high: Fraction
+    ) -> Outcome | None:
+        """A wrong number of components or holes, if no radius within the tolerance changes it."""
+        components, holes = self.case.counts
+        if (region.components, region.holes) == (components, holes):
+            return None
+        if changes_within(self.case.set, low, high):
+            return None
+        point = _stray_point(region)
+        if point is None:
+            return None
+        found = near.of(point)
+        inside = found.square <= self.case.radius**2
+        witness = _witness(self.case, point, near, inside, Fraction(0))
+        reason = Reason.COMPONENT
+        if region.components == components:
+            reason = Reason.HOLE_INVENTED if region.holes > holes else Reason.HOLE_LOST
+        message = (
+            f"{region.components} components and {region.holes} holes; at every radius within the "
+            f"tolerance there are {components} and {holes}"
+        )
+        return _refuted(self.case, self.name, self.answer, witness, (reason,), message)
+
+
+@dataclass(frozen=True)
+class _Curves:
+    case: AskedOffset
+    name: str
+    answer: Answer
+    half: Fraction
+
+    def judged(self, curves: str) -> Outcome:
+        case, half = self.case, self.half
+        truth = form_of(case.expected.canonical_json())
+        seconds, own = self.answer.seconds, digest(curves)
+        if curves == truth:
+            return Outcome(self.name, Verdict.PASS, seconds=seconds, digest=own)
+        near = Distances(case.shape)
+        search = CurveWitness(near, curves, truth, case.radius)
+        found = search.differing_point(half)
+        if found is not None:
+            witness = witness_of(case, near, found, half)
+            return _refuted(case, self.name, self.answer, witness, (self._reason(curves, found),))
+        overlap = search.overlap()
+        if overlap is not None:
+            inside = near.of(overlap).square <= case.radius**2
+            witness = _witness(case, overlap, near, inside, Fraction(0))
+            return _refuted(case, self.name, self.answer, witness, (Reason.SELF_INTERSECTING,))
+        if half and event_within(case.set, case.radius - half, case.radius + half):
+            return Outcome(self.name, Verdict.PASS_WITHIN, seconds=seconds, digest=own)
+        return _undecided(self.name, self.answer, "no point tells the curves apart")
+
+    def _reason(self, curves: str, breach: Breach) -> Reason:
+        (components, holes), (wanted, wanted_holes) = counts_of(curves), self.case.counts
+        if holes != wanted_holes:
+            return Reason.HOLE_LOST if holes < wanted_holes else Reason.HOLE_INVENTED
+        if components != wanted:
+            return Reason.COMPONENT
+        return Reason.MISSING if breach.missing else Reason.EXTRA
+
+
+def _stray_point(region: Region) -> tuple[Fraction, Fraction] | None:
+    """A point of the smallest hole; without holes, of the smallest component."""
+    rings = [ring[::-1] for polygon in region.set.rings() for ring in polygon[1:]]
+    rings = rings or [polygon[0] for polygon in region.set.rings()]
+    sets = [_core.region_of_rings([[list(ring)]], True)[0] for ring in rings]
+    least = min(sets, key=lambda each: Fraction(each.area()), default=None)
+    point = None if least is None else _core.inner_point(least)
+    return None if point is None else (Fraction(point[0]), Fraction(point[1]))
+
+
+def _of_nothing(case: AskedOffset, name: str, answer: Answer) -> Outcome:
+    """The empty set grows to nothing."""
+    region = answer.region
+    point = None if region is None else _core.inner_point(region.set)
+    is_empty = point is None and answer.curves in (None, NOTHING)
+    if is_empty:
+        return Outcome(name, Verdict.PASS, seconds=answer.seconds, digest=answer.digest)
+    witness = Witness(point or ("0", "0"), False, radius=str(case.radius))
+    return _refuted(case, name, answer, witness, (Reason.EXTRA,))
+
+
+def some_point(case: AskedOffset) -> Witness:
+    """A vertex of the set; of the empty set the origin, outside."""
+    if case.set.is_empty:
+        return Witness(("0", "0"), False, radius=str(case.radius))
+    near = Distances(case.shape)
+    return _witness(case, near.origin, near, True, Fraction(0))
+
+
+def witness_of(case: AskedOffset, near: Distances, breach: Breach, half: Fraction) -> Witness:
+    """Raises WitnessRefuted if plain fractions do not confirm it."""
+    return _witness(case, breach.point, near, breach.missing, half)
+
+
+def _witness(
+    case: AskedOffset,
+    point: tuple[Fraction | int, Fraction | int],
+    near: Distances,
+    in_truth: bool,
+    half: Fraction,
+) -> Witness:
+    found = near.of(point)
+    x, y = map(str, point)
+    witness = Witness(
+        (x, y), in_truth, tolerance=str(half), radius=str(case.radius),
+        squared_distance=str(found.square), nearest=found.nearest,
+    )  # fmt: skip
+    if not holds(case.P_json, witness):
+        raise WitnessRefuted(f"the point ({x}, {y}) on {case.name.text}")
+    return witness
+
+
+def _refuted(
+    case: AskedOffset,
+    name: str,
+    answer: Answer,
+    witness: Witness,
+    reasons: tuple[Reason, ...],
+    message: str = "",
+) -> Outcome:
+    return Outcome(
+        name,
+        Verdict.WRONG,
+        reasons,
+        message=cut(message or answer.message),
+        seconds=answer.seconds,
+        witness=witness,
+        digest=answer.digest,
+        expected_digest=digest(form_of(case.expected.canonical_json())),
+        got=answer.text,
+    )
+
+
+def in_doubt(name: str, answer: Answer, message: str) -> list[Outcome]:
+    doubt = Outcome(REFEREE, Verdict.ERRORED, message=message)
+    return [_undecided(name, answer, message), doubt]
+
+
+def _undecided(name: str, answer: Answer, message: str) -> Outcome:
+    if answer.text is None:
+        return without_answer(name, answer)
+    return Outcome(
+        name, Verdict.UNDECIDED, message=message, seconds=answer.seconds,
+        digest=answer.digest, got=answer.text,
+    )  # fmt: skip
+
+
+def doubt_about(case: AskedOffset) -> str | None:
+    """Names a difference between both routes of the reference; None if they agree, or without a
+    comparison: one small case among PROVED, chosen by name, gets one."""
+    if zlib.crc32(case.name.text.encode()) % PROVED or case.set.vertices > MOST_VERTICES:
+        return None
+    other = _core.offset(case.set, str(case.radius**2), 1, "paper")
+    if other.canonical_json() == case.expected.canonical_json():
+        return None
+    return "the two routes of the reference differ"
