@@ -37,10 +37,14 @@ struct Skipped : std::runtime_error {
 using Sum = std::function<json(const Polygons& sP, const Polygons& Q)>;
 /// The members of a result, from sets to unite; may throw anything.
 using Unite = std::function<json(const std::vector<Polygons>& sets)>;
+/// The members of a result, from a set and the radius of the disc that it grows by; may throw
+/// anything.
+using Grow = std::function<json(const Polygons& P, double radius)>;
 /// What an adapter does; an absent function's verb is skipped.
 struct Work {
   Sum sum = nullptr;
   Unite unite = nullptr;
+  Grow grow = nullptr;
 };
 
 inline Ring read_ring(const json& value) {
@@ -87,6 +91,9 @@ inline json answer(const json& request, const json& hello, const Work& work, Pol
       std::vector<Polygons> sets;
       for (const json& set : request.at("sets")) sets.push_back(read_polygons(set));
       result.update(work.unite(sets));
+    } else if (verb == "offset" && work.grow) {
+      result.update(
+          work.grow(read_polygons(request.at("P")), request.at("radius").get<double>()));
     } else if (verb == "at" && work.sum) {
       if (!loaded) throw std::runtime_error("`at` before any `load`");
       result.update(work.sum(read_polygons(request.at("sP")), Q));

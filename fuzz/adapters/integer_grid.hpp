@@ -36,6 +36,7 @@ class IntegerGrid {
   }
 
   std::int64_t to_grid(double value) const { return std::llround(std::ldexp(value, shift_)); }
+  double scaled(double length) const { return std::ldexp(length, shift_); }
   double from_grid(std::int64_t value) const {
     return std::ldexp(static_cast<double>(value), -shift_);
   }

@@ -5,6 +5,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "oracle/cgal/polygon.hpp"
@@ -28,6 +29,20 @@ struct ConicPolygon {
 
 /// Joins the offsets of all polygons by a radius.
 std::vector<ConicPolygon> offset_of(const std::vector<Polygon>& polygons, const mpq_class& radius);
+
+using NearRing = std::vector<std::array<double, 2>>;
+
+struct NearPolygon {
+  NearRing outer;
+  std::vector<NearRing> holes;
+};
+
+/// Joins CGAL's approximated offsets of all polygons. CGAL moves lines by at most the tolerance;
+/// the polygons given for its arcs are off by as much again, and by the rounding of doubles.
+std::vector<NearPolygon> offset_near(const std::vector<Polygon>& polygons, const mpq_class& radius,
+                                     double tolerance);
+
+std::string cgal_version_of_offset();
 
 /// Counts the curves of CGAL's approximated offset, whose lines deviate by at most the tolerance.
 std::size_t curves_of_offset_near(const std::vector<Polygon>& polygons, const mpq_class& radius,

@@ -3,11 +3,14 @@
 // is {"polygons": [{"outer": ring, "holes": [ring, ...]}, ...]} plus "seconds", or {"error": what}.
 // A ring lists pieces {"arc": bool, "conic": ["r", "s", "t", "u", "v", "w"], "ends": [x, y, x, y]}.
 // With "tolerance": t the question asks for CGAL's approximated offset; the answer then has the
-// number of "curves", and "seconds". The caller limits this process.
+// number of "curves", and "seconds". With the argument `approximated` the approximated offset
+// stands behind the adapter protocol instead. The caller limits this process.
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
+#include "oracle/cgal/adapter_loop.hpp"
 #include "oracle/cgal/line_service.hpp"
 #include "oracle/cgal/offset.hpp"
 
@@ -47,9 +50,48 @@ json answer(const json& request) {
   return {{"polygons", std::move(polygons)}, {"seconds", spent.count()}};
 }
 
+constexpr int parts = 2000;  // of the radius: the tolerance
+
+json written(const NearRing& ring) {
+  json found = json::array();
+  for (const auto& [x, y] : ring) {
+    found.push_back({mpq_class(x).get_str(), mpq_class(y).get_str()});
+  }
+  return found;
+}
+
+json grown(const std::string& verb, const json& request) {
+  if (verb != "offset") throw Skipped("no verb " + verb + " here");
+  const std::vector<Polygon> P = read_polygons(request.at("P"), "P");
+  const mpq_class radius = read_number(request.at("radius"), "radius");
+  json polygons = json::array();
+  for (const NearPolygon& polygon : offset_near(P, radius, radius.get_d() / parts)) {
+    json holes = json::array();
+    for (const NearRing& hole : polygon.holes) holes.push_back(written(hole));
+    polygons.push_back({{"outer", written(polygon.outer)}, {"holes", std::move(holes)}});
+  }
+  return {{"polygons", std::move(polygons)}};
+}
+
+int serve() {
+  return serve_adapter(
+      {{"name", "cgal-offset"},
+       {"version", cgal_version_of_offset()},
+       {"language", "C++"},
+       {"arithmetic", "exact, then approximated"},
+       {"numbers", "text"},
+       {"tolerance", {{"relative", "1e-12"}, {"radius", "0.001"}}},
+       {"sum", "none"},
+       {"capabilities",
+        {"plane", "non-convex", "holes", "components", "touching", "empty", "rational", "offset"}}},
+      grown);
+}
+
 }  // namespace
 
-int main() {
-  minkref::cgal_oracle::answer_lines(answer);
+int main(int count, char** arguments) {
+  const std::string_view mode = count > 1 ? arguments[1] : "";
+  if (mode == "approximated") return serve();
+  answer_lines(answer);
   return 0;
 }

@@ -1,9 +1,16 @@
-// Boost.Geometry: union_ of multi-polygons in doubles, one set after the other. It has no sums.
+// Boost.Geometry, in two ways: the argument is union or buffer. It has no sums.
+//
+// union: union_ of multi-polygons in doubles, one set after the other.
+//
+// buffer: buffer with round joins and ends, 72 points for a circle: the polygon of an arc is off by
+// 1 - cos(pi / 72) = 0.00095 of the radius.
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/multi_polygon.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <boost/version.hpp>
+
+#include <string_view>
 
 #include "fuzz/adapters/adapter_protocol.hpp"
 
@@ -39,13 +46,7 @@ json ring_of(const From& from) {
   return ring;
 }
 
-json unite(const std::vector<Polygons>& sets) {
-  Areas all;
-  for (const Polygons& set : sets) {
-    Areas more;
-    bg::union_(all, to_areas(set), more);
-    all = std::move(more);
-  }
+json written(const Areas& all) {
   json polygons = json::array();
   for (const Area& area : all) {
     json holes = json::array();
@@ -55,27 +56,72 @@ json unite(const std::vector<Polygons>& sets) {
   return {{"polygons", polygons}};
 }
 
-json hello() {
+constexpr std::size_t points_per_circle = 72;
+
+template <class Geometry>
+json buffered(const Geometry& from, double radius) {
+  namespace how = bg::strategy::buffer;
+  Areas all;
+  bg::buffer(from, all, how::distance_symmetric<double>(radius), how::side_straight(),
+             how::join_round(points_per_circle), how::end_round(points_per_circle),
+             how::point_circle(points_per_circle));
+  return written(all);
+}
+
+json grow(const Polygons& P, double radius) {
+  if (P.size() != 1 || P[0].outer.size() > 2) return buffered(to_areas(P), radius);
+  const Ring& ring = P[0].outer;
+  if (ring.size() == 1) return buffered(Place(ring[0].x, ring[0].y), radius);
+  bg::model::linestring<Place> line;
+  fill(line, ring);
+  return buffered(line, radius);
+}
+
+json unite(const std::vector<Polygons>& sets) {
+  Areas all;
+  for (const Polygons& set : sets) {
+    Areas more;
+    bg::union_(all, to_areas(set), more);
+    all = std::move(more);
+  }
+  return written(all);
+}
+
+json hello(const char* name) {
   const std::string version = std::to_string(BOOST_VERSION / 100000) + "." +
                               std::to_string(BOOST_VERSION / 100 % 1000) + "." +
                               std::to_string(BOOST_VERSION % 100);
   // Up to 1.79 it decides on a grid of 10^7 units for the whole extent (get_rescale_policy), so
   // that features within some units merge, each time again: ten units.
-  return {{"name", "boost-geometry"},
+  return {{"name", name},
           {"version", version},
           {"language", "C++"},
           {"sum", "none"},
           {"numbers", "double"},
           {"arithmetic", "float64"},
           {"tolerance", {{"absolute", "0"}, {"relative", "1e-6"}}},
-          {"capabilities",
-           {"plane", "non-convex", "holes", "components", "touching", "empty", "union"}}};
+          {"capabilities", {"plane", "non-convex", "holes", "components", "touching", "empty"}}};
+}
+
+int run(std::string_view mode) {
+  if (mode == "union") {
+    json value = hello("boost-geometry");
+    value["capabilities"].push_back("union");
+    return serve(value, {nullptr, unite});
+  }
+  if (mode == "buffer") {
+    json value = hello("boost-geometry-buffer");
+    value["tolerance"]["radius"] = "0.00096";
+    for (const char* more : {"point", "segment", "offset"}) value["capabilities"].push_back(more);
+    return serve(value, {nullptr, nullptr, grow});
+  }
+  std::cerr << "usage: boost_geometry_adapter union|buffer\n";
+  return 2;
 }
 
 }  // namespace
 }  // namespace minkref::adapter
 
-int main() {
-  using namespace minkref::adapter;
-  return serve(hello(), {nullptr, unite});
+int main(int count, char** arguments) {
+  return minkref::adapter::run(count > 1 ? arguments[1] : "");
 }

@@ -9,6 +9,12 @@ LIBRARY = Library(
     methods=(
         Method("cgal-nef", "CGAL, minkowski_sum_3 of Nef polyhedra", "nef"),
         Method("cgal-join", "CGAL, join of polygon sets: unions", "join", "minkref-cgal-join"),
+        Method(
+            "cgal-offset",
+            "CGAL, approximated_offset_2: offsets",
+            "approximated",
+            "minkref-cgal-offset",
+        ),
         Method("cgal-hull", "CGAL, convex_hull_3 of the sums of vertices (convex only)", "hull"),
     ),
     kind="cgal",

@@ -10,6 +10,7 @@ LIBRARY = Library(
         Method("clipper2", "Clipper2, MinkowskiSum of two rings (their curves)", "boundary"),
         Method("clipper2-region", "Clipper2, the region built on MinkowskiSum and Union", "region"),
         Method("clipper2-double", "Clipper2, MinkowskiSum of doubles, two decimals", "double"),
+        Method("clipper2-inflate", "Clipper2, InflatePaths with round joins: offsets", "inflate"),
     ),
     kind="c++",
     program="clipper2/adapter.cpp",

@@ -1,4 +1,4 @@
-// Clipper2, in three ways: the argument is boundary, region or double.
+// Clipper2, in four ways: the argument is boundary, region, double or inflate.
 //
 // boundary: MinkowskiSum of Paths64 unchanged: one ring per operand, the sum of both curves,
 // unfilled: the sum of a large ring and a small ring has a hole.
@@ -26,6 +26,8 @@
 // It also unites sets, with one Union of all rings.
 //
 // double: MinkowskiSum of PathsD with the default of two decimals; curves, as boundary.
+//
+// inflate: InflatePaths of Paths64 with round joins, its arc tolerance a thousandth of the radius.
 #include <clipper2/clipper.h>
 
 #include <string_view>
@@ -104,6 +106,17 @@ json unite(const std::vector<Polygons>& sets) {
   return result_of(Union(paths, FillRule::NonZero), grid);
 }
 
+json grow(const Polygons& P, double radius) {
+  const IntegerGrid grid(largest_coordinate(P) + radius, bits);
+  Paths64 paths;
+  for (const Ring& ring : rings_of(P)) paths.push_back(to_path(ring, grid));
+  const double delta = grid.scaled(radius);
+  constexpr double miter_limit = 2;  // of no use here
+  return result_of(InflatePaths(paths, delta, JoinType::Round, EndType::Polygon, miter_limit,
+                                delta / 1000),
+                   grid);
+}
+
 json double_sum(const Polygons& sP, const Polygons& Q) {
   const auto path_of = [](const Ring& ring) {
     PathD path;
@@ -154,7 +167,17 @@ int run(std::string_view mode) {
     value["tolerance"] = {{"absolute", "0.04"}, {"relative", "1e-15"}};
     return serve(value, {double_sum});
   }
-  std::cerr << "usage: clipper2_adapter boundary|region|double\n";
+  if (mode == "inflate") {
+    json value = hello("clipper2-inflate", "none");
+    value["grid"] = {{"bits", bits - 2}};
+    value["tolerance"] = {{"absolute", "0"}, {"relative", "1/134217728"}, {"radius", "0.001"}};
+    for (const char* more :
+         {"holes", "components", "touching", "empty", "point", "segment", "offset"}) {
+      value["capabilities"].push_back(more);
+    }
+    return serve(value, {nullptr, nullptr, grow});
+  }
+  std::cerr << "usage: clipper2_adapter boundary|region|double|inflate\n";
   return 2;
 }
 

@@ -1,4 +1,4 @@
-"""GEOS, by Shapely: unions alone, no sums."""
+"""GEOS, by Shapely: unions and offsets, no sums."""
 
 from minkref.fuzz.libraries.library import Library, Method
 
@@ -9,6 +9,7 @@ LIBRARY = Library(
     methods=(
         Method("geos", "GEOS (Shapely), union_all in doubles", "floating"),
         Method("geos-grid", "GEOS (Shapely), union_all on a grid of 40 bits", "grid"),
+        Method("geos-buffer", "GEOS (Shapely), buffer: offsets", "buffer"),
     ),
     kind="python",
     program="geos/adapter.py",
