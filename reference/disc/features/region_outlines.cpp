@@ -50,14 +50,14 @@ void RegionOutlines::add_part(const BoundaryPart& part, std::vector<OutlineStep>
   std::uint32_t edge = edge_before(index(), part.from);
   for (const std::uint32_t vertex : part.vertices) {
     const RootPoint next = numbers<RootNumber>(features[vertex].centre);
-    steps.push_back({at, next, DiagramGraph::none, false});
+    steps.push_back({at, next, DiagramGraph::none});
     at = next;
     edge = DiagramGraph::none;
   }
   const std::uint32_t last = edge_before(index(), part.to);
   if (part.vertices.empty() && edge == DiagramGraph::none && last == edge) return;  // one vertex
   if (edge != last) edge = DiagramGraph::none;
-  steps.push_back({at, foot(part.to), edge, false});
+  steps.push_back({at, foot(part.to), edge});
 }
 
 std::vector<OutlineStep> RegionOutlines::outline(const PartRing& ring, bool is_hidden) const {
@@ -68,14 +68,14 @@ std::vector<OutlineStep> RegionOutlines::outline(const PartRing& ring, bool is_h
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       const std::uint32_t next = vertices[k + 1 == vertices.size() ? 0 : k + 1];
       steps.push_back({numbers<RootNumber>(features[vertices[k]].centre),
-                       numbers<RootNumber>(features[next].centre), DiagramGraph::none, false});
+                       numbers<RootNumber>(features[next].centre), DiagramGraph::none});
     }
   }
   for (const std::uint32_t number : ring.parts) {
     const auto& parts = is_hidden ? regions_.parts.hidden : regions_.parts.visible;
     add_part(parts[number], steps);
     const std::uint32_t half = parts[number].to, twin = index().graph().halves[half].twin;
-    steps.push_back({foot(half), foot(twin), DiagramGraph::none, true});
+    steps.push_back({foot(half), foot(twin), DiagramGraph::none});
   }
   return steps;
 }

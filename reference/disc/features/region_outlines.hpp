@@ -23,7 +23,6 @@ struct CornerBridge {
 struct OutlineStep {
   RootPoint from, to;
   std::uint32_t edge;  ///< none: a shared field
-  bool is_chord;
 };
 
 class RegionOutlines {
