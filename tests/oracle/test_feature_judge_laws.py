@@ -10,8 +10,14 @@ from functools import cache
 
 import pytest
 from minkref.fuzz.geometry.plane import Shape
-from minkref.fuzz.judges.disc.feature_draws import KINDS, drawn_set
-from minkref.fuzz.judges.disc.feature_shape_laws import Table, count, diagram_faults, sum_faults
+from minkref.fuzz.judges.disc.feature_draws import KINDS, drawn_set, set_of
+from minkref.fuzz.judges.disc.feature_shape_laws import (
+    Table,
+    count,
+    diagram_faults,
+    rounded_bars,
+    sum_faults,
+)
 from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, DiagramJudge, absence
 from minkref.oracle.features import Judge
 from minkref.oracle.features.graph import Graph
@@ -56,7 +62,7 @@ def test_bars_are_those_along_diagrams_of_libraries(library: str) -> None:
     with DiagramJudge(library, 60) as diagram:
         for number in range(SETS):
             name, shape, judge = judged(number)
-            diagram_faults(name, shape, judge, diagram, table)
+            diagram_faults(name, set_of(shape), rounded_bars(judge), diagram, table)
     assert table.faults == []
     assert table.counts[f"sets before {library}"] > SETS // 3
 

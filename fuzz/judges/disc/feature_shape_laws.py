@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import random
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -89,16 +90,28 @@ def rounded_bars(judge: Judge) -> list[Bar]:
     return [(told(low), told(high)) for low, high in judge.bars()]
 
 
+def reference_bars(found: _core.Features) -> list[Bar]:
+    """Bars of the reference, in doubles."""
+
+    def told(number: int | None) -> float:
+        if number is None:
+            return float("inf")
+        low, high = found.radius(number)
+        return (low + high) / 2
+
+    return [(told(birth), told(death)) for _, birth, death, *_ in found.bars()]
+
+
 def diagram_faults(
-    name: str, shape: Shape, judge: Judge, library: DiagramJudge, table: Table
+    name: str, P: _core.PolygonSet, bars: Sequence[Bar], library: DiagramJudge, table: Table
 ) -> None:
     """Compares bars with those along a library's diagram."""
-    outline = Outline.of(set_of(shape))
+    outline = Outline.of(P)
     graph = library.graph(outline)
     if isinstance(graph, str):
         table.unanswered.append(f"{name}: {library.judge}: {graph}")
         return
     table.counts[f"sets before {library.judge}"] += 1
-    alone = unmatched(outline, rounded_bars(judge), bars_of(outline, graph))
+    alone = unmatched(outline, bars, bars_of(outline, graph))
     if alone:
         table.faults.append(f"{name}: {library.judge}: bars without a partner: {alone[:4]}")

@@ -14,7 +14,14 @@ from collections.abc import Sequence
 from minkref import _core
 from minkref.fuzz.judges.disc.feature_comparison import feature_faults
 from minkref.fuzz.judges.disc.feature_draws import drawn_set, set_of
-from minkref.fuzz.judges.disc.feature_shape_laws import Table, count, diagram_faults, sum_faults
+from minkref.fuzz.judges.disc.feature_shape_laws import (
+    Table,
+    count,
+    diagram_faults,
+    reference_bars,
+    rounded_bars,
+    sum_faults,
+)
 from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, DiagramJudge
 from minkref.oracle.features import Judge
 
@@ -32,11 +39,23 @@ def compare(seed: int, numbers: Sequence[int]) -> Table:
             table.seconds += time.process_time() - begun
             count(name, judge, table.counts)
             dice = random.Random(f"minkref feature laws {seed}:{number}")
-            faults = feature_faults(judge, _core.features(set_of(shape)), dice, table.counts)
+            P = set_of(shape)
+            faults = feature_faults(judge, _core.features(P), dice, table.counts)
             faults += sum_faults(shape, judge, dice, table.counts)
             table.faults += [f"{name}: {fault}" for fault in faults]
             for library in (cgal, boost):
-                diagram_faults(name, shape, judge, library, table)
+                diagram_faults(name, P, rounded_bars(judge), library, table)
+    return table
+
+
+def compare_bars(name: str, P: _core.PolygonSet) -> Table:
+    """Compares bars of a set too large for the judge with those along diagrams."""
+    table = Table()
+    bars = reference_bars(_core.features(P))
+    table.counts["bars"] = len(bars)
+    for library in (CGAL, BOOST):
+        with DiagramJudge(library, SECONDS) as diagram:
+            diagram_faults(name, P, bars, diagram, table)
     return table
 
 

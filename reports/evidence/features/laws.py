@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from minkref.fuzz.judges.disc.feature_draws import KINDS
 from minkref.fuzz.judges.disc.feature_shape_laws import Table
-from minkref.fuzz.judges.disc.features_before_judges import compare
+from minkref.fuzz.judges.disc.features_before_judges import compare, compare_bars
 from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, absence
 from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.operands import operand
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
 MINUTES = Minutes(0.5, 4, 40)
 
 SEED = 2052
+MODELS = "glyph275", "glyph1204"
 SETS, BATCH = Counts(40, 200, 2000), 10
 TIES = ("sets with several places at one radius", "sets with ridges",
         "sets with nodes of degree 3 or more", "sets with ties of birth and depth")  # fmt: skip
@@ -38,6 +40,11 @@ def run(findings: Findings, size: Size) -> None:
         findings.law(f"sets of kind {kind}, with and without shifts", drawn >= least, least, drawn)
     for tie in TIES:
         findings.law(tie, counts[tie] * 5 >= wanted, f"a fifth of {wanted}", counts[tie])
+    for name in MODELS[: 1 if size is Size.QUICK else None]:
+        own = compare_bars(name, operand(name).set)
+        findings.none(f"{name}: bars that differ from those of CGAL or Boost", own.faults)
+        answers = sum(own.counts[f"sets before {library}"] for library in (CGAL, BOOST))
+        findings.equal(f"{name}: libraries with an answer", 2, answers)
     cgal, boost = (counts[f"sets before {library}"] for library in (CGAL, BOOST))
     findings.law("sets before CGAL", cgal == wanted, wanted, cgal)
     findings.law("sets before Boost", boost * 3 >= wanted, f"a third of {wanted}", boost)
