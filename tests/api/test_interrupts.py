@@ -19,6 +19,7 @@ UNTIL = draws(50, 200) / 1000  # seconds, some fifth of the shortest work
 GROWING = (
     "sum, paper",
     "sum, winding",
+    "erosion",
     "dynamic sum",
     "arrangement events",
     "index",

@@ -20,11 +20,11 @@ from minkref.plane.erosion import Erosion
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(1, 8, 30)
+MINUTES = Minutes(0.5, 2, 30)
 
 SEED = 3319
-PAIRS = Counts(40, 500, 2000)
-PLACES = Counts(30, 200, 500)
+PAIRS = Counts(24, 120, 2000)
+PLACES = Counts(16, 60, 500)
 Result = tuple[Counter[str], list[str]]
 
 
@@ -102,7 +102,7 @@ def places(index: int) -> Result:
 def run(findings: Findings, size: Size) -> None:
     steps: tuple[tuple[str, Callable[[int], Result], Counts[int]], ...] = (
         ("erosions before the slow engine", slow, PAIRS),
-        ("sums of outsides by CGAL", cgal, Counts(20, 100, 400)),
+        ("sums of outsides by CGAL", cgal, Counts(8, 30, 400)),
         ("laws of erosions", laws, PAIRS),
         ("places of parts", places, PLACES),
     )
