@@ -92,8 +92,7 @@ inline json answer(const json& request, const json& hello, const Work& work, Pol
       for (const json& set : request.at("sets")) sets.push_back(read_polygons(set));
       result.update(work.unite(sets));
     } else if (verb == "offset" && work.grow) {
-      result.update(
-          work.grow(read_polygons(request.at("P")), request.at("radius").get<double>()));
+      result.update(work.grow(read_polygons(request.at("P")), request.at("radius").get<double>()));
     } else if (verb == "at" && work.sum) {
       if (!loaded) throw std::runtime_error("`at` before any `load`");
       result.update(work.sum(read_polygons(request.at("sP")), Q));

@@ -9,7 +9,6 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <boost/version.hpp>
-
 #include <string_view>
 
 #include "fuzz/adapters/adapter_protocol.hpp"

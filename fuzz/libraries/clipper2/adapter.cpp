@@ -112,9 +112,9 @@ json grow(const Polygons& P, double radius) {
   for (const Ring& ring : rings_of(P)) paths.push_back(to_path(ring, grid));
   const double delta = grid.scaled(radius);
   constexpr double miter_limit = 2;  // of no use here
-  return result_of(InflatePaths(paths, delta, JoinType::Round, EndType::Polygon, miter_limit,
-                                delta / 1000),
-                   grid);
+  return result_of(
+      InflatePaths(paths, delta, JoinType::Round, EndType::Polygon, miter_limit, delta / 1000),
+      grid);
 }
 
 json double_sum(const Polygons& sP, const Polygons& Q) {
