@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from statistics import median
+from typing import Any
 
 from minkref import _core
 from minkref.plane.operand import read_operand
@@ -90,7 +91,7 @@ def _claims(runs: Sequence[Timed]) -> list[Claim]:
     ]  # fmt: skip
 
 
-def _bridges(features: list[tuple[object, ...]]) -> int:
+def _bridges(features: Sequence[tuple[Any, ...]]) -> int:
     return sum(len(row[4]) for row in features)
 
 
