@@ -23,7 +23,7 @@ struct BoundFeatures {
         tracks(bridge_tracks(index)),
         near(index, tree, codes) {}
 
-  /// Of radius numbers between 0 and infinity.
+  /// For radius numbers between 0 and infinity.
   RootNumber squared(std::uint32_t number) const {
     const DiagramEvents& diagram = index.diagram();
     if (number == 0 || number > index.radii()) throw std::out_of_range("no radius of events");

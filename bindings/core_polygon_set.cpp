@@ -82,7 +82,7 @@ bool has_point(const Set& set, const nb::object& point) {
   return locate(set.value, read.value.polygons[0].outer[0]) != Location::outside;
 }
 
-/// What a function of Python makes of two sets.
+/// The result of a function of Python for two sets.
 nb::object of_two(const char* function, nb::handle P, nb::handle Q) {
   return nb::module_::import_("minkref.plane.erosion").attr(function)(P, Q);
 }

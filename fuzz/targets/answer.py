@@ -68,7 +68,7 @@ class Answer:
 
     @property
     def digest(self) -> str | None:
-        """Of the set in the plane."""
+        """For the set in the plane."""
         if self.region is not None:
             return self.region.digest
         return None if self.curves is None else digest(self.curves)

@@ -204,8 +204,8 @@ class Features:
     def near(self, alpha: float) -> tuple[Any, Any]:
         """Read all bridges at alpha > 0 in doubles, quickly, as two NumPy arrays: rows (x, y of one
         end, of the other, of the disc's centre, and a bound of the error of each), and rows (number
-        of the feature's node, number of its bar), by feature. Which features and bridges there are
-        is exact; at an event's own alpha those just below."""
+        of the feature's node, number of its bar), by feature. The list of features and bridges is
+        exact; at an event's own alpha those just below."""
         return self._found.near(double("alpha", alpha))
 
     def regions(self, alpha: Number | None = None) -> RegionsAt:

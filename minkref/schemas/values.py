@@ -73,7 +73,7 @@ class Operands(TypedDict):
 
 
 class MaybeEroded(TypedDict):
-    """What tells erosions from sums."""
+    """Tells erosions from sums."""
 
     erode: Annotated[
         bool, Meta(description="Of the erosion, with --erode: what is left of P, not the sum.")
