@@ -218,3 +218,14 @@ def test_mirror_images_are_tied_at_places_of_different_fields() -> None:
         births, deaths = zip(*((bar.birth, bar.death) for bar in found.bars), strict=True)
         assert set(births) == {(0, 0)}
         assert sorted(Counter(deaths).values()) == [1, 1, 2]
+
+
+def test_congruent_bridges_are_tied_beyond_four_roots() -> None:
+    """Triangles and their images: equal depths whose roots no field of ours holds. As nested roots
+    they took minutes."""
+    half = [[(3, 5), (5, -2), (1, 0)], [(6, 9), (7, 7), (4, 9)], [(-1, -6), (4, 0), (-1, -3)],
+            [(5, -5), (10, -8), (12, -2)]]  # fmt: skip
+    pieces = [minkref.PolygonSet(ring) for ring in half]
+    pieces += [minkref.PolygonSet([(-x, y) for x, y in ring]) for ring in half]
+    found = minkref.features(minkref.unite(pieces))
+    assert sum(node.tie for node in found.tree) == 2

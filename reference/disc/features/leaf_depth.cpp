@@ -35,6 +35,32 @@ SquaredDistance<N> LeafDepth::distance(std::size_t number) const {
   return squared_distance(numbers<N>(vertex_), bridges_->chord<N>((*halves_)[number], *radius_));
 }
 
+/// Between a line and a vertex: heights over the line, and the way along it, towards the corner.
+/// Between two lines: heights over both, and the cosine of their angle. All as signed squares.
+std::optional<LeafDepth::Shape> LeafDepth::shape(std::size_t number) const {
+  const DiagramEvents& diagram = bridges_->index().diagram();
+  const DiagramGraph& graph = bridges_->index().graph();
+  const std::uint32_t half = (*halves_)[number];
+  Site line = Site::of(diagram.curves, graph.halves[half].feature),
+       other = Site::of(diagram.curves, graph.halves[graph.halves[half].twin].feature);
+  if (line.is_point) std::swap(line, other);
+  if (line.is_point) return std::nullopt;
+  const auto signed_square = [](const Rational& value, const Rational& square) {
+    return Rational(value * value * value.sign() / square);
+  };
+  const Rational length = line.squared_length(),
+                 height = signed_square(height_over(vertex_, line), length);
+  if (other.is_point) {
+    const Direction along = turned(line.normal);
+    const int side = side_of_end(diagram, graph, half, other.point, along);
+    return Shape{0, height, signed_square(height_over(other.point, line), length),
+                 side * signed_square(dot(along, from_to(other.point, vertex_)), length)};
+  }
+  const Rational second = signed_square(height_over(vertex_, other), other.squared_length());
+  return Shape{1, std::min(height, second), std::max(height, second),
+               signed_square(dot(line.normal, other.normal), length * other.squared_length())};
+}
+
 LeafDepth::Half LeafDepth::of_half(std::size_t number) const {
   try {
     const auto [top, bottom] = distance<RootNumber>(number);
@@ -46,6 +72,10 @@ LeafDepth::Half LeafDepth::of_half(std::size_t number) const {
 }
 
 int LeafDepth::order(const LeafDepth& a, const Half& x, const LeafDepth& b, const Half& y) {
+  if (a.radius_ == b.radius_) {
+    const auto first = a.shape(x.number);
+    if (first && first == b.shape(y.number)) return 0;
+  }
   if (x.exact && y.exact) return minkref::compare(*x.exact, *y.exact);
   const auto first = a.distance<Surd>(x.number), second = b.distance<Surd>(y.number);
   return sign(first.top * second.bottom - second.top * first.bottom);

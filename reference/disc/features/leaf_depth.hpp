@@ -1,6 +1,7 @@
 // How deep a reflex vertex lies behind the bridges of its feature.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -24,7 +25,7 @@ SquaredDistance<N> squared_distance(const Vector<N>& from, const Chord<N>& bridg
 
 /// A vertex's least squared distance from some bridges' lines at a radius; infinite without a
 /// bridge; 0 for a leaf without a vertex. Exact: intervals, then a field with roots (RootNumber),
-/// quick at equal numbers, then, beyond most_roots, Surd.
+/// quick at equal numbers, then, beyond most_roots, Surd. Congruent figures are equal without.
 class LeafDepth {
  public:
   /// 0.
@@ -48,6 +49,9 @@ class LeafDepth {
     std::size_t number;
     std::optional<RootNumber> exact;  ///< empty beyond the roots of a field
   };
+  /// Numbers that tell a distance at one radius: equal for a bridge and its mirror image.
+  using Shape = std::array<Rational, 4>;
+  std::optional<Shape> shape(std::size_t number) const;
   Half of_half(std::size_t number) const;
   const Half& nearest_half() const;
   template <class N>
