@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
+from minkref.fuzz.judges.disc.cut_comparison import cut_faults
 from minkref.fuzz.judges.disc.feature_comparison import feature_faults
 from minkref.fuzz.judges.disc.feature_draws import KINDS, drawn_set, set_of
 from minkref.oracle.features import Judge
@@ -76,6 +77,16 @@ def test_features_are_those_of_the_judge() -> None:
         assert feature_faults(Judge(shape), found, dice, counts) == [], name
     assert counts["bridges"] > SETS and counts["notches"] > SETS
     assert SETS % len(KINDS) == 0
+
+
+def test_cuts_and_pieces_are_those_of_the_judge() -> None:
+    print(f"seed {SEED}")
+    dice = random.Random(SEED)
+    counts: Counter[str] = Counter()
+    for number in range(SETS):
+        name, shape = drawn_set(SEED, number)
+        assert cut_faults(shape, Judge(shape), set_of(shape), dice, counts) == [], name
+    assert counts["cuts"] > SETS and counts["pieces"] > SETS
 
 
 @pytest.mark.parametrize("error", ERRORS)

@@ -12,6 +12,7 @@ import time
 from collections.abc import Sequence
 
 from minkref import _core
+from minkref.fuzz.judges.disc.cut_comparison import cut_faults
 from minkref.fuzz.judges.disc.feature_comparison import feature_faults
 from minkref.fuzz.judges.disc.feature_draws import drawn_set, set_of
 from minkref.fuzz.judges.disc.feature_shape_laws import (
@@ -42,6 +43,7 @@ def compare(seed: int, numbers: Sequence[int]) -> Table:
             P = set_of(shape)
             faults = feature_faults(judge, _core.features(P), dice, table.counts)
             faults += sum_faults(shape, judge, dice, table.counts)
+            faults += cut_faults(shape, judge, P, dice, table.counts)
             table.faults += [f"{name}: {fault}" for fault in faults]
             for library in (cgal, boost):
                 diagram_faults(name, P, rounded_bars(judge), library, table)

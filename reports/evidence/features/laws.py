@@ -51,7 +51,8 @@ def run(findings: Findings, size: Size) -> None:
     findings.note(
         f"seed {SEED}: {wanted:,} sets, {counts['places']:,} places, {counts['bars']:,} bars, "
         f"{counts['alphas']:,} diameters with {counts['features alive']:,} features and "
-        f"{counts['bridges']:,} bridges, {counts['notches']:,} notches; the judge takes "
+        f"{counts['bridges']:,} bridges, {counts['notches']:,} notches, "
+        f"{counts['cuts']:,} cuts and {counts['pieces']:,} pieces; the judge takes "
         f"{table.seconds / wanted:.2f} s for a set"
     )
     findings.figures = {"counts": dict(counts), "seconds of the judge": table.seconds}
