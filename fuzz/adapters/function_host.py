@@ -24,7 +24,7 @@ from adapter_protocol import Errored, Rejected, Set, Skipped, Sum, serve, stream
 
 sys.path.remove(HERE)
 PROTOCOL = sys.modules.pop("adapter_protocol")
-MEMBERS = ("polygons", "rings", "vertices", "faces")  # a sum's members
+MEMBERS = ("polygons", "rings", "components", "vertices", "faces")  # a result's members
 
 
 def python_function(module: str, name: str) -> tuple[dict[str, Any], Sum]:
@@ -50,7 +50,18 @@ def python_function(module: str, name: str) -> tuple[dict[str, Any], Sum]:
     return declared, answering(function)
 
 
-def answering(function: Callable[[Set, Set], Any]) -> Sum:
+def other_verbs(declared: dict[str, Any], sum_of: Any) -> dict[str, Any]:
+    """A function that declares no sums answers what it declares instead: `offset`, from P and the
+    radius, or `union`, from the sets. Keywords of `serve`."""
+    able = declared.get("capabilities", [])
+    if declared.get("sum") != "none":
+        return {}
+    if "offset" in able:
+        return {"offset_of": lambda P, radius: sum_of.answered(P, radius)}
+    return {"union_of": lambda sets: sum_of.answered(sets)} if "union" in able else {}
+
+
+def answering(function: Callable[..., Any]) -> Sum:
     """Answers sums by the Python function, which may change its operands: each call gets new
     copies."""
     kept: list[Any] = [None, "null"]  # the last Q, and its text
@@ -58,8 +69,11 @@ def answering(function: Callable[[Set, Set], Any]) -> Sum:
     def sum_of(sP: Set, Q: Set) -> dict[str, Any]:
         if kept[0] is not Q:
             kept[:] = Q, json.dumps(Q)
+        return answered(sP, json.loads(kept[1]))
+
+    def answered(*given: Any) -> dict[str, Any]:
         try:
-            found = function(sP, json.loads(kept[1]))
+            found = function(*given)
         except ValueError as error:
             raise Rejected(told(error)) from error
         if found is None:
@@ -68,6 +82,7 @@ def answering(function: Callable[[Set, Set], Any]) -> Sum:
             raise TypeError(f"it returned {type(found).__name__}, not a dictionary")
         return {word: found[word] for word in MEMBERS if word in found}
 
+    sum_of.answered = answered  # type: ignore[attr-defined]
     return sum_of
 
 
@@ -100,7 +115,9 @@ def loaded(kind: str, place: str, name: str) -> tuple[dict[str, Any], Sum]:
 def main(kind: str, place: str, name: str) -> None:
     sys.set_int_max_str_digits(0)
     wires = streams()
-    serve(*loaded(kind, place, name), wires)
+    declared, sum_of = loaded(kind, place, name)
+    others = other_verbs(declared, sum_of) if kind == "py" else {}
+    serve(declared, sum_of, wires, **others)
 
 
 if __name__ == "__main__":

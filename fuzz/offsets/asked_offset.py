@@ -19,8 +19,9 @@ from minkref.fuzz.cases.needs import is_double, needs_of_plane
 from minkref.fuzz.cases.verbs import OFFSET
 from minkref.fuzz.geometry.number_text import number_of
 from minkref.fuzz.geometry.plane import Shape, read_shape, written_rings
+from minkref.fuzz.offsets.distance import Distances, Exact
 from minkref.fuzz.offsets.exchange import IN_CURVES
-from minkref.fuzz.offsets.hole_points import points_of_holes
+from minkref.fuzz.offsets.hole_points import places_in_holes
 
 MEND = 'write {"offset":{"polygons":[...]},"radius":"7/5"}'
 NOTHING = '{"polygons":[]}'
@@ -102,9 +103,14 @@ class AskedOffset:
     def grown_by(self, radius: Fraction) -> _core.Offset:
         return _core.offset(self.set, str(radius**2))
 
-    def holes_at(self, radius: Fraction) -> list[tuple[Fraction, Fraction]]:
-        """Finds a point for each hole at a radius."""
-        return points_of_holes(self.grown_by(radius))
+    def holes_at(self, radius: Fraction) -> list[Exact]:
+        """Finds a point for each hole at a radius, exactly."""
+        near = Distances(self.shape)
+        outside = (
+            next((x for x in places if near.of(x).square > radius**2), None)
+            for places in places_in_holes(self.grown_by(radius))
+        )
+        return [point for point in outside if point is not None]
 
 
 def named_offset(name: CaseName, value: dict[str, Any], where: str) -> AskedOffset:

@@ -9,7 +9,7 @@ from minkref.fuzz.offsets.asked_offset import AskedOffset
 from minkref.fuzz.offsets.curves import form_of
 from minkref.fuzz.offsets.judgement import doubt_about, in_doubt, judge_offset
 from minkref.fuzz.plane.reference import ReferenceTarget
-from minkref.fuzz.targets.adapter import AdapterTarget
+from minkref.fuzz.targets.adapter import ProgramTarget
 from minkref.fuzz.targets.answer import Answer, skipped
 from minkref.fuzz.unions.asking import UnionAsking
 from minkref.fuzz.verdicts.verdict import Outcome
@@ -35,7 +35,7 @@ class OffsetAsking(UnionAsking):
             if answer.curves is None:
                 return answer
             return replace(answer, curves=form_of(answer.curves))
-        if not isinstance(target, AdapterTarget):
+        if not isinstance(target, ProgramTarget):
             return skipped("does not declare offset")
         return self._in_time(name, lambda: target.offset(case, case.P_json, case.radius))
 

@@ -10,25 +10,27 @@ from minkref import _core
 
 Piece = tuple[str, float, float, float, float, float, float, float]
 Spot = tuple[float, float]
+Place = tuple[Fraction, Fraction]
 STEPS = 40
 ON_ARC = 8  # points of a rounded arc
 
 
-def points_of_holes(grown: _core.Offset) -> list[tuple[Fraction, Fraction]]:
-    """One point for each hole, by doubles in a frame about as large as the hole: wrong only if the
-    hole is thinner than doubles tell. The caller measures distances."""
+def places_in_holes(grown: _core.Offset) -> list[list[Place]]:
+    """Some places for each hole, by doubles in a frame about as large as the hole, those farthest
+    from a piece first; the caller measures distances. None serves only if the hole is thinner than
+    doubles tell."""
     if not grown.holes:
         return []
-    found = []
-    for i, rings in enumerate(grown.drawn_rings()):
-        for j, ring in enumerate(rings[1:], 1):
-            found.append(_in_frame_of(grown, ring, (i, j)))
-    return found
+    return [
+        _in_frame_of(grown, ring, (i, j))
+        for i, rings in enumerate(grown.drawn_rings())
+        for j, ring in enumerate(rings[1:], 1)
+    ]
 
 
 def _in_frame_of(
     grown: _core.Offset, ring: Sequence[Piece], number: tuple[int, int]
-) -> tuple[Fraction, Fraction]:
+) -> list[Place]:
     """Measures the hole again from a corner, in units near the hole's size."""
     origin = (Fraction(ring[0][1]), Fraction(ring[0][2]))
     x0, y0 = ring[0][1], ring[0][2]
@@ -36,15 +38,10 @@ def _in_frame_of(
     factor = Fraction(1) if size <= 0 else Fraction(2) ** -math.frexp(size)[1]
     i, j = number
     near = grown.drawn_rings((str(origin[0]), str(origin[1])), str(factor))[i][j]
-    x, y = _inner(near)
-    return origin[0] + Fraction(x) / factor, origin[1] + Fraction(y) / factor
-
-
-def _inner(ring: Sequence[Piece]) -> Spot:
-    """A point right of a piece, inside the ring, as far from the piece as possible."""
-    path = [spot for piece in ring for spot in _path(piece)]
-    best = max(_candidates(ring), key=lambda found: found[0] if _is_in(found[1], path) else -1.0)
-    return best[1]
+    path = [spot for piece in near for spot in _path(piece)]
+    found = sorted(_candidates(near), key=lambda one: -one[0])
+    inner = [spot for _, spot in found if _is_in(spot, path)]
+    return [(origin[0] + Fraction(x) / factor, origin[1] + Fraction(y) / factor) for x, y in inner]
 
 
 def _candidates(ring: Sequence[Piece]) -> Iterator[tuple[float, Spot]]:

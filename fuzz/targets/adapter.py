@@ -24,7 +24,7 @@ T = TypeVar("T")
 
 @dataclass
 class ProgramTarget:
-    """Asks `load` once for two operands, then `at`."""
+    """Asks `load` once for two operands, then `at`; or for a union or an offset."""
 
     name: str
     command: list[str]
@@ -44,6 +44,42 @@ class ProgramTarget:
     def sum(self, case: AnyCase) -> Answer:
         """The fresh sum."""
         return self._guarded(case, lambda d: self._at(case, d, "at"))
+
+    def union(self, case: AnyCase, sets: Sequence[str]) -> Answer:
+        """Asks for the union: without `load`, and no state changes."""
+
+        def fields(declaration: Declaration) -> dict[str, Any]:
+            return {"sets": [case.exchange.sent(text, declaration) for text in sets]}
+
+        return self._asked_at_once(case, UNION, fields)
+
+    def offset(self, case: AnyCase, text: str, radius: Fraction) -> Answer:
+        """Asks for a set grown by a disc: without `load`, and no state changes."""
+
+        def fields(declaration: Declaration) -> dict[str, Any]:
+            P = case.exchange.sent(text, declaration)
+            return {"P": P, "radius": sent_number(radius, declaration)}
+
+        return self._asked_at_once(case, OFFSET, fields)
+
+    def _asked_at_once(
+        self, case: AnyCase, verb: str, fields: Callable[[Declaration], dict[str, Any]]
+    ) -> Answer:
+        """Asks a question that holds its sets."""
+
+        def ask(declaration: Declaration) -> Answer:
+            import time
+
+            since = time.perf_counter()
+            value = self._process.ask(
+                verb, self.limits.seconds, dimension=case.dimension, **fields(declaration)
+            )
+            seconds = time.perf_counter() - since
+            if value["status"] != "result":
+                return self._without_result(case, value, declaration)
+            return self._read(case, value, declaration, seconds)
+
+        return self._guarded(case, ask)
 
     def declared(self) -> Declaration | Answer:
         """Returns the target's declaration; else an answer that explains its absence."""
@@ -152,7 +188,7 @@ class ProgramTarget:
 
 
 class AdapterTarget(ProgramTarget):
-    """Asks for updates, events, paths, unions and offsets, too."""
+    """Asks for updates, events and paths, too."""
 
     @property
     def most_pairs(self) -> int:
@@ -179,42 +215,6 @@ class AdapterTarget(ProgramTarget):
             return answer
 
         return self._guarded(case, ask, "update")
-
-    def union(self, case: AnyCase, sets: Sequence[str]) -> Answer:
-        """Asks for the union: without `load`, and no state changes."""
-
-        def fields(declaration: Declaration) -> dict[str, Any]:
-            return {"sets": [case.exchange.sent(text, declaration) for text in sets]}
-
-        return self._asked_at_once(case, UNION, fields)
-
-    def offset(self, case: AnyCase, text: str, radius: Fraction) -> Answer:
-        """Asks for a set grown by a disc: without `load`, and no state changes."""
-
-        def fields(declaration: Declaration) -> dict[str, Any]:
-            P = case.exchange.sent(text, declaration)
-            return {"P": P, "radius": sent_number(radius, declaration)}
-
-        return self._asked_at_once(case, OFFSET, fields)
-
-    def _asked_at_once(
-        self, case: AnyCase, verb: str, fields: Callable[[Declaration], dict[str, Any]]
-    ) -> Answer:
-        """Asks a question that holds its sets."""
-
-        def ask(declaration: Declaration) -> Answer:
-            import time
-
-            since = time.perf_counter()
-            value = self._process.ask(
-                verb, self.limits.seconds, dimension=case.dimension, **fields(declaration)
-            )
-            seconds = time.perf_counter() - since
-            if value["status"] != "result":
-                return self._without_result(case, value, declaration)
-            return self._read(case, value, declaration, seconds)
-
-        return self._guarded(case, ask)
 
     def asked(
         self,

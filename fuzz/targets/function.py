@@ -34,7 +34,8 @@ class FunctionTarget(ProgramTarget):
     form, its numbers as texts `n` or `n/d` or as int, its rings running either way. None says that
     the case is outside its capabilities, and ValueError that an operand is invalid. A dictionary
     `minkref` among the function's attributes is its declaration, as the answer to `hello` in the
-    adapter protocol: with `"numbers": "double"` it takes and returns floats. For C functions see
+    adapter protocol: with `"numbers": "double"` it takes and returns floats. With `"sum":
+    "none"` it grows P by a radius, or unites a list of sets. For C functions see
     fuzz/adapters/minkref_adapter.h."""
 
     def _read(

@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Any
 
 from minkref.fuzz.plane.asking import PlaneAsking
-from minkref.fuzz.targets.adapter import AdapterTarget
+from minkref.fuzz.targets.adapter import ProgramTarget
 from minkref.fuzz.targets.answer import Answer, skipped
 from minkref.fuzz.unions.asked_union import AskedUnion
 from minkref.fuzz.unions.judgement import doubt_about, in_doubt, judge_union
@@ -46,7 +46,7 @@ class UnionAsking(PlaneAsking):
 
     def _asked(self, name: str, case: AskedUnion) -> Answer:
         target = self.target(name)
-        if not isinstance(target, AdapterTarget):
+        if not isinstance(target, ProgramTarget):
             return skipped("does not declare union")
         return self._in_time(name, lambda: target.union(case, case.texts))
 

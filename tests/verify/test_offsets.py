@@ -315,3 +315,15 @@ def test_the_radius_of_a_larger_set_is_not_known_to_have_events() -> None:
         _core.PolygonSet.from_json(json.dumps({"polygons": [{"outer": ring, "holes": []}]})),
         Fraction(1), Fraction(1),
     )  # fmt: skip
+
+
+def test_functions_grow_and_unite(faulty_sums: None, outcomes: Outcomes) -> None:
+    """With no sums declared, a function is asked for the other question alone."""
+    few = names("offsets", 4)
+    for name, right in (("grown", Verdict.PASS_WITHIN), ("curves", Verdict.PASS)):
+        said = outcomes(f"py:asked_functions:{name}", *few)
+        assert {one.verdict for one in said} == {right}, said
+    (lost,) = outcomes("py:asked_functions:without_holes", literal(FRAME, "1/2"))
+    assert lost.reasons == (Reason.HOLE_LOST,)
+    said = outcomes("py:asked_functions:united", *(f"union:{SEED}:{k}" for k in range(3)))
+    assert {one.verdict for one in said} == {Verdict.PASS}, said

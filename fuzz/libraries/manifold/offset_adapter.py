@@ -21,7 +21,7 @@ HELLO = {
     "language": "C++",
     "arithmetic": "integer-grid",
     "numbers": "double",
-    "grid": {"largest": "1e8"},  # beyond it doubles have fewer decimals
+    "grid": {"unit": "1/100000000", "largest": "1e7"},  # beyond it doubles have fewer decimals
     "tolerance": {"absolute": "4e-8", "relative": "1e-12", "radius": "0.00031"},
     "sum": "none",
     "capabilities": ["plane", "non-convex", "holes", "components", "touching", "empty", "offset"],

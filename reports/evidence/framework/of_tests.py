@@ -39,6 +39,11 @@ def path_adapter(way: str) -> str:
     return f"cmd:{sys.executable} {VERIFY / 'path_adapter.py'} {way}"
 
 
+def offset_adapter(way: str) -> str:
+    """The target name for an adapter that grows sets by a disc."""
+    return f"cmd:{sys.executable} {VERIFY / 'offset_adapter.py'} {way}"
+
+
 def seeded_adapter(fault: str) -> str:
     """The target; `sound` for none."""
     return f"cmd:{sys.executable} {SEEDED / 'seeded_adapter.py'} {fault}"

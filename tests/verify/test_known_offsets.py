@@ -1,0 +1,68 @@
+"""Offsets with a known answer: each route of the reference has the digest, the witness holds, and
+`verify` has them as cases."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+import pytest
+from minkref import _core
+from minkref.exact import digest
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.judges.disc.offset_findings import confirmed, squared
+from minkref.fuzz.offsets.asked_offset import AskedOffset
+from minkref.fuzz.offsets.distance import Distances
+from minkref.fuzz.offsets.distance_check import holds
+from minkref.fuzz.offsets.known import FAMILY, KnownOffset, known_offsets
+from minkref.fuzz.offsets.question import OFFSETS
+from minkref.fuzz.run import naming
+
+KNOWN = known_offsets()
+
+
+def document(known: KnownOffset) -> dict[str, object]:
+    """A finding, as the document of `verify` has it."""
+    assert known.witness is not None
+    operand = {"set": json.loads(known.set.to_json())}
+    return {"witness": known.witness.document(), "P": operand}
+
+
+@pytest.mark.parametrize("known", KNOWN, ids=lambda known: known.title)
+def test_what_is_said_of_an_offset_holds(known: KnownOffset) -> None:
+    known.set.validate(known.title)
+    square = str(known.radius**2)
+    for route in ("definition", "paper"):
+        found = _core.offset(known.set, square, 1, route)
+        assert digest(found.canonical_json()) == known.digest
+        assert (found.components, found.holes) == (known.components, known.holes)
+    if known.set.is_region:
+        assert digest(_core.disc_index(known.set).canonical_json(square)) == known.digest
+    assert known.story.endswith(".") and known.title
+    assert known.victims or known.witness is None
+    if known.witness is not None:
+        assert holds(known.set.to_json(), known.witness)
+        assert confirmed(document(known))
+
+
+def test_they_are_cases_of_verify() -> None:
+    assert next(iter(OFFSETS.families)) == FAMILY
+    assert len({known.title for known in KNOWN}) == len(KNOWN)
+    for index, known in enumerate(KNOWN):
+        case = naming.load(CaseName(f"{FAMILY}:1:{index}", "named"))
+        assert isinstance(case, AskedOffset) and case.radius == known.radius
+    with pytest.raises(NoCase, match="known offsets"):
+        naming.load(CaseName(f"{FAMILY}:1:{len(KNOWN)}", "named"))
+
+
+def test_three_ways_to_measure_a_distance_agree() -> None:
+    """The judge of the run, the check of its witnesses, the judge of findings."""
+    for known in KNOWN:
+        case = AskedOffset(CaseName("known", "test"), known.set, known.radius)
+        near, polygons = Distances(case.shape), json.loads(case.P_json)["polygons"]
+        for x in range(-5, 12, 4):
+            for y in range(-5, 12, 3):
+                point = (Fraction(x) / 3, Fraction(y) / 2)
+                found = near.of(point).square
+                assert found == squared(polygons, *point), (known.title, point)
