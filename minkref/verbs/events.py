@@ -46,6 +46,10 @@ minkref events P.off Q.off --from 1/5 --to 2 --form printed --reading corner=its
 
 minkref events g1 disc --kind topology
 
+minkref events g1 disc --erode --kind topology
+
+minkref events g1 g2 --erode --kind topology --to 20
+
 minkref events g1 disc --kind pair --to 5
 
 minkref events g1 disc:3/2 --kind pair --reading radical=printed"""

@@ -20,7 +20,9 @@ minkref index glyph1204 glyph275 --from 1/10 --to 10 -o glyphs.index --json
 
 minkref sum disc1 cells1815 --index cells.index --scale 7/5
 
-minkref index glyph1204 disc -o diagram.json"""
+minkref index glyph1204 disc -o diagram.json
+
+minkref index g1 g2 --erode -o eroded.index"""
 
 TOLD = """\
 Find the boundary of the sum as a function of the scale: all its vertices, with the scales at

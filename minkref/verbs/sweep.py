@@ -36,6 +36,8 @@ minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route paper-update --arithmetic 
 
 minkref sweep glyph1204 disc --from 1/10 --to 2 --steps 20
 
+minkref sweep g1 g2 --erode --from 5 --to 20 --steps 16
+
 minkref sweep g1 disc:3/2 --from 1 --to 2 --steps 9 --route paper-update --arithmetic mpfr:53
 
 minkref sweep gs3 rod --scales scalings.txt -o sums --format off

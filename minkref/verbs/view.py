@@ -32,6 +32,8 @@ minkref view g1 g2 --route paper-update --arithmetic double -o paper.html
 
 minkref view glyph1204 disc -o grown.html
 
+minkref view g1 g2 --erode --to 20 -o eroded.html
+
 minkref view disc1 g2 --path "LINESTRING (-60 55, 60 55)" -o way.html
 
 minkref view gs3 rod --scale 2,1/3,5 -o gs3-rod.html

@@ -64,6 +64,8 @@ def run(request: ViewInPlane) -> None:
             exact = sums()
             assert isinstance(exact, _core.ScaleIndex)
             data["paper"] = paper_run(first, second, window, program, exact.sum)
+        if request.erode:
+            data["erode"] = True
         text = page(first.name, second.name, data)
     count = target.write_pieces([text])
     if target.is_standard_output:

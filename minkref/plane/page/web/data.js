@@ -45,6 +45,7 @@ import { dataOf } from "../../../page/web/elements.js";
  * @property {Record<string, number>} centres
  * @property {any[][]} states
  * @property {Run} [paper]
+ * @property {boolean} [erode] P is what is outside of a set: a box around it comes first
  */
 
 /** @type {Data} */

@@ -34,6 +34,11 @@ class Drawing extends PictureWithHoles {
   /** @param {number} s */
   fit(s) {
     const box = new Box();
+    if (data.erode) {  // where P is, not the box around it
+      for (const ring of flat(data.P).slice(1)) box.addRing(ring, s);
+      this.fitTo(box);
+      return;
+    }
     for (const { isHole, vertices: ring } of timeline.at(s).values()) {
       if (!isHole) for (const track of ring) box.add(xOf(track, s), yOf(track, s));
     }

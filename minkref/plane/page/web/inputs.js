@@ -9,7 +9,8 @@ export function drawInputs(s) {
   const canvases = ["input-P", "input-Q"].map((id) => element(id, HTMLCanvasElement));
   const parts = [{ operand: data.P, factor: s, name: "P" }, { operand: data.Q, factor: 1, name: "Q" }].map((part) => {
     const box = new Box();
-    for (const ring of flat(part.operand)) box.addRing(ring, part.factor);
+    const rings = flat(part.operand);
+    for (const ring of data.erode && part.name === "P" ? rings.slice(1) : rings) box.addRing(ring, part.factor);
     return { ...part, box };
   });
   const least = Math.min(...parts.map(({ box }, i) => fitted(box, canvases[i].clientWidth, canvases[i].clientHeight, 12))
