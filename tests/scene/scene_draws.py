@@ -50,6 +50,13 @@ FLAT = ("segment", "point")
 SCALES = tuple(Fraction(n, d) for n, d in ((1, 2), (1, 1), (1, 1), (3, 2), (2, 1)))
 
 
+def turned(robot: PolygonSet) -> PolygonSet:
+    """Turn the robot by 180 degrees."""
+    return PolygonSet(
+        [[[(-x, -y) for x, y in ring] for ring in polygon] for polygon in robot.rings()]
+    )
+
+
 @dataclass(frozen=True)
 class Draw:
     """A scene's parts. Failing tests print `told`."""
