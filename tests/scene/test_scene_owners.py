@@ -1,4 +1,4 @@
-"""Laws of owners, of sides and of passages, on small random scenes."""
+"""Laws about owners, on small random scenes."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def shared(first: tuple[Point, Point], second: tuple[Point, Point]) -> tuple[Any
 
 
 def drawn(robot: str, law: int) -> Iterator[Draw]:
-    """Draw scenes: more for a segment, whose obstacles are merged before."""
+    """Draw scenes; segments, beside merged obstacles, get more."""
     count = draws(32, 200) if robot == "segment" else draws(6, 40)
     return scenes(SEED + law, count, robots=(robot,))
 
@@ -89,7 +89,7 @@ def test_parents_of_a_side_run_along_it(robot: str) -> None:
 
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_owners_of_a_passage_touch_all_along_it(robot: str) -> None:
-    """Each runs along its segment, one way or the other; an owner of a point passes there."""
+    """Each runs along a segment, either way, or through a point."""
     for draw in drawn(robot, 2):
         for passage in draw.scene(passages=True).passages():
             ends = passage.points if len(passage.points) > 1 else passage.points * 2

@@ -1,5 +1,5 @@
-// Unions of scenes, made of an operand's copies and the other operand as the robot, against the
-// union of the placed sums, the definition at points, and changes against scenes made anew.
+// Scenes with copies from P and the robot Q: unions against placed sums and the definition at
+// points, changes against scenes made anew.
 #include <algorithm>
 
 #include "reference/plane/boundary/set_operations.hpp"
@@ -22,7 +22,8 @@ Sum sum_of(const Scene& scene, const Copy& copy) {
   return minkowski_sum(scene.shapes[copy.shape], scaled(scene.robot, -1), copy.scale);
 }
 
-/// Places at which sums touch: differences of vertices of the first copy's sum; sometimes halves.
+/// Places at which sums touch: differences between vertices from the first copy's sum; sometimes
+/// halves.
 Copy drawn_copy(const std::vector<Point>& corners, const Rational& scale, Dice& dice) {
   Copy copy{0, scale, {}};
   if (dice.one_in(3)) copy.scale = scale * Rational(dice.between(1, 4), dice.between(1, 4));
@@ -45,7 +46,7 @@ Scene drawn_scene(const Case& pair, Dice& dice) {
   return scene;
 }
 
-/// Some copy touches at an end or a middle of a side, as an owner says, and none overlaps.
+/// At ends and middles on sides, some copy touches and none overlaps.
 void check_sides(const Case& pair, const Scene& scene, const SceneUnion& found, Dice& dice) {
   const PolygonSet turned = scaled(scene.robot, -1);
   std::vector<Membership> members;
