@@ -1,10 +1,12 @@
-"""Each installed adapter on known sums and unions; adapters not installed are skipped by name."""
+"""Each installed adapter on known sums, unions and offsets; those not installed are skipped by
+name."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import pairwise
+from math import pi
 from typing import Any
 
 import pytest
@@ -74,6 +76,13 @@ UNIONS = {
     "in the hole": ([FRAME, plane([box(4, 4, 1)])], {"non-convex", "holes"}, 73),
     "filled": ([FRAME, plane([box(3, 3, 3)])], {"non-convex", "holes"}, 81),
     "pair and bridge": ([PAIR, plane([box(0, 0, 9)])], {"non-convex", "components"}, 82),
+}
+# A set, the radius, the capabilities that the case needs, the area, and the number of curves.
+OFFSETS = {
+    "square": (plane([box(0, 0, 2)]), 1, set(), 12 + pi, 8),
+    "frame": (FRAME, 1, {"non-convex", "holes"}, 116 + pi, 12),
+    "filled frame": (FRAME, 2, {"non-convex", "holes"}, 153 + 4 * pi, 8),
+    "pair": (PAIR, 1, {"non-convex", "components"}, 10 + 2 * pi, 16),
 }
 # The areas of the boundaries' sums.
 CURVES = {"squares": 4, "negative": 8, "L and square": 12}
@@ -162,7 +171,7 @@ def test_known_unions(adapter: Any) -> None:
     """Without `load`, and one after the other."""
     hello = adapter.hello()
     if "union" not in hello["capabilities"]:
-        assert hello["sum"] != "none"
+        assert hello["sum"] != "none" or "offset" in hello["capabilities"]
         assert adapter.ask("union", dimension=2, sets=[])["status"] == "skipped"
         return
     for name, (sets, needs, expected) in UNIONS.items():
@@ -173,6 +182,30 @@ def test_known_unions(adapter: Any) -> None:
     for wrong in (5, [5], [{"polygons": [{"outer": 7}]}]):
         answer = adapter.ask("union", dimension=2, sets=wrong)
         assert answer["status"] in ("errored", "skipped"), (wrong, answer)
+    assert adapter.stop() == 0
+
+
+def test_known_offsets(adapter: Any) -> None:
+    """Without `load`; polygons by their area, curves by their number."""
+    hello = adapter.hello()
+    square = said(UNIT, hello)
+    if "offset" not in hello["capabilities"]:
+        answer = adapter.ask("offset", dimension=2, P=square, radius=said(1, hello))
+        assert answer["status"] == "skipped"
+        return
+    for name, (P, radius, needs, expected, count) in OFFSETS.items():
+        if not needs <= set(hello["capabilities"]):
+            continue
+        words = {"P": said(P, hello), "radius": said(radius, hello)}
+        answer = adapter.ask("offset", dimension=2, **words)
+        assert answer["status"] == "result", (name, answer)
+        if "components" in answer:
+            rings = [r for c in answer["components"] for r in (c["outer"], *c["holes"])]
+            assert sum(map(len, rings)) == count, name
+        else:
+            assert abs(float(area(answer)) - expected) < 0.02 * expected, name
+    answer = adapter.ask("offset", dimension=2, P=5, radius=said(1, hello))
+    assert answer["status"] in ("errored", "skipped", "gave-up")
     assert adapter.stop() == 0
 
 
