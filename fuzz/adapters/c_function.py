@@ -35,7 +35,6 @@ def load(path: str, name: str) -> tuple[dict[str, Any], Sum]:
     library = ctypes.CDLL(os.path.abspath(path) if os.path.exists(path) else path)
     found = getattr(library, name)
     found.restype = c_int
-    found.argtypes = [POINTER(_Set), POINTER(_Set), POINTER(_Set)]
     hello: dict[str, Any] = {}
     if hasattr(library, "minkref_hello"):
         library.minkref_hello.restype = c_char_p
@@ -51,12 +50,22 @@ def load(path: str, name: str) -> tuple[dict[str, Any], Sum]:
 
 
 def _answering(function: Callable[..., int]) -> Sum:
+    """Answers sums; its attribute `answered` offsets and unions."""
     free = ctypes.CDLL(None).free
     free.argtypes = [c_void_p]
 
     def sum_of(sP: Set, Q: Set) -> dict[str, Any]:
-        P_set, Q_set, result = _packed(sP), _packed(Q), _Set()
-        status = function(ctypes.byref(P_set), ctypes.byref(Q_set), ctypes.byref(result))
+        return called(ctypes.byref(_packed(sP)), ctypes.byref(_packed(Q)))
+
+    def answered(*given: Any) -> dict[str, Any]:
+        if len(given) == 2:
+            return called(ctypes.byref(_packed(given[0])), c_double(given[1]))
+        sets = [_packed(each) for each in given[0]]
+        return called((_Set * len(sets))(*sets), c_int(len(sets)))
+
+    def called(*arguments: Any) -> dict[str, Any]:
+        result = _Set()
+        status = function(*arguments, ctypes.byref(result))
         if status == RESULT:
             try:
                 return _unpacked(result)
@@ -68,6 +77,7 @@ def _answering(function: Callable[..., int]) -> Sum:
         what = "skipped what it declares to take" if status == SKIPPED else f"returned {status}"
         raise Errored(what)
 
+    sum_of.answered = answered  # type: ignore[attr-defined]
     return sum_of
 
 

@@ -116,8 +116,7 @@ def main(kind: str, place: str, name: str) -> None:
     sys.set_int_max_str_digits(0)
     wires = streams()
     declared, sum_of = loaded(kind, place, name)
-    others = other_verbs(declared, sum_of) if kind == "py" else {}
-    serve(declared, sum_of, wires, **others)
+    serve(declared, sum_of, wires, **other_verbs(declared, sum_of))
 
 
 if __name__ == "__main__":

@@ -40,6 +40,11 @@ enum {
  * own. */
 typedef int minkref_sum_function(const minkref_set* sP, const minkref_set* Q, minkref_set* sum);
 
+/* The same for a library that declares "sum": "none" and "offset" or "union": P grown by a disc of
+ * this radius, and the union of `count` sets. */
+typedef int minkref_offset_function(const minkref_set* P, double radius, minkref_set* grown);
+typedef int minkref_union_function(const minkref_set* sets, int count, minkref_set* united);
+
 /* Optional: the declaration, the members of the answer to `hello` as JSON
  * (docs/adapter-protocol.md). The library owns the text. Numbers are doubles, so "numbers" is
  * "double" whatever the text says. Defaults:

@@ -139,3 +139,51 @@ def test_each_function_is_charged_with_what_it_does(
     follows_schema(value, "verify")
     for cell in value["matrix"]:
         assert set(cell["verdicts"]) <= EXPECTED[names[cell["target"]]]
+
+
+GROWING = """
+int grown(const minkref_set* P, double radius, minkref_set* out) {
+  double xy[128];
+  int size = 64;
+  for (int k = 0; k < size; ++k) {
+    xy[2 * k] = radius * cos(k * 3.14159265358979 / 32);
+    xy[2 * k + 1] = radius * sin(k * 3.14159265358979 / 32);
+  }
+  minkref_set disc = {1, &size, NULL, xy};
+  return hull(P, &disc, out, 0);
+}
+int shorter(const minkref_set* P, double radius, minkref_set* out) {
+  return grown(P, radius / 2, out);
+}
+int last(const minkref_set* sets, int count, minkref_set* out) {
+  double origin[2] = {0, 0};
+  int size = 1;
+  minkref_set point = {1, &size, NULL, origin};
+  return hull(sets + count - 1, &point, out, 0);
+}
+const char* minkref_hello(void) {
+  return "{\\"sum\\": \\"none\\", \\"capabilities\\": [\\"plane\\", \\"" VERB "\\"], "
+         "\\"tolerance\\": {\\"relative\\": \\"1e-9\\", \\"radius\\": \\"0.0013\\"}}";
+}
+"""
+SQUARE = {"polygons": [{"outer": [[0, 0], [2, 0], [2, 2], [0, 2]]}]}
+INNER = {"polygons": [{"outer": [[0, 0], [1, 0], [1, 1], [0, 1]]}]}
+
+
+def test_a_function_grows_or_unites(tmp_path: Path, outcomes: Callable[..., list[Outcome]]) -> None:
+    source = tmp_path / "other.c"
+    source.write_text(SOURCE.partition("const char*")[0] + GROWING, encoding="utf-8")
+    words = ["gcc", "-std=c99", "-O1", "-shared", "-fPIC", f"-I{HEADER.parent}", str(source)]
+    grow = json.dumps({"offset": SQUARE, "radius": "3/2"})
+    asked = {
+        ("offset", "grown", grow): Verdict.PASS_WITHIN,
+        ("offset", "shorter", grow): Verdict.WRONG,
+        ("union", "last", json.dumps({"sets": [INNER, SQUARE]})): Verdict.PASS,
+        ("union", "last", json.dumps({"sets": [SQUARE, INNER]})): Verdict.WRONG,
+    }
+    for (verb, name, case), verdict in asked.items():
+        library = tmp_path / f"lib{verb}.so"
+        verbs = [f'-DVERB="{verb}"', "-o", str(library), "-lm"]
+        subprocess.run([*words, *verbs], check=True, timeout=60)
+        (said,) = outcomes(f"so:{library}:{name}", case)
+        assert said.verdict is verdict, (name, said)
