@@ -4,6 +4,7 @@ piece goes back at one place."""
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import minkref
@@ -79,6 +80,30 @@ def test_erosion_is_dual_to_the_sum_of_the_outside() -> None:
         frame = PolygonSet([summed.rings()[0][0]])
         left = minkref.subtract(frame, [summed])
         assert left == minkref.erode(case.P, case.Q, case.scale).region, index
+
+
+@pytest.mark.parametrize("index", range(draws(12, 60)))
+def test_components_and_holes_live_as_static_erosions_have_them(index: int) -> None:
+    """By both routes, at scales between events and just beside each."""
+    case = erosion_case(SEED + 2, index)
+    least = Fraction(_core.least_scale_with_room(case.P, case.Q) or 0)
+    low, high = (least or Fraction(1)) * Fraction(3, 4), (least or Fraction(1)) * 4
+    found = [
+        minkref.events(case.P, case.Q, "topology", low, high, route=route, erode=True)
+        for route in ("dynamic", "index")
+    ]
+    assert list(found[0]) == list(found[1])
+    scales = sorted({low, high, *(event.scale for event in found[0])})
+    asked = {(a + b) / 2 for a, b in pairwise(scales)}
+    asked |= {s + (1 if up else -1) * Fraction(1, 10**9) for s in scales[1:-1] for up in (0, 1)}
+    for s in sorted(asked)[:14]:
+        left = minkref.erode(case.P, case.Q, s)
+        alive = [
+            sum((one.birth is None or one.birth < s) and (one.death is None or s < one.death)
+                for one in lives)
+            for lives in (found[0].components, found[0].holes)
+        ]  # fmt: skip
+        assert alive == [left.components, left.holes], (index, s)
 
 
 def test_no_fit_tells_exact_fits_from_overlaps() -> None:

@@ -69,6 +69,11 @@ def inset_faults(seed: int, index: int) -> tuple[int, list[str]]:
     expect("the routes differ", found.canonical_json() == other.canonical_json())
     bodies, holes = around.counts(square)
     expect("components and holes", (found.components, found.holes) == (holes, bodies - 1))
+    low, high = map(Fraction, around.radii()[-1])
+    below, above = (_core.inset(P, str(r * r)) for r in (low - low / 10**9, high + high / 10**9))
+    expect("less than the inradius leaves nothing", below.components > 0)
+    expect("more than the inradius leaves something", not above.components + above.holes)
+    expect("more than the inradius leaves a remnant", not above.tight_passages())
     _vertices(expect, found, P, float(Fraction(square)))
     _polygons(expect, found, P, Fraction(square), Dice(f"minkref inset points {seed} {index}"))
     for points, _, contacts in found.tight_passages():
