@@ -38,19 +38,13 @@ def cut_faults(
         if own != [(cut.start, cut.end) for cut in told.cuts]:
             faults.append(f"cuts {where}")
         elif sorted(map(_doubled_area, found)) != sorted(
-            sum(
-                (_doubled_area(_rational(polygon)) for polygon in piece.region.rings()), Fraction(0)
-            )
+            sum((_doubled_area(polygon) for polygon in piece.region.rings()), Fraction(0))
             for piece in told.pieces
         ):
             faults.append(f"pieces {where}")
         if start == tau == 0 and not all(map(is_convex, found)):
             faults.append("pieces that are not convex")
     return faults
-
-
-def _rational(polygon: list[list[tuple[str, str]]]) -> list[list[Point]]:
-    return [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in polygon]
 
 
 def _doubled_area(rings: list[list[Point]]) -> Fraction:
