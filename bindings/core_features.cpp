@@ -314,6 +314,10 @@ void bind_tree(nb::class_<BoundFeatures>& bound) {
             return diagram_row(self.index.diagram(), self.index.diagram().events.at(event));
           },
           "event"_a, Released(), "As DiagramEvents.rows has it.")
+      .def_prop_ro(
+          "feature_of", [](const BoundFeatures& self) { return self.tree.feature_of; },
+          "By node of the diagram, as DiscIndex.drawing numbers them: the tree node just above the "
+          "node's radius.")
       .def("bars", &bar_rows,
            "(leaf, birth, death or None, node at which it ends, essential, tie), in the order of "
            "the leaves; radii by number.")
