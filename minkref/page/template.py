@@ -11,10 +11,12 @@ from minkref.page.modules import Script
 from minkref.version import version
 
 
-def page_template(setting: str, *shared: str) -> tuple[Template, dict[str, str]]:
-    """The template of the page of a setting, and what it says of every page: the version, the
-    styles, and the script, which is its module `main`. `shared` names styles that are not those of
-    all pages, nor of this one alone."""
+def page_template(
+    setting: str, *shared: str, room: str = "page"
+) -> tuple[Template, dict[str, str]]:
+    """The template of the page in a room of a setting, and what it says of every page: the version,
+    the styles, and the script, which is its module `main`. `shared` names styles that are not those
+    of all pages, nor of this one alone."""
     environment = Environment(
         loader=FunctionLoader(_text),
         autoescape=True,
@@ -22,7 +24,7 @@ def page_template(setting: str, *shared: str) -> tuple[Template, dict[str, str]]
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    folder = f"{setting}/page/web"
+    folder = f"{setting}/{room}/web"
     styles = [*(f"page/web/{name}.css" for name in ("style", *shared)), f"{folder}/style.css"]
     usual = {
         "version": version(),

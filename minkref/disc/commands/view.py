@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 from minkref import _core
@@ -23,6 +24,7 @@ from minkref.plane.operand import read_operand
 from minkref.plane.page.boundary import Window
 from minkref.verbs.view import ViewWithDisc, page_target
 
+RADII = {"radius": 1, "diameter": 2}
 LEAST_WINDOW = 10  # the last radius over the first, where only one of them is given
 
 
@@ -47,7 +49,8 @@ def run(request: ViewWithDisc) -> None:
         with progress(1) as line:
             line.now("finding all events" if index_file is None else "proving all events again")
             index = disc_index_of(index_file, operand)
-        window = _window(request, index, operand.set)
+        ends = window_of(request.from_scale, request.to_scale, index, operand.set)
+        window = Window(*map(str, ends))
         data = refusing(operand.name, lambda: picture(index, operand.set, window))
         count = target.write_pieces([page(operand.name, data)])
     if target.is_standard_output:
@@ -68,22 +71,28 @@ def run(request: ViewWithDisc) -> None:
     give(value, request.json, _print)
 
 
-def _window(request: ViewWithDisc, index: _core.DiscIndex, P: _core.PolygonSet) -> Window:
-    first, last = request.from_scale, request.to_scale
+def window_of(
+    first: Fraction | None,
+    last: Fraction | None,
+    index: _core.DiscIndex,
+    P: _core.PolygonSet,
+    length: str = "radius",
+) -> tuple[Fraction, Fraction]:
+    """The ends of the slider of radii, or diameters: as asked, and else around all events."""
     if first is None or last is None:
-        begin, end = window_around(index, P)
+        begin, end = (RADII[length] * bound for bound in window_around(index, P))
         if first is None:
             first = begin if last is None else min(begin, last / LEAST_WINDOW)
         if last is None:
             last = max(end, first * LEAST_WINDOW)
     if first >= last:
         raise Refusal(
-            f"the window from {first} to {last} is empty or a single radius",
+            f"the window from {first} to {last} is empty or a single {length}",
             "--from, --to",
             "give a --from that is smaller than --to",
             "empty-window",
         )
-    return Window(str(first), str(last))
+    return first, last
 
 
 def _print(value: dict[str, Any]) -> None:

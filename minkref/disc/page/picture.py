@@ -37,6 +37,12 @@ def window_around(index: _core.DiscIndex, P: _core.PolygonSet) -> tuple[Fraction
 def picture(index: _core.DiscIndex, P: _core.PolygonSet, window: Window) -> dict[str, Any]:
     """The fields of the page's data: docs/command-line.md, "minkref view with a disc". In doubles,
     but for numbers that count. Refuses what is too large for a page, or for doubles."""
+    found = diagram(index, P, window)
+    return {**found, "passages": passages_with_disc(index, P, found)}
+
+
+def diagram(index: _core.DiscIndex, P: _core.PolygonSet, window: Window) -> dict[str, Any]:
+    """The fields without passages: P, and the outer Voronoi diagram with its events."""
     if index.parts > MOST_PARTS:
         raise Refusal(
             f"the diagram has {index.parts:,} parts, and a page holds {MOST_PARTS:,}",
@@ -60,7 +66,6 @@ def picture(index: _core.DiscIndex, P: _core.PolygonSet, window: Window) -> dict
         "window": [[window.first, first], [window.last, last]],
         "inside": [begins - at_event, ends],
         "point": _point(P, drawing),
-        "passages": passages_with_disc(index, P, drawing),
         **drawing,
     }
 

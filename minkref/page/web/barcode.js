@@ -8,7 +8,7 @@ import { set, svg } from "./svg.js";
 
 /** @typedef {import("./picture.js").Chosen} Chosen */
 /** @typedef {[number, number]} Life the events of birth and death, which may be outside of the window */
-/** @typedef {{ h: (Life | null)[], c: (Life | null)[] }} Lives of holes and components, by number; null: not in the window */
+/** @typedef {{ h: (Life | null)[], c: (Life | null)[], f?: (Life | null)[] }} Lives of holes, components, concave features, by number; null: not in the window */
 /**
  * @typedef {object} Features what has a life on a page
  * @property {import("./axis.js").Axis} axis
@@ -17,6 +17,8 @@ import { set, svg } from "./svg.js";
  * @property {Lives} lives
  * @property {(feature: string, id: number) => string} describe
  * @property {(feature: string, id: number) => void} choose
+ * @property {(id: number | null) => void} [point] at a bar, or at none
+ * @property {string} [none] what is said where there is no bar
  */
 
 const LEFT = 34, RIGHT = 10;
@@ -45,7 +47,7 @@ export class Barcode {
     const bars = this.rows.map((row, i) => this.bar(row, 2 + i * step, step));
     set(this.cursor, { y1: 0, y2: height });
     const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height }, svg("g", { class: "axis" }, ...lines), ...bars, this.cursor);
-    if (!count) root.append(svg("text", { x: LEFT, y: 14 }, "No holes in this window."));
+    if (!count) root.append(svg("text", { x: LEFT, y: 14 }, this.features.none ?? "No holes in this window."));
     box.replaceChildren(root);
     const ticks = axisTicks(axis, LEFT, width - LEFT - RIGHT, 13, 18, 10);
     element("barcode-axis").replaceChildren(svg("svg", { viewBox: `0 0 ${width} 18`, width, height: 18 }, ticks, this.axisCursor));
@@ -57,7 +59,7 @@ export class Barcode {
    * @param {number} step from bar to bar
    */
   bar(row, y, step) {
-    const { scales, isInside, describe, choose } = this.features, { feature, id, life: [born, died] } = row;
+    const { scales, isInside, describe, choose, point } = this.features, { feature, id, life: [born, died] } = row;
     const from = isInside(born) ? this.x(scales[born]) : LEFT, to = isInside(died) ? this.x(scales[died]) : this.width - RIGHT;
     const thickness = Math.max(step - (step > 8 ? 4 : 1.5), 3);
     row.bar = svg("rect", {
@@ -67,8 +69,8 @@ export class Barcode {
     const group = svg("g", { class: "bar" }, under, row.bar);
     const label = (feature === "c" ? "C" : "") + id;
     if (step >= 11) group.append(svg("text", { x: LEFT - 5, y: y + thickness - 1, "text-anchor": "end" }, label));
-    group.addEventListener("pointermove", (event) => tip(describe(feature, id), event));
-    group.addEventListener("pointerleave", () => tip(""));
+    group.addEventListener("pointermove", (event) => { tip(describe(feature, id), event); point?.(id); });
+    group.addEventListener("pointerleave", () => { tip(""); point?.(null); });
     group.addEventListener("click", () => choose(feature, id));
     return group;
   }
@@ -93,11 +95,11 @@ export class Barcode {
 /** @typedef {{ feature: string, id: number, life: Life, bar: SVGRectElement }} Row */
 
 /** First those of the first birth, the longer ones first; components below. @param {Lives} lives @returns {Row[]} */
-function rowsOf({ h, c }) {
+function rowsOf({ h, c, f = [] }) {
   /** @type {(feature: string, all: (Life | null)[], first: number) => Row[]} */
   const rows = (feature, all, first) => all
     .flatMap((life, id) => (life && id >= first ? [{ feature, id, life, bar: svg("rect") }] : []))
     .sort((a, b) => a.life[0] - b.life[0] || b.life[1] - a.life[1] || a.id - b.id);
   const components = rows("c", c, 0);
-  return [...rows("h", h, 1), ...(components.length > 1 ? components : [])];
+  return [...rows("h", h, 1), ...rows("f", f, 0), ...(components.length > 1 ? components : [])];
 }

@@ -6,6 +6,8 @@ const style = getComputedStyle(document.documentElement);  // changes with the c
 export const colour = (name) => style.getPropertyValue(`--${name}`).trim();
 /** @param {number} id */
 export const holeFill = (id) => `hsl(${((id * 137.508 + 62.5) % 360).toFixed(1)} 70% ${colour("hole-light")})`;
-/** Of a hole ("h"), where 0 is the outside, or of a component ("c"). @param {string} feature @param {number} id */
-export const featureFill = (feature, id) =>
-  (feature === "h" ? (id === 0 ? colour("rule") : holeFill(id)) : colour("sum-line"));
+/** Of a hole ("h"), where 0 is the outside, a concave feature ("f"), or a component ("c"). @param {string} feature @param {number} id */
+export function featureFill(feature, id) {
+  if (feature === "c") return colour("sum-line");
+  return feature === "h" && id === 0 ? colour("rule") : holeFill(id);
+}

@@ -7,7 +7,8 @@ import { clamped } from "../../../page/web/numbers.js";
 import { PictureWithHoles } from "../../../page/web/picture.js";
 import { axis, boxOfP, data, pointOf, radiusOf } from "./data.js";
 import { boundary } from "./history.js";
-import { halves, piecesOf, sides, turnOf, walks } from "./rings.js";
+import { pathOfP } from "./outline.js";
+import { halves, piecesOf, sides, turnOf } from "./rings.js";
 import { skeletonParts } from "./skeleton.js";
 
 /** @typedef {import("../../../page/web/canvas.js").Scaled} Scaled */
@@ -94,20 +95,6 @@ function ringPath(pieces, radius, X, Y) {
     path.lineTo(X(to[0]), Y(to[1]));
   });
   path.closePath();
-  return path;
-}
-
-/** @param {Scaled} X @param {Scaled} Y */
-function pathOfP(X, Y) {
-  const path = new Path2D();
-  for (const { firstSide, endSide } of walks) {
-    for (let side = firstSide; side < endSide; ++side) {
-      const [x, y] = data.features[sides[side].from];
-      if (side === firstSide) path.moveTo(X(x), Y(y)); else path.lineTo(X(x), Y(y));
-    }
-    path.closePath();
-  }
-  if (data.point) path.arc(X(data.point[0]), Y(data.point[1]), 1.5, 0, 2 * Math.PI);
   return path;
 }
 
