@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from minkref.disc.disc import is_disc
+from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.scene.scene_name import names_scene
 from minkref.space.operand import in_space
 
@@ -21,6 +22,11 @@ class Setting:
     takes: Callable[[Sequence[str], Collection[str]], bool]
 
 
+FEATURES = Setting(
+    "features",
+    "with --features",
+    lambda operands, given: "--features" in given and not _is_told_scene(*operands),
+)
 SCENE = Setting(
     "scene", "for a scene", lambda operands, given: len(operands) == 1 and names_scene(*operands)
 )
@@ -29,14 +35,20 @@ DISC = Setting("disc", "with a disc", lambda operands, given: any(map(is_disc, o
 SPACE = Setting("space", "in space", lambda operands, given: in_space(*operands))
 PLANE = Setting("plane", "in the plane", lambda operands, given: True)
 
-SETTINGS = (SCENE, MOTION, DISC, SPACE, PLANE)  # the first one that takes the operands
+ALONE = (FEATURES, SCENE)  # of a single operand
+SETTINGS = (*ALONE, MOTION, DISC, SPACE, PLANE)  # the first one that takes the operands
+
+
+def _is_told_scene(*operands: str) -> bool:
+    """Standard input may be any operand."""
+    return len(operands) == 1 and operands[0] != STANDARD_INPUT and names_scene(*operands)
 
 
 def setting_of(
     operands: Sequence[str], given: Collection[str], known: Collection[Setting]
 ) -> Setting | None:
-    """Choose a setting among those known to a command; None for a single operand that is no scene.
-    Refuses operands of two settings."""
+    """Choose a setting among those known to a command; None for a single operand that no setting
+    takes. Refuses operands of two settings."""
     alone = len(operands) == 1
-    found = (s for s in SETTINGS if s in known and (s is SCENE) == alone)
+    found = (s for s in SETTINGS if s in known and (s in ALONE) == alone)
     return next((s for s in found if s.takes(operands, given)), None)

@@ -15,7 +15,7 @@ from minkref.schemas.disc.pair_events import DiscPairEventsDocument
 from minkref.schemas.disc.sum import DiscSumDocument
 from minkref.schemas.disc.sweep import DiscSweepDocument
 from minkref.schemas.disc.values import CurvedRing, ExactPoint, Radius
-from minkref.schemas.disc.view import DiscViewDocument
+from minkref.schemas.disc.view import DiscViewDocument, FeatureViewDocument
 from minkref.schemas.error import ErrorDocument
 from minkref.schemas.lists import FamiliesDocument, ModelsDocument, TargetsDocument
 from minkref.schemas.motion.fit import FitDocument, SpaceFitDocument
@@ -110,6 +110,7 @@ DOCUMENTS = {
     "verify": VerifyDocument,
     "view": ViewDocument,
     "view_in_space": SpaceViewDocument,
+    "view_of_features": FeatureViewDocument,
     "view_of_scene": SceneViewDocument,
     "view_with_disc": DiscViewDocument,
     "view_with_path": PathViewDocument,

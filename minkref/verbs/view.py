@@ -1,5 +1,5 @@
-"""`minkref view P Q`: its options, in the plane, with a disc, with a path, in space and for a
-scene."""
+"""`minkref view P Q`: its options, in the plane, with a disc, with a path, in space, for a scene
+and for features."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
 from minkref.output.output_target import Target, target_of
 from minkref.plane.commands.scale_index import IndexFile
-from minkref.settings import DISC, MOTION, PLANE, SCENE, SPACE
+from minkref.settings import DISC, FEATURES, MOTION, PLANE, SCENE, SPACE
 from minkref.space.scaling import Scaling, read_scaling
 from minkref.verbs.paper_options import MOST_STEPS, STEPS
 from minkref.verbs.scene import Copies
@@ -34,6 +34,8 @@ minkref view glyph1204 disc -o grown.html
 
 minkref view g1 g2 --erode --to 20 -o eroded.html
 
+minkref view glyph1204 --features -o features.html
+
 minkref view disc1 g2 --path "LINESTRING (-60 55, 60 55)" -o way.html
 
 minkref view gs3 rod --scale 2,1/3,5 -o gs3-rod.html
@@ -46,7 +48,8 @@ TOLD = """\
 Write one self-contained HTML page with a slider over the scale: the sum, its convolution,
 and the holes from birth to death. In space P and Q are polyhedra: the page shows the sum at
 each scale, lets you turn it and cut it open, and names the parents of its facets and
-vertices. With `disc` as second operand the slider is the radius of a disc. With --path the
+vertices. With `disc` as second operand the slider is the radius of a disc. With --features P
+stands alone, and the page shows its concave features at any diameter of a disc. With --path the
 page shows a part on a path: the scales at which it passes, and why at no others. A scene alone
 has a page on which its copies are dragged and scaled, with the robot's free places."""
 
@@ -57,7 +60,7 @@ FirstOrScene = Annotated[
     str,
     typer.Argument(
         help="First operand, which is scaled: a file or a model. Alone, a scene: its JSON file "
-        "(scene-v1), text, or `-`."
+        "(scene-v1), text, or `-`; with --features any operand."
     ),
 ]
 
@@ -132,6 +135,14 @@ Contact = Annotated[
         metavar="RULE",
     ),
 ]
+OfFeatures = Annotated[
+    bool,
+    typer.Option(
+        "--features",
+        help="Show the concave features of P, which stands alone: sliders over the diameter, whose "
+        "window --from and --to set, and over the persistence; bridges, regions, the barcode.",
+    ),
+]
 Output = Annotated[
     Path, typer.Option("-o", help="The .html page to write; - is standard output.", metavar="FILE")
 ]
@@ -143,6 +154,18 @@ class ViewOfScene:
     P: FirstOrScene
     output: Output = PAGE
     copies: Copies = None
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
+class ViewOfFeatures:
+    P: FirstOrScene
+    from_scale: First = None
+    to_scale: Last = None
+    features: OfFeatures = False
+    index: IndexFile = None
+    output: Output = PAGE
     memory: Memory = None
     json: Json = False
 
@@ -205,6 +228,7 @@ class ViewWithDisc:
     json: Json = False
 
 
+ALONE = {"--features": "give P alone"}
 WINDOW = "give a window, --from A --to B, or polyhedra"
 command = command_of(
     "view",
@@ -215,14 +239,20 @@ command = command_of(
             "minkref.scene.commands.view:run",
             instead=dict.fromkeys(("--from", "--to"), "give copies other scales in the scene"),
         ),
-        SPACE: Verb(ViewInSpace, "minkref.space.commands.view:run"),
+        FEATURES: Verb(ViewOfFeatures, "minkref.disc.commands.feature_view:run"),
+        SPACE: Verb(ViewInSpace, "minkref.space.commands.view:run", instead=ALONE),
         PLANE: Verb(
             ViewInPlane,
             "minkref.plane.commands.view:run",
-            instead={"--contact": "add --path PATH", "--scale": WINDOW, "--scales": WINDOW},
+            instead={
+                "--contact": "add --path PATH",
+                "--scale": WINDOW,
+                "--scales": WINDOW,
+                **ALONE,
+            },
         ),
-        MOTION: Verb(ViewWithPath, "minkref.motion.commands.path_view:run"),
-        DISC: Verb(ViewWithDisc, "minkref.disc.commands.view:run"),
+        MOTION: Verb(ViewWithPath, "minkref.motion.commands.path_view:run", instead=ALONE),
+        DISC: Verb(ViewWithDisc, "minkref.disc.commands.view:run", instead=ALONE),
     },
 )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 import minkref
 import pytest
@@ -51,8 +51,14 @@ def test_what_cannot_be_put_into_a_page_is_refused(main: str, reason: str) -> No
         script({"here/main.js": main, "here/a.js": A})
 
 
-@pytest.mark.parametrize("setting", SETTINGS)
-def test_a_page_has_each_module_that_it_imports_and_no_other(setting: str) -> None:
+ROOMS = [
+    *((f"{setting}/page/web", "page/web") for setting in SETTINGS),
+    ("disc/page/features/web", "page/web", "disc/page/web"),
+]
+
+
+@pytest.mark.parametrize("rooms", ROOMS, ids=lambda rooms: rooms[0])
+def test_a_page_has_each_module_that_it_imports_and_no_other(rooms: tuple[str, ...]) -> None:
     taken: set[str] = set()
 
     def read(path: str) -> str:
@@ -60,7 +66,7 @@ def test_a_page_has_each_module_that_it_imports_and_no_other(setting: str) -> No
         taken.add(path)
         return (PACKAGE / path).read_text(encoding="utf-8")
 
-    Script(read).text(f"{setting}/page/web/main.js")
-    own = {f"{setting}/page/web/{path.name}" for path in (PACKAGE / setting).glob("page/web/*.js")}
+    Script(read).text(f"{rooms[0]}/main.js")
+    own = {f"{rooms[0]}/{path.name}" for path in (PACKAGE / rooms[0]).glob("*.js")}
     assert own <= taken
-    assert all(path in own or path.startswith("page/web/") for path in taken)
+    assert {str(PurePosixPath(path).parent) for path in taken} <= set(rooms)

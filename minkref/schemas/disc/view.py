@@ -1,4 +1,4 @@
-"""The document of `view` with a disc."""
+"""The documents of `view` with a disc, and of features."""
 
 from __future__ import annotations
 
@@ -29,3 +29,25 @@ class DiscViewDocument(Page, ShapeAndDisc, DiscViewWindow, MaybeEroded):
     parts_of_the_diagram: PartsOfTheDiagram
     holes: Annotated[Count, Meta(description="Holes that there are at some radius of the window.")]
     polygons: Annotated[Count, Meta(description="Of P.")]
+
+
+FeatureViewWindow = TypedDict(
+    "FeatureViewWindow",
+    {
+        "from": Annotated[Number, Meta(description="The smallest diameter of the slider.")],
+        "to": Annotated[Number, Meta(description="The largest.")],
+    },
+)
+
+
+class FeatureViewDocument(Page, FeatureViewWindow):
+    """The document of `minkref view --features --json`."""
+
+    command: Literal["view"]
+    P: Annotated[str, Meta(description="The operand as named.")]
+    features: Literal[True]
+    compute_seconds: Annotated[Amount, Meta(description="Time for all events and the tree.")]
+    nodes: Annotated[Count, Meta(description="Nodes of the merge tree.")]
+    bars: Count
+    endless_bars: Annotated[Count, Meta(description="Bars that never end.")]
+    parts_of_the_diagram: PartsOfTheDiagram
