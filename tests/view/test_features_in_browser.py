@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.disc.features import Features
+from minkref.disc.features import Bridge, Features
 from minkref.plane.operand import read_operand
 from minkref.reports.evidence.framework.browser import Browser, absent
 from page_decoder import data_of, page_of
@@ -71,12 +71,12 @@ def test_features_bridges_regions_and_pockets_are_those_of_features(
             alive
         )
         for bar, one in alive.items():
-            bridges = sorted(sorted(map(tuple, row[:2])) for row in shown[bar]["bridges"])
-            true = sorted(sorted(bridge.near) for bridge in one.bridges)
+            bridges, true = shown[bar]["bridges"], one.bridges
             assert len(bridges) == len(true), (alpha, bar)
-            ends = [end for bridge in true for end in bridge]
-            for end in (end for bridge in bridges for end in bridge):
-                assert min(math.dist(end, other) for other in ends) < close, (alpha, bar)
+            for bridge in bridges:
+                assert min(_apart(bridge, other) for other in true) < close, (alpha, bar)
+            for other in true:
+                assert min(_apart(bridge, other) for bridge in bridges) < close, (alpha, bar)
             pocket, leaf = shown[bar]["pocket"], one.deepest
             assert (pocket is None) == (leaf is None)
             if leaf is None:
@@ -98,6 +98,12 @@ def test_features_bridges_regions_and_pockets_are_those_of_features(
                 by_node[one.node], abs=close * (size + alpha)
             )
     assert window.messages() == []
+
+
+def _apart(bridge: list[list[float]], other: Bridge) -> float:
+    """How far the feet are from those of the other, either way round, and the centres."""
+    feet = min(max(map(math.dist, bridge[:2], ends)) for ends in (other.near, other.near[::-1]))
+    return max(feet, math.dist(bridge[2], other.centre))
 
 
 def test_bars_of_the_page_are_those_of_features(window: Browser, tmp_path: Path) -> None:
