@@ -58,7 +58,7 @@ def test_they_are_cases_of_verify() -> None:
 
 def test_three_ways_to_measure_a_distance_agree() -> None:
     """The judge of the run, the check of its witnesses, the judge of findings."""
-    for known in KNOWN:
+    for known in (one for one in KNOWN if not one.set.is_empty):
         case = AskedOffset(CaseName("known", "test"), known.set, known.radius)
         near, polygons = Distances(case.shape), json.loads(case.P_json)["polygons"]
         for x in range(-5, 12, 4):
