@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import shutil
 import subprocess
@@ -77,6 +78,22 @@ def test_a_conversation(command: list[str], converse: Callable[[list[str]], Any]
     (ring,) = rings(answer)
     assert corners(ring) == {(0, 0), (2, 0), (2, 2), (0, 2)}
     assert adapter.ask("at", scale="3", sP=region([[0, 0], [3, 0], [0, 3]]))["status"] == "result"
+    assert adapter.stop() == 0
+
+
+def test_offsets_of_convex_polygons(
+    command: list[str], converse: Callable[[list[str]], Any]
+) -> None:
+    """Declared or not: without `load`, and between sums."""
+    adapter = converse(command)
+    for radius in (0.5, 3, 1e-3):
+        answer = adapter.ask("offset", dimension=2, P=region(SQUARE), radius=radius)
+        (ring,) = rings(answer)
+        pairs = zip(ring, ring[1:] + ring[:1], strict=True)
+        area = abs(sum(a * d - b * c for (a, b), (c, d) in pairs)) / 2
+        exact = 1 + 4 * radius + math.pi * radius**2
+        assert 0 <= exact - area <= 0.0005 * math.pi * radius**2 + 1e-12
+        assert adapter.sum(region(SQUARE), region(SQUARE))["status"] == "result"
     assert adapter.stop() == 0
 
 

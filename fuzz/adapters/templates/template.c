@@ -21,7 +21,9 @@ static int leftmost(const double* xy, int count) {
   return best;
 }
 
-/* PUT YOUR OWN CALL HERE. A set is a list of rings: ring r has sizes[r] vertices, which follow one
+/* PUT YOUR OWN CALL HERE. For an offset declare "sum": "none" and "offset", and write instead
+ *   int offset(const minkref_set* P, double radius, minkref_set* grown)
+ * A set is a list of rings: ring r has sizes[r] vertices, which follow one
  * another in xy. is_hole[r] is 1 for a hole, of the last outer ring before it. To take sets of
  * several rings, declare "non-convex", "holes" and "components". */
 int minkowski_sum(const minkref_set* sP, const minkref_set* Q, minkref_set* sum) {

@@ -2,6 +2,7 @@
 // Put your own call into `minkowski_sum`, and say in `declaration` what it can do (the words are in
 // docs/adapter-protocol.md). c++ -std=c++17 -O2 NAME_adapter.cpp -o NAME_adapter
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -47,6 +48,17 @@ bool minkowski_sum(const Set& sP, const Set& Q, Set& sum) {
   if (sP.size() != 1 || Q.size() != 1 || !sP[0].holes.empty() || !Q[0].holes.empty()) return false;
   sum = {{convex_sum(sP[0].outer, Q[0].outer), {}}};
   return true;
+}
+
+// P grown by a disc, likewise: here the sum with a polygon of 128 corners. To be asked for it,
+// declare "offset", and in the tolerance "radius":"0.0004".
+bool offset(const Set& P, double radius, Set& grown) {
+  Ring disc;
+  for (int k = 0; k < 128; ++k) {
+    disc.emplace_back(radius * std::cos(k * std::acos(-1.0) / 64),
+                      radius * std::sin(k * std::acos(-1.0) / 64));
+  }
+  return minkowski_sum(P, {{disc, {}}}, grown);
 }
 
 // [[x, y], ...] at c, which is moved behind it.
@@ -103,10 +115,14 @@ std::string answer(const std::string& line, Set& Q) {
   if (has("\"hello\"")) return declaration;
   if (has("\"load\"")) Q = read_set(line, "\"Q\"");
   if (has("\"load\"") || has("\"stop\"")) return R"("result")";
-  const Set sP = read_set(line, "\"sP\"");
-  if (sP.empty() || Q.empty()) return R"("errored","reason":"not understood")";
   Set sum;
-  if (!minkowski_sum(sP, Q, sum)) return R"("skipped","reason":"more than one ring")";
+  double radius = 0;
+  const char* found = std::strstr(line.c_str(), "\"radius\"");
+  const bool grows = found != nullptr && std::sscanf(found, "\"radius\" : %lf", &radius) == 1;
+  const Set sP = read_set(line, grows ? "\"P\"" : "\"sP\"");
+  if (sP.empty() || (Q.empty() && !grows)) return R"("errored","reason":"not understood")";
+  if (!(grows ? offset(sP, radius, sum) : minkowski_sum(sP, Q, sum)))
+    return R"("skipped","reason":"more than one ring")";
   return R"("result","polygons":)" + written(sum);
 }
 

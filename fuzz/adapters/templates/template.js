@@ -23,6 +23,13 @@ function minkowskiSum(P, Q) {
   return [convexSum(P[0].outer, Q[0].outer)];
 }
 
+// P grown by a disc, likewise: here the sum with a polygon of 128 corners. To be asked for it,
+// declare "offset", and in the tolerance radius: "0.0004".
+function offset(P, radius) {
+  const angles = Array.from({ length: 128 }, (_, k) => (Math.PI * k) / 64);
+  return [convexSum(P[0].outer, angles.map((a) => [radius * Math.cos(a), radius * Math.sin(a)]))];
+}
+
 // The edges of both rings in the order of their directions, from the leftmost vertices.
 function convexSum(P, Q) {
   const [p, q, ring] = [fromLeft(P), fromLeft(Q), []];
@@ -50,6 +57,9 @@ function answer(request) {
   if (request.verb === "hello") return { status: "result", ...declaration };
   if (request.verb === "load") loaded = request.Q.polygons;
   if (["load", "stop"].includes(request.verb)) return { status: "result" };
+  if (request.verb === "offset") {
+    return { status: "result", rings: offset(request.P.polygons, request.radius) };
+  }
   if (request.verb !== "at") return { status: "skipped", reason: "no such verb here" };
   return { status: "result", rings: minkowskiSum(request.sP.polygons, loaded) };
 }

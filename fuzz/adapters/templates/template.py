@@ -6,6 +6,7 @@ Put your own call into `minkowski_sum`, and say in HELLO what it can do
 """
 
 import json
+import math
 import sys
 from typing import Any
 
@@ -28,6 +29,14 @@ def minkowski_sum(P: list[Any], Q: list[Any]) -> list[Any]:
     that they wind around. To be asked for more than convex polygons, declare "non-convex", "holes"
     and "components"."""
     return [convex_sum(P[0]["outer"], Q[0]["outer"])]
+
+
+def offset(P: list[Any], radius: float) -> list[Any]:
+    """P grown by a disc, likewise: here the sum with a polygon of 128 corners. To be asked for it,
+    declare "offset", and in the tolerance "radius": "0.0004"."""
+    angles = [math.tau * k / 128 for k in range(128)]
+    disc = [[radius * math.cos(a), radius * math.sin(a)] for a in angles]
+    return [convex_sum(P[0]["outer"], disc)]
 
 
 def convex_sum(P: list[Any], Q: list[Any]) -> list[Any]:
@@ -57,6 +66,8 @@ for line in sys.stdin:
             loaded = request["Q"]["polygons"]
         elif verb == "at":
             answer["rings"] = minkowski_sum(request["sP"]["polygons"], loaded)
+        elif verb == "offset":
+            answer["rings"] = offset(request["P"]["polygons"], request["radius"])
         elif verb != "stop":
             answer = {"status": "skipped", "reason": "no such verb here"}
     except Exception as error:  # noqa: BLE001 the answer says what went wrong

@@ -22,6 +22,14 @@ fn minkowski_sum(p: &[Polygon], q: &[Polygon]) -> Vec<Ring> {
     vec![convex_sum(&p[0].outer, &q[0].outer)]
 }
 
+/// P grown by a disc, likewise: here the sum with a polygon of 128 corners. To be asked for it,
+/// declare "offset", and in the tolerance "radius":"0.0004".
+fn offset(p: &[Polygon], radius: f64) -> Vec<Ring> {
+    let angle = |k: u32| f64::from(k) * std::f64::consts::PI / 64.0;
+    let corner = |k: u32| (radius * angle(k).cos(), radius * angle(k).sin());
+    vec![convex_sum(&p[0].outer, &(0..128).map(corner).collect::<Ring>())]
+}
+
 /// The edges of both rings in the order of their directions, from the leftmost vertices.
 fn convex_sum(p: &[Point], q: &[Point]) -> Ring {
     let (p, q) = (from_left(p), from_left(q));
@@ -64,14 +72,21 @@ fn rings_of(text: &str) -> Option<Vec<Ring>> {
     text.split("[[").skip(1).map(ring).collect()
 }
 
+fn radius_of(line: &str) -> Option<f64> {
+    let text = line.split_once("\"radius\"")?.1.trim_start_matches([':', ' ']);
+    text.split([',', '}']).next()?.trim().parse().ok()
+}
+
 fn answer(line: &str, loaded: &mut Option<Vec<Polygon>>) -> String {
     if line.contains("\"hello\"") { return DECLARATION.replace('\n', ""); }
     if line.contains("\"load\"") { *loaded = set_of(line, "\"Q\""); }
     if line.contains("\"load\"") || line.contains("\"stop\"") { return "\"result\"".into(); }
-    let (Some(sp), Some(q)) = (set_of(line, "\"sP\""), loaded) else {
-        return r#""errored","reason":"not understood""#.into();
+    let sum = match (set_of(line, "\"sP\""), set_of(line, "\"P\""), radius_of(line), loaded) {
+        (Some(sp), _, _, Some(q)) => minkowski_sum(&sp, q),
+        (_, Some(p), Some(radius), _) => offset(&p, radius),
+        _ => return r#""errored","reason":"not understood""#.into(),
     };
-    let rings = minkowski_sum(&sp, q).iter().map(|ring| written(ring)).collect::<Vec<_>>();
+    let rings = sum.iter().map(|ring| written(ring)).collect::<Vec<_>>();
     format!(r#""result","rings":[{}]"#, rings.join(","))
 }
 
