@@ -269,24 +269,18 @@ nb::object near_arrays(const BoundFeatures& self, double alpha) {
   if (!(alpha > 0) || !std::isfinite(alpha)) {
     throw BadInput("bad-alpha", "alpha is " + std::to_string(alpha), "give a number above 0");
   }
-  auto found = std::make_unique<std::vector<NearBridge>>();
-  self.near.at(alpha / 2, *found);
-  struct Arrays {
-    std::vector<std::array<double, 7>> places;
-    std::vector<std::array<std::uint32_t, 2>> owners;
-  };
-  auto arrays = std::make_unique<Arrays>();
-  for (const NearBridge& own : *found) {
-    arrays->places.push_back({own.from_x, own.from_y, own.to_x, own.to_y, own.x, own.y, own.error});
-    arrays->owners.push_back({own.feature, own.bar});
-  }
-  Arrays* all = arrays.release();
-  const nb::capsule owner(all, [](void* p) noexcept { delete static_cast<Arrays*>(p); });
-  const std::size_t count = all->places.size();
-  const double* places = count == 0 ? nullptr : all->places.front().data();
-  const std::uint32_t* owners = count == 0 ? nullptr : all->owners.front().data();
-  return nb::make_tuple(nb::ndarray<nb::numpy, const double>(places, {count, 7}, owner),
-                        nb::ndarray<nb::numpy, const std::uint32_t>(owners, {count, 2}, owner));
+  thread_local std::vector<NearBridge> found;
+  self.near.at(alpha / 2, found);
+  static_assert(sizeof(NearBridge) == 8 * sizeof(double));
+  auto* all = new std::vector<NearBridge>(found);
+  const nb::capsule owner(
+      all, [](void* p) noexcept { delete static_cast<std::vector<NearBridge>*>(p); });
+  const double* places = all->empty() ? nullptr : &all->front().from_x;
+  const std::uint32_t* owners = all->empty() ? nullptr : &all->front().feature;
+  using Places = nb::ndarray<nb::numpy, const double>;
+  using Owners = nb::ndarray<nb::numpy, const std::uint32_t>;
+  return nb::make_tuple(Places(places, {all->size(), 7}, owner, {8, 1}),
+                        Owners(owners, {all->size(), 2}, owner, {16, 1}));
 }
 
 void bind_tree(nb::class_<BoundFeatures>& bound) {

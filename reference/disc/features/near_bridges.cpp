@@ -8,10 +8,21 @@
 
 namespace minkref::inline disc {
 
+namespace {
+
+constexpr double rounded_up = 1 + 0x1p-40;
+constexpr double least = 0x1p-1070;  // more than what is lost below the range of doubles
+
+}  // namespace
+
 NearBridges::NearBridges(const DiscIndex& index, const MergeTree& tree, const Barcode& codes)
-    : index_(index), tree_(tree), codes_(codes) {
+    : index_(index), codes_(codes) {
   const FloatEnvironment standard;
   const OffsetCurves& curves = index.diagram().curves;
+  scale_ = to_double(Rational(1 / index.diagram().factor));
+  x_ = to_double(index.diagram().origin.x);
+  y_ = to_double(index.diagram().origin.y);
+  origin_error_ = 0x1p-52 * (std::abs(x_) + std::abs(y_));
   for (std::uint32_t k = 0; k < curves.features.size(); ++k) {
     features_.push_back(rounded(curves, k));
   }
@@ -25,6 +36,11 @@ NearBridges::NearBridges(const DiscIndex& index, const MergeTree& tree, const Ba
     }
   }
   starts_.push_back(static_cast<std::uint32_t>(rising_.size()));
+  for (const MergeNode& node : tree.nodes) {
+    const bool is_root = node.parent == MergeTree::none;
+    lives_.push_back({is_root ? MergeTree::none : node.radius,
+                      is_root ? MergeTree::none : tree.nodes[node.parent].radius, node.parent});
+  }
 }
 
 NearBridges::Feature NearBridges::rounded(const OffsetCurves& curves, std::uint32_t feature) {
@@ -58,14 +74,15 @@ void NearBridges::at(double radius, std::vector<NearBridge>& found) const {
   const std::uint32_t below = place.at_event ? place.gap - 1 : place.gap;
   const FrameRadius near = index_.in_frame(squared);
   // By tree node the feature alive at the radius that it is a part of: parents come after children.
-  thread_local std::vector<std::uint32_t> live;
-  live.assign(tree_.nodes.size(), MergeTree::none);
-  for (auto node = static_cast<std::uint32_t>(tree_.nodes.size()); node-- > 0;) {
-    const MergeNode& own = tree_.nodes[node];
-    if (own.radius > below || own.parent == MergeTree::none) continue;
-    live[node] = tree_.nodes[own.parent].radius <= below ? live[own.parent] : node;
+  thread_local std::vector<std::uint32_t> of_thread;
+  of_thread.resize(lives_.size());
+  std::uint32_t* const live = of_thread.data();
+  const auto nodes = static_cast<std::uint32_t>(lives_.size());
+  for (std::uint32_t node = nodes; node-- > 0;) {
+    const Life& own = lives_[node];
+    live[node] = own.from > below ? MergeTree::none : own.to <= below ? live[own.parent] : node;
   }
-  for (std::uint32_t node = 0; node < live.size(); ++node) {
+  for (std::uint32_t node = 0; node < nodes; ++node) {
     if (live[node] == MergeTree::none) continue;
     for (std::uint32_t k = starts_[node]; k < starts_[node + 1]; ++k) {
       const Rising& own = rising_[k];
@@ -73,11 +90,22 @@ void NearBridges::at(double radius, std::vector<NearBridge>& found) const {
       const BoundedPoint centre = index_.corner(own.half, near);
       const BoundedPoint from = foot(features_[own.own], centre),
                          to = foot(features_[own.across], centre);
-      const BoundedPoint told[3] = {index_.as_given(from), index_.as_given(to),
-                                    index_.as_given(centre)};
-      const double error = std::max({told[0].error, told[1].error, told[2].error});
-      found.push_back({told[0].x, told[0].y, told[1].x, told[1].y, told[2].x, told[2].y, error,
-                       live[node], codes_.bar_of[live[node]]});
+      double size = 0;
+      const auto place = [&](const BoundedPoint& in_frame, double& x, double& y) {
+        const double across = in_frame.x * scale_, up = in_frame.y * scale_;
+        size = std::max(size, std::abs(across) + std::abs(up));
+        x = across + x_;
+        y = up + y_;
+      };
+      NearBridge bridge;
+      place(from, bridge.from_x, bridge.from_y);
+      place(to, bridge.to_x, bridge.to_y);
+      place(centre, bridge.x, bridge.y);
+      const double widest = std::max({from.error, to.error, centre.error});
+      bridge.error = (widest * scale_ + origin_error_ + 0x1p-52 * size + least) * rounded_up;
+      bridge.feature = live[node];
+      bridge.bar = codes_.bar_of[live[node]];
+      found.push_back(bridge);
     }
   }
 }

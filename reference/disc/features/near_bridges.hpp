@@ -36,15 +36,20 @@ class NearBridges {
   struct Rising {
     std::uint32_t half, low, high, own, across;
   };
+  /// A tree node lives from its radius to its parent's; a root never.
+  struct Life {
+    std::uint32_t from, to, parent;
+  };
   static Feature rounded(const OffsetCurves& curves, std::uint32_t feature);
   BoundedPoint foot(const Feature& feature, const BoundedPoint& centre) const;
 
   const DiscIndex& index_;
-  const MergeTree& tree_;
   const Barcode& codes_;
   std::vector<Feature> features_;
   std::vector<Rising> rising_;         ///< by tree node
   std::vector<std::uint32_t> starts_;  ///< of nodes
+  std::vector<Life> lives_;
+  double scale_ = 1, x_ = 0, y_ = 0, origin_error_ = 0;  ///< from the frame of the curves to P's
 };
 
 }  // namespace minkref::inline disc
