@@ -16,7 +16,7 @@ from minkref.fuzz.offsets.curve_witness import CurveWitness
 from minkref.fuzz.offsets.curves import NOTHING, counts_of, form_of
 from minkref.fuzz.offsets.distance import Distances
 from minkref.fuzz.offsets.distance_check import holds
-from minkref.fuzz.offsets.event_window import changes_within, event_within
+from minkref.fuzz.offsets.event_window import event_within
 from minkref.fuzz.offsets.sandwich import Breach, Sandwich
 from minkref.fuzz.plane.comparison import WitnessRefuted
 from minkref.fuzz.plane.judgement import DOUBT, REFEREE, too_large, without_answer
@@ -79,9 +79,6 @@ class _Polygons:
             reasons = tuple(dict.fromkeys(self._reason(region, each) for each in breaches))
             witness = witness_of(case, near, breaches[0], half)
             return _refuted(case, self.name, self.answer, witness, reasons)
-        counted = self._miscounted(region, near, low, high)
-        if counted is not None:
-            return counted
         return Outcome(
             self.name, Verdict.PASS_WITHIN, seconds=self.answer.seconds, digest=region.digest
         )
@@ -96,30 +93,6 @@ class _Polygons:
         if breach.whole or region.holes < holes:
             return Reason.HOLE_LOST
         return Reason.COMPONENT if region.components > components else Reason.EXTRA
-
-    def _miscounted(
-        self, region: Region, near: Distances, low: Fraction, high: Fraction
-    ) -> Outcome | None:
-        """A wrong number of components or holes, if no radius within the tolerance changes it."""
-        components, holes = self.case.counts
-        if (region.components, region.holes) == (components, holes):
-            return None
-        if changes_within(self.case.set, low, high):
-            return None
-        point = _stray_point(region)
-        if point is None:
-            return None
-        found = near.of(point)
-        inside = found.square <= self.case.radius**2
-        witness = _witness(self.case, point, near, inside, Fraction(0))
-        reason = Reason.COMPONENT
-        if region.components == components:
-            reason = Reason.HOLE_INVENTED if region.holes > holes else Reason.HOLE_LOST
-        message = (
-            f"{region.components} components and {region.holes} holes; at every radius within the "
-            f"tolerance there are {components} and {holes}"
-        )
-        return _refuted(self.case, self.name, self.answer, witness, (reason,), message)
 
 
 @dataclass(frozen=True)
@@ -157,16 +130,6 @@ class _Curves:
         if components != wanted:
             return Reason.COMPONENT
         return Reason.MISSING if breach.missing else Reason.EXTRA
-
-
-def _stray_point(region: Region) -> tuple[Fraction, Fraction] | None:
-    """A point of the smallest hole; without holes, of the smallest component."""
-    rings = [ring[::-1] for polygon in region.set.rings() for ring in polygon[1:]]
-    rings = rings or [polygon[0] for polygon in region.set.rings()]
-    sets = [_core.region_of_rings([[list(ring)]], True)[0] for ring in rings]
-    least = min(sets, key=lambda each: Fraction(each.area()), default=None)
-    point = None if least is None else _core.inner_point(least)
-    return None if point is None else (Fraction(point[0]), Fraction(point[1]))
 
 
 def _of_nothing(case: AskedOffset, name: str, answer: Answer) -> Outcome:
@@ -212,18 +175,13 @@ def _witness(
 
 
 def _refuted(
-    case: AskedOffset,
-    name: str,
-    answer: Answer,
-    witness: Witness,
-    reasons: tuple[Reason, ...],
-    message: str = "",
+    case: AskedOffset, name: str, answer: Answer, witness: Witness, reasons: tuple[Reason, ...]
 ) -> Outcome:
     return Outcome(
         name,
         Verdict.WRONG,
         reasons,
-        message=cut(message or answer.message),
+        message=cut(answer.message),
         seconds=answer.seconds,
         witness=witness,
         digest=answer.digest,
