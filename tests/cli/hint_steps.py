@@ -13,7 +13,9 @@ WRITE = re.compile(r"write ((?:[\w-]+=[^, ]+)(?:, [\w-]+=[^, ]+)*)$")
 ADD = re.compile(r"\badd (--?[\w-]+(?: [A-Za-z][\w.-]*)?)")
 ENDING = re.compile(r"name a (?:file that ends in )?(\.\w+)")
 LEAVE = re.compile(r"leave (it|them|the option|--[\w-]+) out|leave out (--[\w-]+)")
-PLACEHOLDERS = {"FILE": "made", "DIR": "made", "EPS": "1/1000", "BITS": "53", "PATH": "POINT (9 9)"}
+PLACEHOLDERS = {
+    "A": "1", "BITS": "53", "DIR": "made", "EPS": "1/1000", "FILE": "made", "PATH": "POINT (9 9)",
+}  # fmt: skip
 
 
 def steps(arguments: Words, where: str, mend: str) -> Iterator[Words]:
@@ -53,9 +55,7 @@ def _wrong(arguments: Words, where: str, options: Words) -> int:
 
 
 def _filled(word: str) -> str:
-    for name, value in PLACEHOLDERS.items():
-        word = word.replace(name, value)
-    return word
+    return re.sub(r"[A-Z]+", lambda name: PLACEHOLDERS.get(name[0], name[0]), word)
 
 
 def _replaced(arguments: Words, at: int, word: str) -> Words:

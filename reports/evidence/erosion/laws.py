@@ -20,11 +20,11 @@ from minkref.plane.erosion import Erosion
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.5, 2, 30)
+MINUTES = Minutes(0.2, 1, 30)
 
 SEED = 3319
-PAIRS = Counts(24, 120, 2000)
-PLACES = Counts(16, 60, 500)
+PAIRS = Counts(12, 60, 2000)
+PLACES = Counts(10, 40, 500)
 Result = tuple[Counter[str], list[str]]
 
 

@@ -21,14 +21,14 @@ from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.framework.places import ROOT
 
-MINUTES = Minutes(0.3, 3, 15)
+MINUTES = Minutes(0.1, 1, 15)
 
 SEED = 840
 KINDS = (
     "random", "holes", "dents", "touching", "passing", "cells", "nested", "comb", "star", "spiral",
     "lattice", "rational", "leaning", "offset", "magnitude",
 )  # fmt: skip
-EACH = Counts(4, 30, 200)  # sets of a family
+EACH = Counts(2, 12, 200)  # sets of a family
 LARGE = ("neuron", "monkey", "bird")
 SECONDS = 2.0
 MOST_EDGES = 60  # for the rule word for word

@@ -14,7 +14,7 @@ from minkref.fuzz.judges.disc.offset_cgal import OffsetJudge
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.3, 1, 4)
+MINUTES = Minutes(0.1, 0.8, 2)
 ALONE = True
 
 MODELS: Counts[tuple[str, ...]] = Counts(

@@ -15,10 +15,10 @@ from minkref.reports.evidence.framework.of_tests import PAGE_ALONE, page_adapter
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
 RESTS_ON = ("tests/adapters/page_alone/",)
-MINUTES = Minutes(None, 12, 60)
+MINUTES = Minutes(None, 8, 60)
 
-CASES = Counts(0, 15, 500)
-PAIRS = Counts(0, 30, 300)  # of one run
+CASES = Counts(0, 10, 500)
+PAIRS = Counts(0, 20, 300)  # of one run
 RUNS = 12
 WORKERS = 2  # adapters judged at a time
 # Two adapters that only take convex polygons meet more of them here.

@@ -13,11 +13,11 @@ from minkref.reports.evidence.framework.of_tests import VERIFY, module, offset_a
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
 RESTS_ON = ("fuzz/adapters/", "fuzz/libraries/")
-MINUTES = Minutes(0.5, 2.5, 20)
+MINUTES = Minutes(0.3, 1.2, 20)
 
 SEED = 11
-SECONDS = Counts(3, 25, 300)
-FAULTS = Counts(2, 8, 30)
+SECONDS = Counts(3, 12, 300)
+FAULTS = Counts(2, 5, 30)
 LONGEST = 60  # seconds until a seeded fault shows
 MEDIAN = 10.0
 OURS = ("minkref:definition", "minkref:paper", "minkref:index", "minkref-paper@rational,corrected")
