@@ -21,7 +21,7 @@ READINGS = {name: corrected for name, _, corrected, _ in _core.appendix_readings
 
 
 def diameters() -> list[Fraction]:
-    """Evenly spaced, as the paper says nothing else."""
+    """Evenly spaced, from the least to the most."""
     return [LEAST + (MOST - LEAST) * k / (COUNT - 1) for k in range(COUNT)]
 
 
