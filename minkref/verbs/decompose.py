@@ -15,6 +15,7 @@ from minkref.cli.verb import Verb, command_anywhere
 from minkref.disc.disc import read_alpha, read_persistence
 from minkref.verbs.set_request import Format
 
+READ_ALPHA = Read(read_alpha)
 EXAMPLES = """Examples:
 
 minkref decompose g1
@@ -40,7 +41,7 @@ Alpha = Annotated[
         "each reflex vertex is a feature.",
         metavar="A",
     ),
-    Read(read_alpha),
+    READ_ALPHA,
 ]
 Persistence = Annotated[
     str,
@@ -59,12 +60,12 @@ FirstAlpha = Annotated[
         help="Take features at this diameter; only the part of their bars up to --to counts.",
         metavar="A",
     ),
-    Read(read_alpha),
+    READ_ALPHA,
 ]
 LastAlpha = Annotated[
     Fraction | None,
     typer.Option("--to", help="The largest diameter that counts.", metavar="B"),
-    Read(read_alpha),
+    READ_ALPHA,
 ]
 Output = Annotated[
     Path | None,

@@ -10,10 +10,9 @@ from typing import Annotated
 import typer
 from minkref.cli.memory import Memory
 from minkref.cli.options import Json
-from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_anywhere
-from minkref.disc.disc import read_alpha
 from minkref.plane.commands.scale_index import IndexFile
+from minkref.verbs.decompose import READ_ALPHA
 
 EXAMPLES = """Examples:
 
@@ -38,7 +37,7 @@ Operand = Annotated[str, typer.Argument(help="A set in the plane: a file or a mo
 Alpha = Annotated[
     Fraction | None,
     typer.Option("--alpha", help="Show the features at this diameter, with bridges.", metavar="A"),
-    Read(read_alpha),
+    READ_ALPHA,
 ]
 Regions = Annotated[
     bool, typer.Option("--regions", help="With --alpha: the region of each feature, and its area.")
@@ -52,12 +51,12 @@ Rest = Annotated[
 FirstAlpha = Annotated[
     Fraction | None,
     typer.Option("--from", help="Only bars that go on beyond this diameter.", metavar="A0"),
-    Read(read_alpha),
+    READ_ALPHA,
 ]
 LastAlpha = Annotated[
     Fraction | None,
     typer.Option("--to", help="Only bars that begin before this diameter.", metavar="A1"),
-    Read(read_alpha),
+    READ_ALPHA,
 ]
 Output = Annotated[
     Path | None,
