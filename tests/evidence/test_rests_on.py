@@ -166,7 +166,7 @@ def rests_on(tmp_path_factory: pytest.TempPathFactory) -> dict[str, set[str]]:
 @pytest.mark.parametrize(
     ("file", "parts"),
     [
-        ("reference/motion/none.hpp", []),
+        ("reference/disc/index/none.hpp", []),  # a folder that is not used whole
         ("reference/disc/region/exact_pieces.hpp", ["disc_events"]),
         ("bindings/core_disc_events.cpp", ["disc_events"]),
         ("oracle/cgal/offset_service.cpp", ["disc_events"]),
