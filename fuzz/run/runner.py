@@ -32,7 +32,7 @@ from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Verdict
 from minkref.output.exits import ExitCode
-from minkref.output.signals import Ended, Stoppable
+from minkref.output.signals import OUT_OF_TIME, Ended, Stoppable
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Run:
     began: dict[str, int] = field(default_factory=dict)  # the first case of each group
     asked: Counter[tuple[str, str, int]] = field(default_factory=Counter)  # target, verb, dimension
     met: Counter[tuple[str, str, int]] = field(default_factory=Counter)  # and what cases needed
-    ended: int | None = None  # the signal that ended the run
+    ended: int | None = None  # the signal that ended the run, or OUT_OF_TIME
     failed: str | None = None  # our fault that ended the run
     absent: int = 0  # derived cases that do not exist, as probes of a pair without events
     untaken: Counter[str] = field(default_factory=Counter)  # why no target takes a generated case
@@ -94,10 +94,11 @@ class Run:
         )
 
     def exit_code(self, strict: bool = False) -> int:
-        """Returns an ExitCode; or 128 plus the number of the signal that ended the run."""
+        """Returns an ExitCode; or 128 plus the number of the signal that ended the run. A time
+        limit that ended the run changes nothing."""
         if self.failed is not None:
             return ExitCode.INTERNAL
-        if self.ended is not None:
+        if self.ended not in (None, OUT_OF_TIME):
             return 128 + self.ended
         verdicts = {finding.outcome.verdict for finding in self.findings}
         if Verdict.WRONG in verdicts:
@@ -151,9 +152,9 @@ def run(
     """Runs all cases. With `cases.pairs` the verdicts do not depend on `jobs`: results are taken in
     the order of cases. Cases in the ledger are not run again; every result enters the ledger before
     it is shown. `first`: ends with the first case that shows an unknown wrong or broken target.
-    Unresponsive targets rest, unless the cases are named. SIGINT, SIGTERM, SIGHUP and our own
-    faults end the run: the result holds all cases judged until then, and `ended` or `failed` says
-    so."""
+    Unresponsive targets rest, unless the cases are named. SIGINT, SIGTERM, SIGHUP, a time limit
+    and our own faults end the run: the result holds all cases judged until then, and `ended` or
+    `failed` says so."""
     done = Run(list(targets))
     resting = Resting([] if cases.named else targets, done.resting)
     waiting: dict[int, CaseResult] = {}

@@ -86,6 +86,28 @@ def read_baseline(path: Path) -> Baseline:
     return Baseline(tuple(Entry(*(entry[field] for field in _FIELDS)) for entry in entries))
 
 
+def accepting(
+    baseline: Baseline, faults: Iterable[tuple[Outcome, str]], versions: Mapping[str, str | None]
+) -> str:
+    """The text of a baseline that lists all faults, after the entries of `baseline`. A fault is an
+    outcome with the name of its case; one entry for each target, version and kind."""
+    rows = {(e.target, e.version, e.kind): e.reason for e in baseline.entries}
+    for outcome, case in faults:
+        if outcome.verdict in _NO_FAULT:
+            continue
+        version = versions.get(outcome.target)
+        for kind in outcome.kinds:
+            row = (_literal(outcome.target), _literal(version or "*"), kind)
+            rows.setdefault(row, f"accepted as found on {case}")
+    entries = [dict(zip(_FIELDS, (*row, reason), strict=True)) for row, reason in rows.items()]
+    return json.dumps({"baseline": "baseline-v1", "entries": entries}, indent=2) + "\n"
+
+
+def _literal(text: str) -> str:
+    """A pattern that matches the text alone; `*` is left, which matches it too."""
+    return text.replace("[", "[[]").replace("?", "[?]")
+
+
 def _once_each(members: list[tuple[str, Any]]) -> dict[str, Any]:
     value = dict(members)
     if len(value) < len(members):

@@ -25,6 +25,7 @@ app = typer.Typer(
     cls=CommandGroup,
     no_args_is_help=True,
     rich_markup_mode="rich",
+    context_settings={"help_option_names": ["-h", "--help"]},
     pretty_exceptions_enable=False,
     help="The exact reference and verification suite for Minkowski sums under scaling.",
     epilog="Examples:\n\nminkref sum disc1 cells1815 --scale 7/5 -o sum.svg\n\n"

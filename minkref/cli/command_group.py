@@ -11,25 +11,29 @@ from typer.core import TyperCommand, TyperGroup
 
 #: As in the help, headings and order: the module in `minkref.verbs` has the name of the command.
 HEADINGS = {
-    "Answers": {
+    "Sums": {
         "sum": "The exact sum of sP and Q, in canonical form.",
         "view": "A page showing the sum, its events and its holes over a window of scales.",
         "events": "The scales at which something changes, exact and sorted.",
         "sweep": "The exact sums at many scales.",
         "index": "The sums at all scales of a window, found once and written to a file.",
-        "features": "Bays, corridors and holes by size: a merge tree, bars and bridges.",
+        "scene": "The places at which a robot meets many placed, scaled copies of shapes.",
+        "convolution": "The edges of P and Q at each other's vertices, with their parents.",
+    },
+    "Fits": {
         "erode": "The places at which Q lies within sP: erosion, inset, Minkowski difference.",
         "opening": "All copies of Q within sP together: the erosion plus Q.",
         "closing": "The sum of sP and Q, eroded by Q.",
         "nofit": "The places at which B meets A: the no-fit polygon, with exact fits.",
         "innerfit": "The places at which a part lies within a container.",
+        "features": "Bays, corridors and holes by size: a merge tree, bars and bridges.",
+        "decompose": "A shape in pieces, cut at its notches.",
+    },
+    "Motion": {
         "path": "The scales at which a part passes along a path.",
         "fit": "The scales at which a part fits into a container.",
         "trap": "The scales at which no translation takes a part out of obstacles.",
         "hold": "The scales at which a part fits and a given way out is blocked.",
-        "decompose": "A shape in pieces, cut at its notches.",
-        "scene": "The places at which a robot meets many placed, scaled copies of shapes.",
-        "convolution": "The edges of P and Q at each other's vertices, with their parents.",
     },
     "Judging": {
         "verify": "Test implementations against the exact reference.",

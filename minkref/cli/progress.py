@@ -1,4 +1,5 @@
-"""Progress of a long command: a line on the terminal, nothing in a pipe."""
+"""Progress of a long command: a line on the terminal; without a terminal a new line every half
+minute."""
 
 from __future__ import annotations
 
@@ -7,32 +8,43 @@ from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from typing import TYPE_CHECKING
 
+from minkref.cli.progress_lines import progress_lines
+
 if TYPE_CHECKING:
     from rich.progress import Progress
 
 
 class Steps:
-    """Counts what is done of a known number of steps; tells nobody where there is no line."""
+    """Counts what is done of a known number of steps, and shows it on a line if there is one."""
 
     def __init__(self, line: Progress | None, total: int) -> None:
         self._line = line
         self._task = line.add_task("", total=total) if line else None
+        self._total, self._count, self._doing = total, 0, "working"
 
     def now(self, text: str) -> None:
         """Says what is being done."""
+        self._doing = text
         if self._line is not None and self._task is not None:
             self._line.update(self._task, description=text)
 
     def done(self, count: int = 1) -> None:
+        self._count += count
         if self._line is not None and self._task is not None:
             self._line.advance(self._task, count)
+
+    def in_words(self) -> str:
+        """What is being done, and how much of it is done."""
+        return f"{self._doing}, {self._count:,} of {self._total:,}"
 
 
 @contextmanager
 def progress(total: int) -> Iterator[Steps]:
     """On standard error, and gone when the work is done."""
     if not sys.stderr.isatty():
-        yield Steps(None, total)
+        steps = Steps(None, total)
+        with progress_lines(steps.in_words):
+            yield steps
         return
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn

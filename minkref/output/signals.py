@@ -13,6 +13,7 @@ from types import FrameType
 from typing import Any, NoReturn
 
 PR_SET_PDEATHSIG = 1
+OUT_OF_TIME = signal.SIGVTALRM  # by a time limit; judges use SIGALRM
 
 
 class Ended(BaseException):
@@ -24,8 +25,8 @@ class Ended(BaseException):
 
 
 class Stoppable:
-    """Within this context SIGINT, SIGTERM and SIGHUP raise Ended, but `held` work first
-    completes."""
+    """Within this context SIGINT, SIGTERM, SIGHUP and a time limit raise Ended, but `held` work
+    first completes."""
 
     def __init__(self) -> None:
         self._holds = 0
@@ -33,7 +34,7 @@ class Stoppable:
         self._before: dict[int, Any] = {}
 
     def __enter__(self) -> Stoppable:
-        numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+        numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, OUT_OF_TIME)
         for number in (n for n in numbers if _may_handle(n)):
             self._before[number] = signal.signal(number, self._handle)
         return self
@@ -61,15 +62,37 @@ class Stoppable:
 
 @contextmanager
 def ending_in_order() -> Iterator[None]:
-    """Make SIGTERM and SIGHUP raise Ended, so that worker processes and temporary files are
-    removed."""
-    numbers = [n for n in (signal.SIGTERM, signal.SIGHUP) if _may_handle(n)]
+    """Make SIGTERM, SIGHUP and a time limit raise Ended, so that worker processes and temporary
+    files are removed."""
+    numbers = [n for n in (signal.SIGTERM, signal.SIGHUP, OUT_OF_TIME) if _may_handle(n)]
     before = {number: signal.signal(number, _raise_ended) for number in numbers}
     try:
         yield
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
+
+
+@contextmanager
+def time_limit(seconds: float | None) -> Iterator[None]:
+    """Send OUT_OF_TIME to the main thread once `seconds` have passed within the block; use inside
+    `ending_in_order`. None: no limit."""
+    if seconds is None:
+        yield
+        return
+    main = threading.main_thread().ident or 0
+    timer = threading.Timer(seconds, signal.pthread_kill, (main, OUT_OF_TIME))
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+        try:
+            timer.join()
+        except Ended as ended:  # as the block was ending
+            if ended.number != OUT_OF_TIME:
+                raise
 
 
 def end_with_parent(parent: int) -> None:

@@ -29,12 +29,13 @@ from minkref.fuzz.run.unasked import not_asked, resting_notes, unproven_notes
 from minkref.fuzz.shrink.groups import Group, shrunk_groups
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
+from minkref.fuzz.verdicts.baseline import Baseline, accepting, read_baseline, unused
 from minkref.output.documents import Stopwatch, as_text, check_writable, write_together
 from minkref.output.exits import ExitCode
 from minkref.output.output_folder import held_folder
-from minkref.output.signals import ending_in_order
+from minkref.output.signals import OUT_OF_TIME, ending_in_order, time_limit
 from minkref.output.terminal import counted
+from minkref.reports.conformance.annotations import annotations, check_annotations
 from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.lines import json_lines
 from minkref.reports.conformance.markdown import markdown
@@ -116,7 +117,9 @@ def answer(context: typer.Context, request: VerifyRequest) -> None:
         if any(show.differ for show in solids):
             code = code or ExitCode.WRONG
     if done.ended is not None:
-        cases.notes.append(_ended(done, output.ledger))
+        cases.notes.append(_ended(done, request))
+    if output.write_baseline is not None and code in (ExitCode.WRONG, ExitCode.BROKEN):
+        code = ExitCode.ALL_WELL
     if done.failed is not None:
         cases.notes.append("ended by a fault of ours: everything judged so far is here")
     value = document_of(done, groups, chosen, absent, declared, cases, watch, code, walls)
@@ -125,7 +128,11 @@ def answer(context: typer.Context, request: VerifyRequest) -> None:
         page = write_report(output.report, done, groups, value, limits, again, solids)
         value["report"] = str(page)
         value["seconds"] = watch.seconds()
-    _give(output, done, groups, value, walls)
+    accepted = None
+    if output.write_baseline is not None:
+        faults = ((finding.outcome, finding.case.name.text) for finding in done.findings)
+        accepted = accepting(listed, faults, versions)
+    _give(output, done, groups, value, walls, accepted)
     if done.failed is not None:
         raise InternalError(done.failed)
     if code == ExitCode.USAGE:
@@ -140,6 +147,7 @@ def _check(request: VerifyRequest) -> None:
     check_numbers(
         {
             "--seconds": cases.seconds,
+            "--time-limit": bounds.time_limit,
             "--pairs": cases.pairs,
             "--seed": cases.seed,
             "--jobs": bounds.jobs,
@@ -153,6 +161,7 @@ def _check(request: VerifyRequest) -> None:
     )
     for file in request.output.verdict_files():
         check_writable(file)
+    check_annotations(request.output.annotations)
 
 
 def _walls(request: VerifyRequest) -> Isolation:
@@ -197,7 +206,7 @@ def _judged(
     try:
         if book is not None:
             cases.spent = book.spent
-        with ending_in_order(), ProgressLine(cases.count) as line:
+        with ending_in_order(), ProgressLine(cases.count) as line, time_limit(bounds.time_limit):
             done = run(
                 cases, names, ALL_TARGETS, versions, listed, limits, workers, line.show, book,
                 bounds.first,
@@ -237,7 +246,12 @@ def _said(request: VerifyRequest) -> dict[str, Any]:
 
 
 def _give(
-    output: Output, done: Run, groups: list[Group], value: dict[str, Any], walls: Isolation
+    output: Output,
+    done: Run,
+    groups: list[Group],
+    value: dict[str, Any],
+    walls: Isolation,
+    accepted: str | None,
 ) -> None:
     """Writes the files of verdicts, all or none, and prints."""
     written: dict[Path, str | bytes] = {}
@@ -249,16 +263,22 @@ def _give(
         written[output.markdown_file] = markdown(done, groups, value)
     if output.lines_file is not None:
         written[output.lines_file] = json_lines(value)
+    if output.write_baseline is not None and accepted is not None:
+        written[output.write_baseline] = accepted
     write_together(written)
+    sys.stderr.write(annotations(output.annotations, groups))
     if output.json:
         sys.stdout.write(as_text(value))
     elif not output.quiet:
         print_tables(done, groups, value)
 
 
-def _ended(done: Run, ledger: Path | None) -> str:
-    """Says what a run has done that a signal ended, and how to go on."""
+def _ended(done: Run, request: VerifyRequest) -> str:
+    """Says what a run has done that a signal or the time limit ended, and how to go on."""
+    ledger = request.output.ledger
     name = signal.Signals(done.ended or 0).name
+    if done.ended == OUT_OF_TIME:
+        name = f"--time-limit {request.bounds.time_limit:g}"
     how = "a run with --ledger FILE continues where it ended"
     if ledger is not None:
         how = f"the same command continues from {ledger}"

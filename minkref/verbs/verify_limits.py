@@ -26,6 +26,7 @@ RANGES: dict[str, tuple[int, int | None]] = {
     "--jobs": (1, MOST_JOBS),
     "--call-memory": (16, MOST_MEMORY),
     "--call-output": (1, MOST_MEMORY),
+    "--time-limit": (1, None),
     "--call-processes": (1, MOST_PROCESSES),
     "--memory": (256, MOST_MEMORY),
     "--size-limit": (1, None),

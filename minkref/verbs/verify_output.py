@@ -8,6 +8,7 @@ import sys
 from collections import Counter
 from typing import Any
 
+from minkref.cli.progress_lines import progress_lines
 from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.catalogue import TargetEntry
@@ -17,6 +18,7 @@ from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.output.documents import Stopwatch, document
+from minkref.output.signals import OUT_OF_TIME
 from minkref.output.terminal import console, counted, escaped
 from minkref.reports.conformance.run_words import (
     conclusion,
@@ -34,9 +36,10 @@ SMALL = 400  # vertices up to which a finding carries its operands in full
 
 
 class ProgressLine:
-    """A line on the terminal (standard error); nothing in a pipe."""
+    """A line on the terminal (standard error); without a terminal a new line every half minute."""
 
     def __init__(self, count: int | None) -> None:
+        self._words = "verify"
         self._progress = Progress(
             TextColumn("{task.description}"),
             BarColumn(),
@@ -50,22 +53,24 @@ class ProgressLine:
         self._task = self._progress.add_task("verify", total=count, findings="")
 
     def __enter__(self) -> ProgressLine:
-        self._progress.start()
+        lines = progress_lines(lambda: self._words) if self._progress.disable else self._progress
+        self._shown = lines
+        self._shown.__enter__()
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._progress.stop()
+        self._shown.__exit__(None, None, None)
 
     def say(self, what: str) -> None:
+        self._words = what
         self._progress.update(self._task, description=what)
 
     def show(self, run: Run) -> None:
-        self._progress.update(
-            self._task,
-            completed=sum(run.cases.values()),
-            description=run.groups[-1] if run.groups else "verify",
-            findings=counted(len(run.findings), "finding") if run.findings else "",
-        )
+        cases = sum(run.cases.values())
+        findings = counted(len(run.findings), "finding") if run.findings else ""
+        family = run.groups[-1] if run.groups else "verify"
+        self._words = ", ".join(filter(None, (f"verify: {counted_cases(cases)}", findings)))
+        self._progress.update(self._task, completed=cases, description=family, findings=findings)
 
 
 def document_of(
@@ -85,7 +90,7 @@ def document_of(
         "verify",
         watch,
         exit_code=code,
-        ended_by=signal.Signals(run.ended).name if run.ended is not None else None,
+        ended_by=_ended_by(run.ended),
         isolation=walls.document(),
         seed=cases.seed,
         targets=[_target_document(entry, declared[entry.name]) for entry in chosen],
@@ -109,6 +114,12 @@ def document_of(
         ],
         report=None,
     )
+
+
+def _ended_by(number: int | None) -> str | None:
+    if number is None:
+        return None
+    return "time-limit" if number == OUT_OF_TIME else signal.Signals(number).name
 
 
 def _target_document(entry: TargetEntry, declared: Declaration) -> dict[str, Any]:

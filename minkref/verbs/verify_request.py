@@ -21,6 +21,7 @@ from minkref.cli.target_options import (
 from minkref.fuzz.isolation.isolation import AUTO
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import JUDGING_BYTES, PROCESSES
+from minkref.reports.conformance.annotations import AUTO as WHERE_IT_RUNS
 
 TargetNames = Annotated[
     list[str] | None,
@@ -36,6 +37,15 @@ TargetNames = Annotated[
 BaselineFile = Annotated[
     Path | None,
     typer.Option("--baseline", help="Known faults: shown, but without effect on the exit code."),
+]
+WriteBaseline = Annotated[
+    Path | None,
+    typer.Option(
+        "--write-baseline",
+        help="Accept the faults of this run: write them to a baseline, after the entries of "
+        "--baseline, and exit with 0.",
+        metavar="FILE",
+    ),
 ]
 Suite = Annotated[
     str, typer.Option("--suite", help="fuzz (generated cases), corpus (case files) or all.")
@@ -103,6 +113,15 @@ LedgerFile = Annotated[
         metavar="FILE",
     ),
 ]
+TimeLimit = Annotated[
+    float | None,
+    typer.Option(
+        "--time-limit",
+        help="End the whole run after this time, in seconds: cases, models and shrinking. What "
+        "is judged by then counts.",
+        metavar="N",
+    ),
+]
 ShrinkCalls = Annotated[
     int,
     typer.Option(
@@ -123,6 +142,15 @@ MarkdownFile = Annotated[
 ]
 LinesFile = Annotated[
     Path | None, typer.Option("--lines", help="Write the findings as JSON lines.", metavar="FILE")
+]
+Annotations = Annotated[
+    str,
+    typer.Option(
+        "--annotations",
+        help="Mark findings on the page of the run: github, none, or auto: github where "
+        "GITHUB_ACTIONS is true. They go to standard error.",
+        metavar="KIND",
+    ),
 ]
 First = Annotated[
     bool, typer.Option("--first", help="Stop at the first case that is wrong or broken.")
@@ -191,6 +219,7 @@ class Bounds:
     """How much it may take. Memory and output in MiB."""
 
     jobs: Jobs = None
+    time_limit: TimeLimit = None
     shrink_calls: ShrinkCalls = MOST_CALLS
     first: First = False
     call_seconds: CallSeconds = 30.0
@@ -211,13 +240,18 @@ class Output:
     sarif_file: Sarif = None
     markdown_file: MarkdownFile = None
     lines_file: LinesFile = None
+    write_baseline: WriteBaseline = None
+    annotations: Annotations = WHERE_IT_RUNS
     strict: Strict = False
     quiet: Quiet = False
     json: Json = False
 
     def verdict_files(self) -> list[Path]:
         """Files written together, at the end."""
-        files = (self.junit_file, self.sarif_file, self.markdown_file, self.lines_file)
+        files = (
+            self.junit_file, self.sarif_file, self.markdown_file, self.lines_file,
+            self.write_baseline,
+        )  # fmt: skip
         return [file for file in files if file is not None]
 
 
@@ -231,9 +265,10 @@ class VerifyRequest:
 
 #: As the help lists them.
 ORDER = (
-    "targets", "baseline", "suite", "corpus", "seconds", "pairs", "seed", "family", "derived",
-    "jobs", "case", "no_settings", "settings", "models", "ledger", "shrink_calls", "report",
-    "junit_file", "sarif_file", "markdown_file", "lines_file", "first", "strict", "call_seconds",
+    "targets", "baseline", "write_baseline", "suite", "corpus", "seconds", "pairs", "time_limit",
+    "seed", "family", "derived", "jobs", "case", "no_settings", "settings", "models", "ledger",
+    "shrink_calls", "report", "junit_file", "sarif_file", "markdown_file", "lines_file",
+    "annotations", "first", "strict", "call_seconds",
     "call_memory", "call_output", "call_processes", "memory", "size_limit", "isolation",
     "pass_env", "quiet", "json",
 )  # fmt: skip

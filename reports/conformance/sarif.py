@@ -64,7 +64,7 @@ def _rule(kinds: Kinds) -> dict[str, Any]:
     }
 
 
-def _place(target: str) -> str:
+def place(target: str) -> str:
     """A file for code scanning, which shows no result without a file: the target's file, relative
     to the current folder and below it; else the target's name."""
     words = [target]
@@ -104,7 +104,7 @@ def _results(group: Group, rule: int) -> list[dict[str, Any]]:
             "locations": [
                 {
                     "physicalLocation": {
-                        "artifactLocation": {"uri": _place(outcome.target)},
+                        "artifactLocation": {"uri": place(outcome.target)},
                         "region": {"startLine": 1},
                     },
                     "logicalLocations": [{"name": escaped(outcome.target), "kind": "module"}],

@@ -11,6 +11,7 @@ from functools import cache
 from minkref import _core
 from minkref.cli.memory import SMALLER, memory_wall
 from minkref.cli.output import give
+from minkref.cli.progress import told_of
 from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.errors import Refusal, refusing
 from minkref.output.documents import Stopwatch, document
@@ -122,10 +123,14 @@ def _bounds(request: ViewInPlane) -> tuple[Fraction, Fraction]:
 
 @contextmanager
 def ring_progress() -> Iterator[Progress]:
-    """A bar on a terminal, nothing elsewhere."""
+    """A bar on a terminal, else lines."""
     from rich.progress import Progress as Bar
 
-    with Bar(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as bar:
+    if not sys.stderr.isatty():
+        with told_of("rings") as tell:
+            yield tell
+        return
+    with Bar(console=Console(stderr=True), transient=True) as bar:
         bar.console.show_cursor(True)  # Ctrl-C ends the process at once
         task = bar.add_task("events", total=None)
 

@@ -69,8 +69,11 @@ class VerifyDocument(Head):
     command: Literal["verify"]
     exit_code: Literal[0, 1, 2, 3, 4, 70, 129, 130, 143]
     ended_by: Annotated[
-        Literal[None, "SIGHUP", "SIGINT", "SIGTERM"],
-        Meta(description="The signal that ended the run: what was judged until then is there."),
+        Literal[None, "SIGHUP", "SIGINT", "SIGTERM", "time-limit"],
+        Meta(
+            description="The signal, or --time-limit, that ended the run: what was judged until "
+            "then is there."
+        ),
     ]
     isolation: Isolation
     seed: int
