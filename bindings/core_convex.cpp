@@ -14,6 +14,7 @@
 
 #include "bindings/core.hpp"
 #include "bindings/core_fields.hpp"
+#include "bindings/core_shapes.hpp"
 #include "bindings/core_space.hpp"
 #include "bindings/vector_caster.hpp"
 #include "reference/error.hpp"
@@ -157,6 +158,12 @@ void bind_convex(nb::module_& module) {
       .def_prop_ro("vertices", [](const ConvexBody& self) { return self.value->vertices(); })
       .def_prop_ro("edges", [](const ConvexBody& self) { return self.value->edges(); })
       .def_prop_ro("facets", [](const ConvexBody& self) { return self.value->facets(); })
+      .def_prop_ro(
+          "volume",
+          [](const ConvexBody& self) {
+            return quantity(sextuple_volume(self.value->surface()) / 6);
+          },
+          nb::sig("def volume(self) -> fractions.Fraction"), "The exact volume. Linear.")
       .def(
           "surface", [](const ConvexBody& self) { return Surface(self.value->surface()); },
           "In canonical form.");

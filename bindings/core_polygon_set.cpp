@@ -74,12 +74,12 @@ std::string compared_text(const Set& set) {
   return canonical_json({{{std::move(ends), {}}}});
 }
 
-bool has_point(const Set& set, const nb::object& point) {
+Location location(const Set& set, const nb::object& point) {
   const Set read = set_of_shape(point, false);
   if (!read.value.is_point()) {
     throw BadInput("no-point", "this is not a point", "give a point (x, y)");
   }
-  return locate(set.value, read.value.polygons[0].outer[0]) != Location::outside;
+  return locate(set.value, read.value.polygons[0].outer[0]);
 }
 
 /// The result of a function of Python for two sets.
@@ -123,12 +123,25 @@ void bind_operators(nb::class_<Set>&& bound) {
           nb::is_operator(), nb::sig("def __sub__(self, other: PolygonSet, /) -> typing.Any"),
           "The erosion of the first set by the second one, as minkref.erode gives it. (The "
           "difference of two sets is minkref.subtract.)")
-      .def("__contains__", has_point, "point"_a,
-           nb::sig("def __contains__(self, point: object, /) -> bool"),
-           "Whether the closed set has a point (x, y). Exact. O(n).");
+      .def(
+          "__contains__",
+          [](const Set& set, const nb::object& point) {
+            return location(set, point) != Location::outside;
+          },
+          "point"_a, nb::sig("def __contains__(self, point: object, /) -> bool"),
+          "Whether the closed set has a point (x, y). Exact. O(n).")
+      .def(
+          "locate",
+          [](const Set& set, const nb::object& point) { return word_of(location(set, point)); },
+          "point"_a, "Where a point (x, y) lies: inside, boundary or outside. Exact. O(n).");
 }
 
 }  // namespace
+
+std::string word_of(Location location) {
+  if (location == Location::boundary) return "boundary";
+  return location == Location::inside ? "inside" : "outside";
+}
 
 void bind_polygon_set(nb::module_& module) {
   unchanging(nb::class_<Set>(
@@ -196,9 +209,9 @@ void bind_polygon_set(nb::module_& module) {
       .def("bounding_box", bounding_box,
            "xmin, ymin, xmax, ymax: the nearest doubles. Raises as arrays(); ValueError for the "
            "empty set.")
-      .def(
-          "area", [](const Set& set) { return to_string(area(set.value)); }, Released(),
-          "The exact area.")
+      .def_prop_ro(
+          "area", [](const Set& set) { return quantity(area(set.value)); },
+          nb::sig("def area(self) -> fractions.Fraction"), "The exact area. Linear.")
       .def(
           "scaled",
           [](const Set& set, const std::string& factor) {

@@ -20,6 +20,7 @@
 #include "bindings/core_build.hpp"
 #include "bindings/core_convex.hpp"
 #include "bindings/core_polyhedral_state.hpp"
+#include "bindings/core_shapes.hpp"
 #include "bindings/core_space.hpp"
 #include "bindings/core_space_surface.hpp"
 #include "bindings/core_sum_surface.hpp"
@@ -29,6 +30,7 @@
 #include "reference/space/definition/definition_sum.hpp"
 #include "reference/space/definition/tight_passages.hpp"
 #include "reference/space/edges/edge_sum.hpp"
+#include "reference/space/point_location.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -40,6 +42,12 @@ std::optional<ConvexBody> convex_body(const PolyhedralSet& set) {
   std::optional<ConvexPolyhedron> found = convex_polyhedron(set);
   if (!found) return std::nullopt;
   return ConvexBody{std::make_shared<const ConvexPolyhedron>(std::move(*found))};
+}
+
+Location location(const PolyhedralSet& set, const nb::object& point) {
+  const SpacePoint x = to_point(space_point_of(point, "the point"));
+  const Computing computing;
+  return locate(set, x);
 }
 
 void bind_set(nb::class_<PolyhedralSet>& bound) {
@@ -80,8 +88,21 @@ void bind_set(nb::class_<PolyhedralSet>& bound) {
           },
           Released(), "The boundary: facets, meshes, topology. Exact.")
       .def(
-          "volume", [](const PolyhedralSet& set) { return to_string(volume(set)); }, Released(),
-          "The exact volume.")
+          "__contains__",
+          [](const PolyhedralSet& set, const nb::object& point) {
+            return location(set, point) != Location::outside;
+          },
+          "point"_a, nb::sig("def __contains__(self, point: object, /) -> bool"),
+          "Whether the closed set has a point (x, y, z). Exact. O(n).")
+      .def(
+          "locate",
+          [](const PolyhedralSet& set, const nb::object& point) {
+            return word_of(location(set, point));
+          },
+          "point"_a, "Where a point (x, y, z) lies: inside, boundary or outside. Exact. O(n).")
+      .def_prop_ro(
+          "volume", [](const PolyhedralSet& set) { return quantity(volume(set)); },
+          nb::sig("def volume(self) -> fractions.Fraction"), "The exact volume. Linear.")
       .def_prop_ro(
           "planes", [](const PolyhedralSet& set) { return set.faces.size(); },
           "In how many oriented planes its faces lie.")

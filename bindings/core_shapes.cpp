@@ -129,6 +129,10 @@ std::string number_text(nb::handle value, const std::string& where) {
   return nb::cast<std::string>(read(value, where));
 }
 
+nb::object quantity(const Rational& value) {
+  return nb::module_::import_("minkref.quantity").attr("Quantity")(to_string(value));
+}
+
 nb::list exact_rings(const Set& set) {
   const nb::object fraction = nb::module_::import_("fractions").attr("Fraction");
   const auto number = [&](const Rational& value) {

@@ -8,6 +8,7 @@
 
 #include "bindings/core.hpp"
 #include "formats/limits.hpp"
+#include "reference/plane/location.hpp"
 
 namespace minkref::python {
 
@@ -22,6 +23,12 @@ Set set_of_shape(const nanobind::object& shape, bool validated);
 /// The exact text of a Python number (minkref/shapes.py); a text stays unchanged. `where` names the
 /// place for a refusal.
 std::string number_text(nanobind::handle value, const std::string& where);
+
+/// "inside", "boundary" or "outside".
+std::string word_of(Location location);
+
+/// An exact area or volume (minkref/quantity.py).
+nanobind::object quantity(const Rational& value);
 
 /// The rings as stored, as pairs of fractions.Fraction.
 nanobind::list exact_rings(const Set& set);

@@ -40,18 +40,7 @@ Polyhedron polyhedron_of(const std::vector<ExactSpacePoint>& vertices,
 std::vector<ExactSpacePoint> points_of(const nb::object& vertices) {
   std::vector<ExactSpacePoint> result;
   for (const nb::handle row : vertices) {
-    const std::string where = "vertex " + std::to_string(result.size());
-    std::array<std::string, 3> texts;
-    std::size_t count = 0;
-    for (const nb::handle number : row) {
-      if (count < texts.size()) texts[count] = number_text(number, where);
-      ++count;
-    }
-    if (count != texts.size()) {
-      throw BadInput("not-a-point", where + " has " + std::to_string(count) + " coordinates",
-                     "give x, y and z");
-    }
-    result.emplace_back(texts[0], texts[1], texts[2]);
+    result.push_back(space_point_of(row, "vertex " + std::to_string(result.size())));
   }
   return result;
 }
@@ -102,6 +91,20 @@ std::vector<std::vector<TriangleCorners>> triangles(const Polyhedron& polyhedron
 }
 
 }  // namespace
+
+ExactSpacePoint space_point_of(nb::handle row, const std::string& where) {
+  std::array<std::string, 3> texts;
+  std::size_t count = 0;
+  for (const nb::handle number : row) {
+    if (count < texts.size()) texts[count] = number_text(number, where);
+    ++count;
+  }
+  if (count != texts.size()) {
+    throw BadInput("not-a-point", where + " has " + std::to_string(count) + " coordinates",
+                   "give x, y and z");
+  }
+  return {texts[0], texts[1], texts[2]};
+}
 
 void bind_space(nb::module_& module) {
   unchanging(nb::class_<Surface>(

@@ -1,6 +1,8 @@
 // Points and scalings from space across Python's border.
 #pragma once
 
+#include <nanobind/nanobind.h>
+
 #include <string>
 #include <tuple>
 #include <utility>
@@ -20,6 +22,9 @@ struct Surface {
   explicit Surface(Polyhedron polyhedron) { reading.polyhedron = std::move(polyhedron); }
   const Polyhedron& value() const { return reading.polyhedron; }
 };
+
+/// A row of three Python numbers; `where` names the row for a refusal.
+ExactSpacePoint space_point_of(nanobind::handle row, const std::string& where);
 
 inline ExactSpacePoint to_strings(const SpacePoint& point) {
   return {to_string(point.x), to_string(point.y), to_string(point.z)};

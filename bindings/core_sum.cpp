@@ -11,6 +11,7 @@
 #include "bindings/core.hpp"
 #include "bindings/core_convex_polygons.hpp"
 #include "bindings/core_fields.hpp"
+#include "bindings/core_shapes.hpp"
 #include "bindings/core_timed_sum.hpp"
 #include "bindings/plane_scale.hpp"
 #include "bindings/stopwatch.hpp"
@@ -92,6 +93,9 @@ void bind_sum(nb::module_& module) {
                     std::to_string(sum.region.value.vertices()) + " vertices>";
            })
       .def_ro("region", &TimedSum::region)
+      .def_prop_ro(
+          "area", [](const TimedSum& sum) { return quantity(area(sum.region.value)); },
+          nb::sig("def area(self) -> fractions.Fraction"), "The exact area. Linear.")
       .def_ro("components", &TimedSum::components)
       .def_ro("holes", &TimedSum::holes)
       .def_ro("seconds", &TimedSum::seconds, "Of the computation, without conversions.")

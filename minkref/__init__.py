@@ -3,7 +3,7 @@
 import minkref
 P = minkref.PolygonSet([(0, 0), (4, 0), (0, 3)])
 result = minkref.minkowski_sum(P, minkref.read_file("Q.wkt"), "7/5")
-print(result.region.area(), result.region.rings())
+print(result.area, result.region.rings())
 """
 
 from __future__ import annotations
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from minkref.api import (
         BadInput,
         BadPolygon,
+        Ball,
+        Between,
         Bridge,
         BridgeTrack,
         Certificate,
@@ -82,6 +84,7 @@ if TYPE_CHECKING:
         UndecidedSign,
         ValidScales,
         bad_polygons,
+        ball_sum,
         build_index,
         closing,
         convex_sum,
@@ -123,6 +126,8 @@ __version__ = version()
 __all__ = [
     "BadInput",
     "BadPolygon",
+    "Ball",
+    "Between",
     "Bridge",
     "BridgeTrack",
     "Certificate",
@@ -189,6 +194,7 @@ __all__ = [
     "UndecidedSign",
     "ValidScales",
     "bad_polygons",
+    "ball_sum",
     "build_index",
     "closing",
     "convex_sum",

@@ -76,6 +76,7 @@ from minkref.motion.space_values import SpaceFreeBound as SpaceFreeBound
 from minkref.motion.space_values import SpaceFreeScales as SpaceFreeScales
 from minkref.motion.space_values import SpacePathBound as SpacePathBound
 from minkref.motion.space_values import SpaceValidScales as SpaceValidScales
+from minkref.offset_picture import show_values as show_offsets
 from minkref.plane.convolution_values import Convolution as Convolution
 from minkref.plane.convolution_values import ConvolutionEdge as ConvolutionEdge
 from minkref.plane.convolution_values import convolution as convolution
@@ -91,6 +92,7 @@ from minkref.plane.event_values import Events as Events
 from minkref.plane.event_values import events as events
 from minkref.plane.operand import is_utf8, read_set
 from minkref.plane.parents import passages_of
+from minkref.plane.shown_values import show_values as show_sums
 from minkref.scene.free_values import FreeCell as FreeCell
 from minkref.scene.free_values import FreeComponent as FreeComponent
 from minkref.scene.free_values import Holder as Holder
@@ -102,6 +104,10 @@ from minkref.scene.scene_values import Owner as Owner
 from minkref.scene.scene_values import Scene as Scene
 from minkref.scene.scene_values import ScenePassage as ScenePassage
 from minkref.scene.scene_values import read_scene as read_scene
+from minkref.space.ball_sum import Between as Between
+from minkref.space.ball_values import Ball as Ball
+from minkref.space.ball_values import ball_sum as ball_sum
+from minkref.space.shown_values import show_values as show_convex_sums
 
 BadInput = _core.BadInput
 ConvexPolyhedron = _core.ConvexPolyhedron
@@ -115,6 +121,8 @@ ScaleIndex = _core.ScaleIndex
 Sum = _core.Sum
 UndecidedSign = _core.UndecidedSign
 check_methods()
+for show in (show_sums, show_offsets, show_convex_sums):
+    show()
 
 Number = str | int | Fraction
 PlaneScale = Number | Sequence[Number]

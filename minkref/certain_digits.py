@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from decimal import Context, Decimal
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 
 DIGITS = 10
@@ -20,6 +20,18 @@ def between(low: float | None, high: float | None, digits: int = DIGITS) -> str:
         if text == f"{high:.{count}g}":
             return text
     return f"between {low:.3g} and {high:.3g}"
+
+
+def enclosing(low: str, high: str, digits: int = 6) -> str:
+    """Write the bounds of a number, exact texts of any size, rounded away from the number."""
+    texts = []
+    for number, way in ((low, ROUND_FLOOR), (high, ROUND_CEILING)):
+        exact = Fraction(number)
+        context = Context(prec=digits, rounding=way, Emax=10**9, Emin=-(10**9))
+        near = context.divide(Decimal(exact.numerator), Decimal(exact.denominator)).normalize()
+        small = -5 <= near.adjusted() < digits
+        texts.append(f"{near:f}" if small else f"{near:e}".replace("e+", "e"))
+    return texts[0] if texts[0] == texts[1] else f"between {texts[0]} and {texts[1]}"
 
 
 def root(square: Fraction, digits: int) -> str:

@@ -151,6 +151,12 @@ def _divided(number: str, digits: int) -> Decimal:
     return context.divide(Decimal(numerator), Decimal(denominator or "1"))
 
 
+def power_of_ten_below(value: Fraction) -> Fraction:
+    """Return the greatest power of ten at most equal to a positive number."""
+    power = Fraction(10) ** (len(str(value.numerator)) - len(str(value.denominator)))
+    return power if power <= value else power / 10
+
+
 def set_json(polygons: Iterable[tuple[Sequence[Any], Iterable[Sequence[Any]]]]) -> str:
     """Write a polygon set as JSON, from (outer ring, holes) with coordinates that print exactly."""
     return json.dumps(

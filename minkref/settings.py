@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from minkref.disc.disc import is_disc
 from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.scene.scene_name import names_scene
+from minkref.space.ball import is_ball
 from minkref.space.operand import in_space
 
 
@@ -31,12 +32,13 @@ SCENE = Setting(
     "scene", "for a scene", lambda operands, given: len(operands) == 1 and names_scene(*operands)
 )
 MOTION = Setting("motion", "with a path", lambda operands, given: "--path" in given)
+BALL = Setting("ball", "with a ball", lambda operands, given: any(map(is_ball, operands)))
 DISC = Setting("disc", "with a disc", lambda operands, given: any(map(is_disc, operands)))
 SPACE = Setting("space", "in space", lambda operands, given: in_space(*operands))
 PLANE = Setting("plane", "in the plane", lambda operands, given: True)
 
 ALONE = (FEATURES, SCENE)  # of a single operand
-SETTINGS = (*ALONE, MOTION, DISC, SPACE, PLANE)  # the first one that takes the operands
+SETTINGS = (*ALONE, MOTION, BALL, DISC, SPACE, PLANE)  # the first one that takes the operands
 
 
 def _is_told_scene(*operands: str) -> bool:

@@ -88,22 +88,24 @@ def passage_layers(passages: Passages, frame: Frame) -> list[Layer]:
     return layers
 
 
-def common_frame(boxes: Sequence[ExactBox | None]) -> tuple[Fraction, tuple[float, float]]:
+def common_frame(
+    boxes: Sequence[ExactBox | None], width: int = PANE
+) -> tuple[Fraction, tuple[float, float]]:
     """The factor by which sets with these boxes fit their panes, and the room for the largest."""
     sides = [(box[2] - box[0], box[3] - box[1]) for box in boxes if box is not None]
     wide, high = (max((side[k] for side in sides), default=Fraction(0)) for k in (0, 1))
-    factor = fitted((Fraction(0), Fraction(0), wide, high), PANE, PANE).factor
+    factor = fitted((Fraction(0), Fraction(0), wide, high), width, width).factor
     return factor, (float(wide * factor), float(high * factor))
 
 
-def pane(layers: list[Layer], room: tuple[float, float], caption: str) -> str:
+def pane(layers: list[Layer], room: tuple[float, float], caption: str, width: int = PANE) -> str:
     """A picture of the layers in the middle of the room; a speck gets a mark."""
     left, bottom, right, top = bounds(layers)
     x, y = (left + right) / 2, (bottom + top) / 2
     if layers and max(right - left, top - bottom) < SPECK:
         layers = [*layers, Layer(layers[0].style, point=(x, y))]
     box: Box = (x - room[0] / 2, y - room[1] / 2, x + room[0] / 2, y + room[1] / 2)
-    return picture(layers, caption, PANE, box)
+    return picture(layers, caption, width, box)
 
 
 def short_name(name: str) -> str:

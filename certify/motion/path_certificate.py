@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 from minkref import _core
 from minkref.argument_types import expect_sets, number
 from minkref.certify.case_text import plain_polygons
+from minkref.certify.claims_text import shown
 from minkref.certify.motion.clearance import Clearance, Collision, TooLong
 from minkref.certify.motion.collisions import Collisions, NoHit
 from minkref.certify.motion.convex_cells import Place
@@ -55,6 +56,9 @@ class PathCertificate:
         self.pair = Pair(part, obstacles)
         self.steps: list[Any] = [*self.pair.steps]
         self.claims: list[dict[str, Any]] = []
+
+    def __repr__(self) -> str:
+        return shown(self, self.claims)
 
     def free(self, scales: ScaleRange, contact: str = "allowed") -> int:
         """Claims that the path collides nowhere at any scale of a range."""

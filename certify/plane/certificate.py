@@ -12,6 +12,7 @@ from typing import Any
 from minkref import _core
 from minkref.argument_types import expect_sets, number
 from minkref.certify.case_text import case_digest, case_text, places
+from minkref.certify.claims_text import shown
 from minkref.certify.plane.coincidence import coincidences
 from minkref.certify.plane.moving_form import Figure, figure, moving_form
 from minkref.certify.plane.predicate import Place, Predicate, Vertices
@@ -56,6 +57,9 @@ class Certificate:
         self._vertices = Vertices(places(P), places(Q))
         self.claims: list[dict[str, Any]] = []
         self._figures: dict[int, Figure] = {}  # for sum and interval claims
+
+    def __repr__(self) -> str:
+        return shown(self, self.claims)
 
     def sum(self, scale: Number, passages: bool = False) -> int:
         """Claims the sum at a scale; with `passages` also its tight passages, each by a claim of

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from minkref import _core
 from minkref.argument_types import expect_surfaces
+from minkref.certify.claims_text import shown
 from minkref.exact import digest
 from minkref.version import version
 
@@ -49,6 +50,9 @@ class ConvexCertificate:
         self.claims: list[dict[str, Any]] = []
         self._sums: list[dict[str, Any]] = []
         self._numbers: dict[Scaling, int] = {}  # claims' numbers
+
+    def __repr__(self) -> str:
+        return shown(self, self.claims)
 
     def sum(self, scaling: Scaling) -> int:
         """Claims the sum at a scaling. Returns the claim's number: an earlier number if the scaling

@@ -10,6 +10,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.argument_types import expect_surfaces
+from minkref.certify.claims_text import shown
 from minkref.certify.space.solid_pieces import Row, ScaledTiling, Tiling
 from minkref.certify.space.solid_planes import planes
 from minkref.certify.space.solid_tree import TooLarge, Trees
@@ -39,6 +40,9 @@ class SolidCertificate:
         if pairs > MOST_PAIRS:
             what = f"the operands have {pairs:,} pairs of convex pieces, more than {MOST_PAIRS:,}"
             raise _too_large(what)
+
+    def __repr__(self) -> str:
+        return shown(self, self.claims)
 
     def sum(self, scaling: Scaling) -> int:
         """Claims the sum at a scaling. Returns the claim's number: an earlier number if the scaling

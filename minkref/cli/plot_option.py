@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 
 from minkref import _core
 from minkref.errors import Refusal
@@ -24,9 +25,11 @@ def check_plot(plot: bool, json: bool, target: Target | None) -> None:
     check_drawable()
 
 
-def print_plot(plot: bool, region: _core.PolygonSet | None) -> None:
-    """Draw the set where a picture is wanted."""
+def print_plot(
+    plot: bool, region: _core.PolygonSet | None, passages: Sequence[Sequence[Sequence[str]]] = ()
+) -> None:
+    """Draw the set, with tight passages in it, where a picture is wanted."""
     if plot and region is not None:
         from minkref.cli.terminal_picture import terminal_picture
 
-        sys.stdout.write("\n" + terminal_picture(region, console().width))
+        sys.stdout.write("\n" + terminal_picture(region, console().width, passages))

@@ -11,6 +11,8 @@ from typing import Any
 from minkref import _core
 from minkref.disc.disc_index import Bounds, Number
 from minkref.disc.features import FeatureBar, Features, Notch, Place
+from minkref.output.terminal import counted
+from minkref.plane.small_picture import small_picture
 
 
 @dataclass(frozen=True)
@@ -66,6 +68,12 @@ class Decomposition:
     notches: tuple[Notch, ...]
     cuts: tuple[Cut, ...]
     pieces: tuple[Piece, ...]
+
+    def _repr_svg_(self) -> str:
+        """The picture in a notebook: pieces, and cuts as lines."""
+        cuts = [[tuple(map(str, end)) for end in (cut.start, cut.end)] for cut in self.cuts]
+        caption = f"{counted(len(self.pieces), 'piece')}, {counted(len(self.cuts), 'cut')}"
+        return small_picture([piece.region for piece in self.pieces], caption, cuts)
 
     @property
     def bars(self) -> list[FeatureBar]:

@@ -55,16 +55,22 @@ def read_disc(name: str) -> Disc:
     """Read a disc. Refuses anything but a positive finite number after the prefix."""
     if name == ANY:
         raise Refusal("the disc has no radius", name, MEND, "bad-radius")
-    text = name.removeprefix(PREFIX)
+    return Disc(name, read_squared_radius(name, PREFIX, MEND))
+
+
+def read_squared_radius(name: str, prefix: str, mend: str) -> Fraction:
+    """Read the square of the radius in `PREFIX R` or `PREFIX sqrt:N`. Refuses anything but a
+    positive finite number."""
+    text = name.removeprefix(prefix)
     where = name[:40] + ("..." if len(name) > 40 else "")
     if len(text) > LONGEST_SCALE:
-        raise Refusal(f"the radius has more than {LONGEST_SCALE} characters", where, MEND, "limit")
+        raise Refusal(f"the radius has more than {LONGEST_SCALE} characters", where, mend, "limit")
     is_root = text.startswith(ROOT)
-    value = read_number(text.removeprefix(ROOT).strip(), "radius", where, MEND)
+    value = read_number(text.removeprefix(ROOT).strip(), "radius", where, mend)
     if value <= 0:
         what = "zero" if value == 0 else "negative"
-        raise Refusal(f"the radius is {what}", where, MEND, "bad-radius")
-    return Disc(name, value if is_root else value**2)
+        raise Refusal(f"the radius is {what}", where, mend, "bad-radius")
+    return value if is_root else value**2
 
 
 def read_tolerance(text: str, option: str) -> Fraction:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from minkref import _core
 from minkref.disc.disc import Disc
 from minkref.errors import Refusal
-from minkref.exact import set_json
+from minkref.exact import power_of_ten_below, set_json
 
 MOST_CORNERS = 100_000
 GAP = 64  # roundings' share: the tolerance, or a smaller radius, divided by this
@@ -25,7 +25,7 @@ def sum_near(P: _core.PolygonSet, disc: Disc, within: Fraction, outside: bool) -
     least = min(within, disc.bounds(80)[0])
     for attempt in range(ATTEMPTS):
         gap = least / (GAP + 9 * attempt)
-        unit = _power_of_ten_below(gap / 4)
+        unit = power_of_ten_below(gap / 4)
         polygon = polygon_near(disc, within, outside, gap, unit)
         near = _core.minkowski_sum(P, polygon, "1").region
         found = _rounded(near, unit / 1000**attempt)
@@ -118,12 +118,6 @@ def _without_repeats(ring: list[tuple[int, int]]) -> list[tuple[int, int]]:
 
 def _set_of(polygons: list[list[Ring]]) -> _core.PolygonSet:
     return _core.PolygonSet.from_json(set_json((rings[0], rings[1:]) for rings in polygons))
-
-
-def _power_of_ten_below(value: Fraction) -> Fraction:
-    """Return the greatest power of ten at most equal to a positive number."""
-    power = Fraction(10) ** (len(str(value.numerator)) - len(str(value.denominator)))
-    return power if power <= value else power / 10
 
 
 def _marks(count: int) -> Ring:

@@ -13,6 +13,7 @@ from minkref.argument_types import expect_sets, scale_text, text_of
 from minkref.errors import Refusal, choice
 from minkref.exact import digest
 from minkref.plane.parents import passages_of
+from minkref.plane.small_picture import places_picture
 
 Number = str | int | Fraction
 PlaneScale = Number | Sequence[Number]
@@ -48,6 +49,10 @@ class Erosion:
         """The SHA-256 of the region's canonical JSON."""
         return digest(self.region.canonical_json())
 
+    def _repr_svg_(self) -> str:
+        """The picture in a notebook, with remnants."""
+        return places_picture(self, "erosion", self.remnants)
+
     def __contains__(self, point: object) -> bool:
         if point in self.region:
             return True
@@ -65,6 +70,10 @@ class NoFit:
     holes: int
     exact_fits: Passages = field(compare=False)
     seconds: float = field(compare=False, default=0.0)
+
+    def _repr_svg_(self) -> str:
+        """The picture in a notebook, with exact fits."""
+        return places_picture(self, "no-fit", self.exact_fits)
 
 
 def erode(

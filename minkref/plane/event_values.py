@@ -21,6 +21,7 @@ ROUTED_KINDS = ("boundary", "topology")  # found by each of ROUTES
 ROUTES = ("dynamic", "index", "winding")
 CONVOLUTIONS = ("dynamic", "winding")  # routes that follow the reduced and the full convolution
 FORMS = ("corrected", "printed")
+MOST_ROWS = 20  # of a table in a notebook
 Number = str | int | Fraction
 Place = tuple[Fraction, Fraction]
 
@@ -94,6 +95,16 @@ class Events(Sequence[Event]):
 
     def __repr__(self) -> str:
         return f"<Events: {len(self)} {self.kind} events at {self.distinct} scales>"
+
+    def _repr_html_(self) -> str:
+        """The table in a notebook, of the first events."""
+        cells = "".join(
+            f"<tr><td>{event.scale}</td><td>{event.kind}</td><td>{event.change}</td>"
+            f"<td>{event.feature or ''}</td></tr>"
+            for event in self[:MOST_ROWS]
+        )
+        heads = "".join(f"<th>{head}</th>" for head in ("scale", "kind", "change", "feature"))
+        return f"<p>{repr(self)[1:-1]}</p><table><tr>{heads}</tr>{cells}</table>"
 
     @property
     def distinct(self) -> int:

@@ -8,12 +8,14 @@ from pathlib import Path
 from minkref.plane.operand_text import STANDARD_INPUT, is_inline, starts_wkt
 
 MEMBERS = {"schema", "robot", "copies"}
+OF_OPERANDS = {"type", "polygons", "P"}  # of GeoJSON, of plain JSON, of cases; no scene has any
 LARGEST = 1 << 26  # bytes of a file that is read to tell; a larger one counts as a scene
 
 
 def names_scene(name: str) -> bool:
     """Tell whether an operand that stands alone means a scene: standard input, JSON as text, or a
-    file that ends in .json; not if it is JSON without a member of a scene."""
+    file that ends in .json; not if it is JSON without a member of a scene, or with one of an
+    operand."""
     if name == STANDARD_INPUT:
         return True
     if is_inline(name):
@@ -32,4 +34,6 @@ def _may_be_scene(text: str) -> bool:
         value = json.loads(text)
     except (ValueError, RecursionError):
         return True
-    return not isinstance(value, dict) or bool(MEMBERS & value.keys())
+    if not isinstance(value, dict):
+        return True
+    return bool(MEMBERS & value.keys()) and not OF_OPERANDS & value.keys()

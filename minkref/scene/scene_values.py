@@ -15,6 +15,7 @@ from minkref.argument_types import expect_sets, number, truth, whole
 from minkref.errors import Refusal, choice
 from minkref.exact import digest, exact_scale
 from minkref.plane.parents import EdgeRow
+from minkref.plane.small_picture import small_picture
 from minkref.scene.copies_text import CopyRow
 from minkref.scene.free_values import (
     CONTACTS,
@@ -273,6 +274,10 @@ class Scene:
 
     def __hash__(self) -> int:
         return hash((self._robot, tuple(self._shapes.sets), tuple(self._rows)))
+
+    def _repr_svg_(self) -> str:
+        """The picture of the union in a notebook."""
+        return small_picture([self.union()], repr(self)[1:-1])
 
     def __repr__(self) -> str:
         copies, shapes = len(self._rows), len(self._shapes.sets)

@@ -5,7 +5,15 @@ from __future__ import annotations
 import json
 from typing import Any
 
-KINDS = ("in_space", "of_features", "of_scene", "with_disc", "with_disc_pairs", "with_path")
+KINDS = (
+    "in_space",
+    "of_features",
+    "of_scene",
+    "with_ball",
+    "with_disc",
+    "with_disc_pairs",
+    "with_path",
+)
 
 
 def schema(command: str) -> dict[str, Any]:

@@ -46,6 +46,7 @@ from minkref.schemas.report import ReportDocument
 from minkref.schemas.scene.file import SceneFileText
 from minkref.schemas.scene.scene import SceneDocument
 from minkref.schemas.scene.view import SceneViewDocument
+from minkref.schemas.space.ball import BallErodeDocument, BallSumDocument
 from minkref.schemas.space.convolution import SpaceConvolutionDocument
 from minkref.schemas.space.erode import SpaceErodeDocument
 from minkref.schemas.space.events import SpaceEventsDocument
@@ -71,6 +72,7 @@ DOCUMENTS = {
     "difference": DifferenceDocument,
     "erode": ErodeDocument,
     "erode_in_space": SpaceErodeDocument,
+    "erode_with_ball": BallErodeDocument,
     "erode_with_disc": DiscErodeDocument,
     "error": ErrorDocument,
     "events": EventsDocument,
@@ -99,6 +101,7 @@ DOCUMENTS = {
     "shrink": ShrinkDocument,
     "sum": SumDocument,
     "sum_in_space": SpaceSumDocument,
+    "sum_with_ball": BallSumDocument,
     "sum_with_disc": DiscSumDocument,
     "sweep": SweepDocument,
     "sweep_in_space": SpaceSweepDocument,

@@ -80,6 +80,21 @@ class MaybeEroded(TypedDict):
     ]
 
 
+class PlaceOfPoint(TypedDict):
+    """Where a point lies in the sum."""
+
+    point: Annotated[list[Number], Meta(min_length=2, max_length=3)]
+    place: Annotated[
+        Literal["inside", "boundary", "outside", "undecided"],
+        Meta(description="With a ball, between both sets: undecided."),
+    ]
+
+
+AskedPlace = Annotated[
+    PlaceOfPoint | None, Meta(description="The answer to --at; null without it.")
+]
+
+
 class InSpace(TypedDict):
     """What tells documents in space from others."""
 

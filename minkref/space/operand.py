@@ -13,6 +13,7 @@ from minkref.file_text import LONGEST, bytes_of_file
 from minkref.model_catalogue import shipped_polyhedra
 from minkref.output.terminal import escaped
 from minkref.plane.operand import LONGEST_NAME, is_regular, is_utf8, read_operand
+from minkref.space.ball import is_ball
 
 FORMATS = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
 
@@ -50,6 +51,9 @@ class SpaceOperand:
 def in_space(P: str, Q: str) -> bool:
     """Tell whether two names mean polyhedra. Refuses an operand in the plane beside an operand in
     space."""
+    for name in filter(is_ball, (P, Q)):
+        mend = "give a polyhedron; `minkref sum` and `minkref erode` also take a ball"
+        raise Refusal("this command takes no ball", name, mend, "not-with-ball")
     kinds = [_is_polyhedron(name) for name in (P, Q)]
     if kinds[0] != kinds[1]:
         flat, solid = (P, Q) if kinds[1] else (Q, P)

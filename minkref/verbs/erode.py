@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from minkref.cli.verb import Verb, command_of
-from minkref.settings import DISC, PLANE, SPACE
-from minkref.verbs.erode_request import ErodeInPlane, ErodeInSpace, ErodeWithDisc
+from minkref.settings import BALL, DISC, PLANE, SPACE
+from minkref.verbs.erode_request import ErodeInPlane, ErodeInSpace, ErodeWithBall, ErodeWithDisc
 
 EXAMPLES = """Examples:
 
@@ -30,13 +30,16 @@ minkref erode glyph1204 disc:7/5 -o inset.wkt --tolerance 1/1000
 
 minkref events glyph1204 disc --erode
 
-minkref erode housing.off part.off --passages -o places.off"""
+minkref erode housing.off part.off --passages -o places.off
+
+minkref erode housing.off ball:1/2 --tolerance 1/20 -o inset.off"""
 
 TOLD = """\
 The erosion of P, scaled by S about the origin, by Q: all places x at which x + Q lies within
     the scaled P (Minkowski difference). Exact, in canonical form, with its remnants: points and
     polylines at which Q fits exactly. Q may be a disc about the origin, as disc:7/5: the inset, or
-    inward offset, a buffer with a negative distance."""
+    inward offset, a buffer with a negative distance. In space it may be a ball, as ball:7/5: two
+    polyhedral sets then enclose the erosion."""
 
 command = command_of(
     "erode",
@@ -44,6 +47,7 @@ command = command_of(
     {
         PLANE: Verb(ErodeInPlane, "minkref.plane.commands.erode:run_erode"),
         DISC: Verb(ErodeWithDisc, "minkref.disc.commands.erode:run"),
+        BALL: Verb(ErodeWithBall, "minkref.space.commands.ball:run_erode"),
         SPACE: Verb(
             ErodeInSpace,
             "minkref.space.commands.erode:run",

@@ -131,6 +131,20 @@ class ErodeInSpace:
 
 
 @dataclass(frozen=True)
+class ErodeWithBall:
+    P: Eroded
+    Q: Eroding
+    scale: ScaleInSpace = UNIT
+    output: Output = None
+    form: Format = None
+    tolerance: Tolerance = None
+    outside: Outside = False
+    triangles: Triangles = False
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
 class MorphologyRequest:
     """Openings and closings."""
 

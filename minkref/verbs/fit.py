@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -19,6 +20,8 @@ EXAMPLES = """Examples:
 minkref fit disc1 g1 --anywhere
 
 minkref fit bolt.wkt slot.wkt --at 3,1/2
+
+minkref fit cutter.wkt pocket.wkt --anywhere -o fit.svg
 
 minkref fit cutter.wkt pocket.wkt --between 2,2 7,2 --contact forbidden --json
 
@@ -48,6 +51,17 @@ Between = Annotated[
 ]
 
 
+Picture = Annotated[
+    Path | None,
+    typer.Option(
+        "-o",
+        help="Write the document to this .json file, or to an .svg a picture of the part at the "
+        "greatest scale; - is standard output. In the plane.",
+        metavar="FILE",
+    ),
+]
+
+
 @dataclass(frozen=True)
 class FitInPlane:
     part: Part
@@ -56,6 +70,7 @@ class FitInPlane:
     anywhere: Anywhere = False
     between: Between = None
     contact: Contact = "allowed"
+    output: Picture = None
     memory: Memory = None
     json: Json = False
 
@@ -80,6 +95,7 @@ command = command_of(
         SPACE: Verb(
             FitInSpace,
             "minkref.motion.commands.free_in_space:run_fit",
+            why={"-o": "no picture is drawn"},
             instead={"--between": PLACE},
             code="not-in-space",
         ),

@@ -16,8 +16,9 @@ from minkref.cli.readings import Form, Reading
 from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
 from minkref.disc.disc import read_tolerance
+from minkref.exact import read_point, read_space_point
 from minkref.plane.commands.scale_index import IndexFile
-from minkref.settings import DISC, PLANE, SPACE
+from minkref.settings import BALL, DISC, PLANE, SPACE
 from minkref.space.general_sum import GENERAL_ROUTES
 from minkref.space.scaling import UNIT
 from minkref.space.sums import ROUTES as SPACE_ROUTES
@@ -50,9 +51,13 @@ minkref sum disc1 cells1815 --index cells.index --scale 7/5
 
 minkref sum gs3 rod --scale 2,1/3,5 -o sum.off
 
+minkref sum cup.stl plate.stl --at 1,2/3,0
+
 minkref sum cup.stl plate.stl --scale 3/2 -o sum.stl
 
 minkref sum cup.stl plate.stl -o sum.ply --triangles
+
+minkref sum cup.stl ball:1/2 --tolerance 1/20 -o grown.stl
 
 minkref sum g1 disc:7/5 -o offset.svg
 
@@ -68,7 +73,8 @@ TOLD = """\
 The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical form, and
     its tight passages. One of the two may be a disc about the origin, as disc:7/5 or disc:sqrt:2:
     the sum has arcs then. In space P and Q are polyhedra of any shape (.off, .obj, .stl, .ply,
-    .json); one may be a plane polygon, a segment or a point. In another arithmetic, or by the
+    .json); one may be a plane polygon, a segment or a point, or a ball about the origin, as
+    ball:7/5: two polyhedral sets then enclose the sum. In another arithmetic, or by the
     paper's own program (--route paper-update), what these answer, with the exact sum beside it."""
 
 ROUTES = (*_core.ROUTES, "dynamic", "index", PAPER_UPDATE)
@@ -150,14 +156,16 @@ Tolerance = Annotated[
         "--tolerance",
         help="With a disc, in formats without arcs: write a polygon inside of the answer, all "
         "points of which are within this of it; of an erosion those where a disc larger by this "
-        "has room.",
+        "has room. With a ball: how far the polyhedra inside it and around it may be off.",
         metavar="T",
     ),
     Read(read_tolerance),
 ]
 Outside = Annotated[
     bool,
-    typer.Option("--outside", help="The polygon that --tolerance asks for contains the answer."),
+    typer.Option(
+        "--outside", help="The polygon or polyhedron that --tolerance asks for contains the answer."
+    ),
 ]
 Measures = Annotated[
     bool,
@@ -165,6 +173,13 @@ Measures = Annotated[
         "--measures", help="With a disc and --json: length and area exact, as sums of terms."
     ),
 ]
+
+
+AT = typer.Option(
+    "--at", help="Say where this point lies: inside, on the boundary or outside.", metavar="X,Y[,Z]"
+)
+At = Annotated[tuple[str, str] | None, AT, Read(read_point)]
+AtInSpace = Annotated[tuple[str, str, str] | None, AT, Read(read_space_point)]
 
 
 @dataclass(frozen=True)
@@ -183,6 +198,7 @@ class SumInPlane:
     only_sum: OnlySum = False
     plot: Plot = False
     passages: Passages = False  # they are found in any case
+    at: At = None
     memory: Memory = None
     json: Json = False
 
@@ -200,6 +216,7 @@ class SumInSpace:
     form: Format = None
     passages: Passages = False
     triangles: Triangles = False
+    at: AtInSpace = None
     memory: Memory = None
     json: Json = False
 
@@ -224,6 +241,21 @@ class SumWithDisc:
     json: Json = False
 
 
+@dataclass(frozen=True)
+class SumWithBall:
+    P: First
+    Q: Second
+    scale: ScaleInSpace = UNIT
+    output: Output = None
+    form: Format = None
+    tolerance: Tolerance = None
+    outside: Outside = False
+    triangles: Triangles = False
+    at: AtInSpace = None
+    memory: Memory = None
+    json: Json = False
+
+
 command = command_of(
     "sum",
     TOLD,
@@ -236,5 +268,6 @@ command = command_of(
             instead=dict.fromkeys(("--plot", "--only-sum"), "see `minkref view P Q`"),
         ),
         DISC: Verb(SumWithDisc, "minkref.disc.commands.sum:run"),
+        BALL: Verb(SumWithBall, "minkref.space.commands.ball:run_sum"),
     },
 )

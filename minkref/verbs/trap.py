@@ -12,12 +12,14 @@ from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
 from minkref.exact import read_point, read_space_point
 from minkref.settings import PLANE, SPACE
-from minkref.verbs.fit import Part
+from minkref.verbs.fit import Part, Picture
 from minkref.verbs.path import Certify, Contact
 
 EXAMPLES = """Examples:
 
 minkref trap ball.wkt cage.wkt --at 2,2
+
+minkref trap ball.wkt cage.wkt --at 2,2 -o trap.svg
 
 minkref trap ball.wkt cage.wkt --at 2,2 --contact forbidden --from 1/2 --to 4 --json
 
@@ -45,6 +47,7 @@ class Trap:
     contact: Contact = "allowed"
     from_scale: LeastScale = None
     to_scale: GreatestScale = None
+    output: Picture = None
     certify: Certify = None
     memory: Memory = None
     json: Json = False
@@ -70,7 +73,7 @@ command = command_of(
         SPACE: Verb(
             TrapInSpace,
             "minkref.motion.commands.free_in_space:run_trap",
-            why={"--certify": "there is no certificate in space"},
+            why={"--certify": "there is no certificate in space", "-o": "no picture is drawn"},
         ),
     },
 )

@@ -35,7 +35,7 @@ from minkref.output.exits import ExitCode
 from minkref.output.output_folder import held_folder
 from minkref.output.signals import OUT_OF_TIME, ending_in_order, time_limit
 from minkref.output.terminal import counted
-from minkref.reports.conformance.annotations import annotations, check_annotations
+from minkref.reports.conformance.annotations import annotation_lines, check_annotations
 from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.lines import json_lines
 from minkref.reports.conformance.markdown import markdown
@@ -266,7 +266,7 @@ def _give(
     if output.write_baseline is not None and accepted is not None:
         written[output.write_baseline] = accepted
     write_together(written)
-    sys.stderr.write(annotations(output.annotations, groups))
+    sys.stderr.write(annotation_lines(output.annotations, groups))
     if output.json:
         sys.stdout.write(as_text(value))
     elif not output.quiet:

@@ -15,8 +15,8 @@ from minkref.reports.conformance.sarif import place
 
 AUTO, GITHUB, NONE = "auto", "github", "none"
 KINDS = (AUTO, GITHUB, NONE)
-_DATA = {"%": "%25", "\r": "%0D", "\n": "%0A"}
-_PROPERTY = {**_DATA, ":": "%3A", ",": "%2C"}
+_DATA = (("%", "%25"), ("\r", "%0D"), ("\n", "%0A"))  # the percent sign first
+_PROPERTY = (*_DATA, (":", "%3A"), (",", "%2C"))
 
 
 def check_annotations(kind: str) -> None:
@@ -26,7 +26,7 @@ def check_annotations(kind: str) -> None:
         raise Refusal(what, "--annotations", choice(kind, KINDS))
 
 
-def annotations(kind: str, groups: list[Group]) -> str:
+def annotation_lines(kind: str, groups: list[Group]) -> str:
     """A line for each kind of finding: an error for what is wrong or broken, else a notice. Empty
     for `none`, and for `auto` outside of GitHub Actions."""
     on_github = os.environ.get("GITHUB_ACTIONS") == "true"
@@ -45,5 +45,7 @@ def _line(group: Group) -> str:
     return f"::{level} {where}title={_escaped(title, _PROPERTY)}::{text}\n"
 
 
-def _escaped(text: str, table: dict[str, str]) -> str:
-    return text.translate(str.maketrans(table))
+def _escaped(text: str, table: tuple[tuple[str, str], ...]) -> str:
+    for letter, code in table:
+        text = text.replace(letter, code)
+    return text

@@ -8,10 +8,10 @@ from fractions import Fraction
 from itertools import pairwise
 
 from minkref import _core
+from minkref.offset_picture import offset_picture
 from minkref.plane.operand import read_operand
 from minkref.reports.bench.pairs import Pair
 from minkref.reports.drawing import Layer, picture
-from minkref.reports.offset_picture import offset_picture
 from minkref.reports.paper.entry import Claim, Picture
 
 # Fig. 2: four and five vertices, one of them reflex, as the paper draws them.

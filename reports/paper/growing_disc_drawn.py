@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from minkref import _core, decompose, features
+from minkref.offset_picture import offset_picture
 from minkref.reports.drawing import Layer, picture
-from minkref.reports.offset_picture import offset_picture
 
 WIDTH = 420
 

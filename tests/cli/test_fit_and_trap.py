@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import jsonschema
 import pytest
 from minkref.schemas import schema
 
 Minkref = Callable[..., Any]
+SVG = "{http://www.w3.org/2000/svg}"
 SQUARE = "POLYGON((-0.5 -0.5,0.5 -0.5,0.5 0.5,-0.5 0.5,-0.5 -0.5))"
 # [0, 4] x [0, 4], with a door of width 1.
 ROOM = "POLYGON((-1 -1,5 -1,5 1.5,4 1.5,4 0,0 0,0 4,4 4,4 2.5,5 2.5,5 5,-1 5,-1 -1))"
@@ -84,3 +87,24 @@ def test_wrong_use_is_refused(minkref: Minkref, words: tuple[str, ...], said: st
     ran = minkref(*words)
     assert ran.code == 2
     assert said in ran.err
+
+
+def test_a_picture_shows_the_part_at_its_greatest_scale(minkref: Minkref, tmp_path: Path) -> None:
+    """A square of side 2 in a room with an oblique corner: the corner of the part touches it."""
+    square = "POLYGON((0 0,2 0,2 2,0 2,0 0))"
+    room = "POLYGON((0 0,9 0,9 7,3 9,0 9,0 0))"
+    picture = tmp_path / "fit.svg"
+    ran = minkref("fit", square, room, "--at", "1,2", "-o", picture, "--json")
+    assert ran.json["output"] == str(picture)
+    text = picture.read_text(encoding="utf-8")
+    lines = [each.text for each in ElementTree.fromstring(text).iter(f"{SVG}text")]
+    assert lines == [
+        "at the scale 23/8, origin at (1, 2)", "fits: (0, 23/8]", "x 0 to 9, y 0 to 9",
+    ]  # fmt: skip
+    assert text.count('class="first"') == text.count('class="second"') == 1
+    assert 'class="tight"' in text, "the contact"
+    minkref("trap", square, f"{room[:-1]},(1 1,1 8,6 7,8 1,1 1))", "--at", "2,2", "-o", picture)
+    assert "trapped: " in picture.read_text(encoding="utf-8")
+    minkref("fit", square, room, "--at", "50,50", "-o", picture)
+    assert "fits: none" in picture.read_text(encoding="utf-8")
+    assert minkref("fit", square, room, "--anywhere", "-o", "fit.png").code == 2

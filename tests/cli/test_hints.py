@@ -49,6 +49,7 @@ WINDOW = ["--from", "1", "--to", "2"]
 TAKEN: dict[str, dict[str, Words]] = {
     "sum": {
         "plane": [SQUARE, NOTCH], "disc": [SQUARE, "disc:1"], "space": CUBES,
+        "ball": ["cube.off", "ball:1", "--tolerance", "1"],
     },
     "convolution": {"plane": [SQUARE, NOTCH], "space": CUBES},
     "index": {
@@ -66,6 +67,7 @@ TAKEN: dict[str, dict[str, Words]] = {
     "features": {"plane": [NOTCH]},
     "erode": {
         "plane": [NOTCH, SQUARE], "disc": [NOTCH, "disc:1/9"], "space": CUBES,
+        "ball": ["cube.off", "ball:1/9", "--tolerance", "1/9"],
     },
     "opening": {"plane": [NOTCH, SQUARE]},
     "closing": {"plane": [NOTCH, SQUARE]},

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -91,3 +92,15 @@ def test_refusals(minkref: Minkref, tmp_path: Path, words: list[str], code: str,
     assert ran.json["error"]["code"] == code
     assert told in " ".join(map(str, ran.json["error"].values()))
     assert not page.exists()
+
+
+@pytest.mark.parametrize("member", ["schema", "robot", "copies"])
+def test_an_operand_with_a_member_of_a_scene_is_an_operand(
+    minkref: Minkref, tmp_path: Path, member: str
+) -> None:
+    """GeoJSON may have members of its own, which its readers leave out."""
+    ring = [[0, 0], [9, 0], [9, 9], [5, 2], [0, 9], [0, 0]]
+    P = tmp_path / "set.json"
+    P.write_text(json.dumps({"type": "Polygon", "coordinates": [ring], member: []}))
+    ran = minkref("view", P, "--features", "-o", tmp_path / "page.html")
+    assert (ran.code, ran.err) == (0, "")

@@ -85,7 +85,7 @@ def _written(
 
         return dxf_text(found, target.name), False
     if target.form == "svg":
-        from minkref.reports.offset_picture import offset_picture
+        from minkref.offset_picture import offset_picture
 
         caption = f"the erosion by a disc of radius {root(disc.squared_radius, 6)}"
         own = None if request.only_region else scaled

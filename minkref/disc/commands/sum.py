@@ -241,7 +241,7 @@ def _written(
 
         return dxf_text(_drawn(found), target.name), False
     if target.form == "svg":
-        from minkref.reports.offset_picture import offset_picture
+        from minkref.offset_picture import offset_picture
 
         caption = f"the sum with a disc of radius {root(disc.squared_radius, 6)}"
         passages = [points for _, points, _ in found.tight_passages(cores())]

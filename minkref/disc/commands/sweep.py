@@ -229,7 +229,7 @@ def _eroded_row(
 def _text(P: _core.PolygonSet, radius: Fraction, canonical: str, form: str, erode: bool) -> str:
     if form == "json":
         return canonical + "\n"
-    from minkref.reports.offset_picture import offset_picture
+    from minkref.offset_picture import offset_picture
 
     if erode:
         caption = f"the erosion by a disc of radius {root(radius**2, 6)}"

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from minkref import _core
 from minkref.cli.memory import SMALLER, memory_wall
-from minkref.cli.output import give, print_lines
+from minkref.cli.output import print_lines
 from minkref.errors import Refusal, refusing
+from minkref.motion.commands.fit_picture import fit_picture
+from minkref.motion.commands.path_answer import finish
 from minkref.motion.commands.path_rows import (
     BY_TRANSLATION,
     MOST_ROWS,
@@ -21,10 +24,13 @@ from minkref.motion.commands.path_rows import (
     ranges_text,
 )
 from minkref.motion.scale_ranges import CONTACTS
-from minkref.output.documents import Stopwatch, document
+from minkref.output.documents import Stopwatch, document, refuse_overwriting
+from minkref.output.output_target import target_of
 from minkref.plane.operand import read_operand
 from minkref.verbs.fit import FitInPlane
 from minkref.verbs.path import check_words
+
+FORMATS = ("json", "svg")
 
 
 def run(request: FitInPlane) -> None:
@@ -37,7 +43,10 @@ def run(request: FitInPlane) -> None:
         raise Refusal("one question is asked at a time", "minkref fit", mend)
     question = "at" if at is not None else "anywhere" if request.anywhere else "between"
     places = [at] if at is not None else list(between or ())
+    target = target_of(request.output, None, FORMATS, "json", request.json, has_format=False)
     first, second = read_operand(part), read_operand(container)
+    if request.output is not None:
+        refuse_overwriting(request.output, [first.file, second.file])
     ask: dict[str, Any] = {
         "at": lambda: _core.fit_at(first.set, second.set, places[0], contact),
         "anywhere": lambda: _core.fit_anywhere(first.set, second.set, contact),
@@ -55,8 +64,10 @@ def run(request: FitInPlane) -> None:
         places=[list(place) for place in places],
         contact=contact,
         warnings=first.warnings + second.warnings,
+        output=str(request.output) if request.output else None,
     )
-    give(value, request.json, print_fit)
+    drawn = partial(fit_picture, first.set, second.set, value, "fits")
+    finish(value, target, request.json, drawn, printed=print_fit)
 
 
 def free_document(name: str, watch: Stopwatch, rows: Any, **fields: Any) -> dict[str, Any]:
@@ -88,6 +99,10 @@ def bound_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
     return rows
 
 
+def written_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
+    return [("written", value["output"])] if value.get("output") else []
+
+
 def _cause(bound: dict[str, Any], in_space: bool) -> str:
     """The event at a bound and where, and what touches there."""
     contact, where = bound["contact"], point_text(bound["at"])
@@ -109,6 +124,7 @@ def print_fit(value: dict[str, Any]) -> None:
         *([("place", point_text(value["place"]))] if value.get("place") else []),
         ("motion", value["motion"]),
         *bound_rows(value),
+        *written_rows(value),
         ("seconds", f"{value['seconds']:.3f}"),
     ]
     print_lines(rows, value)

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from minkref import _core
 from minkref.cli.memory import SMALLER, memory_wall
-from minkref.cli.output import give, print_lines
+from minkref.cli.output import print_lines
 from minkref.errors import refusing
 from minkref.exact import text_of_bounds
-from minkref.motion.commands.fit import bound_rows, free_document
+from minkref.motion.commands.fit import FORMATS, bound_rows, free_document, written_rows
+from minkref.motion.commands.fit_picture import fit_picture
+from minkref.motion.commands.path_answer import finish
 from minkref.motion.commands.path_proof import proof_document, proof_files, proof_rows, proved
 from minkref.motion.commands.path_rows import point_text, ranges_text
 from minkref.motion.scale_ranges import CONTACTS, range_values
-from minkref.output.documents import Stopwatch, write_together
+from minkref.output.documents import Stopwatch, refuse_overwriting
+from minkref.output.output_target import target_of
 from minkref.plane.operand import read_operand
 from minkref.verbs.path import check_words
 from minkref.verbs.trap import Trap
@@ -26,8 +30,11 @@ def run(request: Trap) -> None:
     )  # fmt: skip
     check_words(contact=(contact, CONTACTS))
     window = text_of_bounds(request.from_scale, request.to_scale)
+    target = target_of(request.output, None, FORMATS, "json", request.json, has_format=False)
     first, second = read_operand(part), read_operand(obstacles)
-    proof = proof_files(request.certify, [first.file, second.file])
+    if request.output is not None:
+        refuse_overwriting(request.output, [first.file, second.file])
+    proof = proof_files(request.certify, [first.file, second.file], request.output)
     with memory_wall(request.memory, "the trap", f"{part} and {obstacles}", SMALLER):
         rows = refusing(
             f"{part}, {obstacles}",
@@ -52,11 +59,11 @@ def run(request: Trap) -> None:
         contact=contact,
         **{"from": window[0], "to": window[1]},
         warnings=first.warnings + second.warnings,
+        output=str(request.output) if request.output else None,
         certificate=proof_document(proven),
     )
-    if proven is not None:
-        write_together({**proven[0].contents()})
-    give(value, request.json, print_trap)
+    drawn = partial(fit_picture, first.set, second.set, value, "trapped")
+    finish(value, target, request.json, drawn, [] if proven is None else [proven[0]], print_trap)
 
 
 def print_trap(value: dict[str, Any]) -> None:
@@ -68,6 +75,7 @@ def print_trap(value: dict[str, Any]) -> None:
         ),
         ("motion", value["motion"]),
         *bound_rows(value),
+        *written_rows(value),
         *proof_rows(value),
         ("seconds", f"{value['seconds']:.3f}"),
     ]

@@ -23,6 +23,7 @@ from minkref.plane.commands.sum_table import print_table
 from minkref.plane.operand import Operand, read_operand
 from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.plane.parents import PassageRows, passages_of
+from minkref.plane.place import placed
 from minkref.plane.scaling import PlaneScale, document_of, refuse_axes, static_pair, text_of
 from minkref.verbs.sum import DEFAULT, ROUTES, UPDATING, SumInPlane
 
@@ -77,13 +78,14 @@ def run(request: SumInPlane) -> None:
         warnings=first.warnings + second.warnings,
         output=str(output) if output else None,
         output_exact=written[1] if written else None,
+        at=placed(request.at, region),
         **result,
     )
     if json:
         sys.stdout.write(as_text(value))
         return
     print_table(value)
-    print_plot(request.plot, region)
+    print_plot(request.plot, region, [each["points"] for each in value["tight_passages"] or ()])
 
 
 def _refuse_axes(request: SumInPlane, route: str) -> None:

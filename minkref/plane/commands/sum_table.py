@@ -6,6 +6,7 @@ from typing import Any
 
 from minkref.cli.output import measure, print_lines, written_row
 from minkref.cli.paper_words import in_words
+from minkref.plane.place import place_rows
 from minkref.plane.scaling import shown_scale
 
 SHOWN = 5  # tight passages that people see
@@ -35,6 +36,7 @@ def print_table(value: dict[str, Any]) -> None:
         if not exact["equal"]:
             rows += [(f"  {name}", text) for name, text in described(exact)]
     rows += _passage_rows(value["tight_passages"], value["readings"] is not None)
+    rows += place_rows(value)
     signs = value["signs"]
     if signs is not None and signs["total"]:
         rows.append(("signs", f"{signs['total']:,}: {_deciders(signs, value['arithmetic'])}"))

@@ -77,6 +77,7 @@ class Proof(TypedDict):
 class PlaneFit(AnyFit):
     """What `fit` and `trap` tell in the plane."""
 
+    output: Annotated[str | None, Meta(description="The file that was written.")]
     bounds: Annotated[list[FitBound], Meta(description="The ends of ranges.")]
     proofs: Annotated[
         list[Proof],

@@ -14,6 +14,7 @@ from minkref.schemas.plane.values import (
 )
 from minkref.schemas.values import (
     Amount,
+    AskedPlace,
     Count,
     Digest,
     FileIsExact,
@@ -82,6 +83,7 @@ class SumDocument(Head, Operands, Written, SumStart):
     command: Literal["sum"]
     scale: PlaneScale
     output_exact: FileIsExact
+    at: AskedPlace
     route: SumRoute
     step: SumStep | None
     arithmetic: Annotated[str, Meta(pattern="^(rational|interval|double|mpfr:[0-9]+)$")]

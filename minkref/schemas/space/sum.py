@@ -9,6 +9,7 @@ from minkref.schemas.space.paper_update import SpacePaperAnswer
 from minkref.schemas.space.values import ExposedPlane, PolyhedralSet, Polyhedron, SpaceScaling
 from minkref.schemas.values import (
     Amount,
+    AskedPlace,
     Count,
     FileIsExact,
     Head,
@@ -157,6 +158,7 @@ class SpaceSumDocument(Head, InSpace, Operands, Written, SpaceScaling):
             "takes too many bits to write all of them over one denominator."
         ),
     ]
+    at: AskedPlace
     route: SpaceSumRoute
     paper: Annotated[
         SpacePaperAnswer | None,

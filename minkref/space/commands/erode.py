@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 from minkref import _core
@@ -10,12 +9,12 @@ from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import give, measure, print_lines, written_row
 from minkref.cli.progress import told_of
 from minkref.errors import Refusal, choice, refusing
-from minkref.exact import digest, in_double_range
 from minkref.output.documents import Stopwatch, document, refuse_overwriting
 from minkref.output.output_target import target_of
 from minkref.plane.commands.scale_index import cores
 from minkref.plane.commands.sweep_folder import SPACE_FORMATS
 from minkref.space.commands.rounding import beyond_doubles, rounding_of, rounding_rows
+from minkref.space.commands.set_fields import mesh_of, set_fields
 from minkref.space.eroded import cavities, negated, outside_of, room
 from minkref.space.general_sum import general_sum
 from minkref.space.operand import SpaceOperand, read_summand
@@ -39,8 +38,8 @@ def run(request: ErodeInSpace) -> None:
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])
         found, seconds, remnants = eroded(first, second, scaling, route, request.passages)
-        mesh = _mesh(found, request.triangles)
-        fields = _fields(found)
+        mesh = mesh_of(found, request.triangles)
+        fields = set_fields(found)
     exact = rounding = None
     warnings = first.warnings + second.warnings
     if target is not None:
@@ -87,31 +86,6 @@ def eroded(
         summed = general_sum(outside, turned, scaling, route, cores(), tell)
     tight = tight_passages(outside, turned, scaling) if passages else None
     return cavities(summed.set, places), summed.seconds, tight
-
-
-def _mesh(found: _core.PolyhedralSet, triangles: bool) -> _core.Polyhedron:
-    convex = found.convex()
-    if convex is None:
-        return found.surface().mesh(triangles)
-    surface = convex.surface()
-    return surface.cut_into_triangles() if triangles else surface
-
-
-def _fields(found: _core.PolyhedralSet) -> dict[str, Any]:
-    surface, convex, volume = found.surface(), found.convex(), found.volume()
-    canonical = found.canonical_json() if convex is None else convex.surface().canonical_json()
-    names = ("components", "cavities", "tunnels")
-    return {
-        "convex": convex is not None,
-        "digest": digest(canonical),
-        "volume": volume,
-        "volume_approximate": in_double_range(volume),
-        "vertices": surface.vertices,
-        "edges": surface.edges,
-        "facets": surface.facets,
-        **dict(zip(names, surface.topology(), strict=True)),
-        "result": json.loads(canonical),
-    }
 
 
 def _print(value: dict[str, Any], scaling: str) -> None:

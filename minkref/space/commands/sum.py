@@ -15,6 +15,7 @@ from minkref.output.documents import Stopwatch, document, refuse_overwriting
 from minkref.output.output_target import target_of
 from minkref.plane.commands.scale_index import cores
 from minkref.plane.commands.sweep_folder import SPACE_FORMATS
+from minkref.plane.place import place_rows, placed
 from minkref.space.commands.paper_update import (
     SpaceWalk,
     answer_rows,
@@ -54,8 +55,9 @@ def run(request: SumInSpace) -> None:
         exact_route = None if readings is not None else wanted
         chosen = chosen_space_route(first, second, exact_route, ROUTES)
         paper = None if readings is None else _paper(first, second, request, readings)
-        mesh, fields = summed(first, second, scaling, chosen)
+        mesh, whole, fields = summed(first, second, scaling, chosen)
         tight = _passages(first, second, scaling, chosen, request.passages)
+        at = placed(request.at, whole()) if request.at is not None else None
     exact = rounding = None
     warnings = first.warnings + second.warnings
     if target is not None:
@@ -78,6 +80,7 @@ def run(request: SumInSpace) -> None:
         output=str(output) if output else None,
         output_exact=exact,
         rounding=rounding,
+        at=at,
         route=chosen if paper is None else PAPER_UPDATE,
         paper=paper,
         **fields,
@@ -89,19 +92,20 @@ def run(request: SumInSpace) -> None:
 
 def summed(
     P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str
-) -> tuple[Callable[[bool], _core.Polyhedron], dict[str, Any]]:
-    """The maker of the mesh that is written, of triangles or not, and the document's fields of the
-    sum."""
+) -> tuple[Callable[[bool], _core.Polyhedron], Callable[[], _core.PolyhedralSet], dict[str, Any]]:
+    """The maker of the mesh that is written, of triangles or not; that of the set; and the
+    document's fields of the sum."""
     if route in ROUTES or 0 in (P.surface.vertices, Q.surface.vertices):
         answer = compute(P, Q, scaling, route)
         surface = answer.surface
         return (
             lambda triangles: surface.cut_into_triangles() if triangles else surface,
+            lambda: _core.PolyhedralSet(surface),
             of_convex_sum(answer, P, Q),
         )
     with told_of(f"route {route}") as tell:
         found = general_sum(P, Q, scaling, route, cores(), tell)
-    return found.mesh, of_general_sum(found, P, Q)
+    return found.mesh, lambda: found.set, of_general_sum(found, P, Q)
 
 
 def _passages(
@@ -154,6 +158,7 @@ def _print(value: dict[str, Any], scaling: str) -> None:
         found = value["tight_passages"]
         counts = ", ".join(f"{len(found[name]):,}" for name in ("sheets", "lines", "points"))
         rows.append(("tight sheets, lines, points", counts))
+    rows += place_rows(value)
     if value["signs"]:
         total, shares = value["signs"]["total"], value["signs"]["shares"]
         told = ", ".join(f"{share:.2%} {name.replace('_', ' ')}" for name, share in shares.items())

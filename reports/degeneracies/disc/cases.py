@@ -12,9 +12,9 @@ from typing import Any
 
 from minkref import _core
 from minkref.errors import message_of
+from minkref.offset_picture import offset_picture
 from minkref.reports.degeneracies.cases import unfit
 from minkref.reports.degeneracies.pictures import Drawn
-from minkref.reports.offset_picture import offset_picture
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from html import escape
+from typing import Any
 
 from minkref import _core
-from minkref.output.terminal import escaped
+from minkref.output.terminal import counted, escaped
 
 WIDTH = 680.0
 PAD = 12.0
@@ -112,3 +113,15 @@ def _box(pieces: Sequence[Piece], radius: float) -> tuple[float, float, float, f
         if (x0 - cx) * (x1 - cx) < 0:
             ys.append(cy + (radius if y0 + y1 > 2 * cy else -radius))
     return min(xs), min(ys), max(xs), max(ys)
+
+
+def show_values() -> None:
+    """Give offsets their pictures in a notebook."""
+    owner: Any = _core.Offset
+    owner._repr_svg_ = _picture_of_offset
+
+
+def _picture_of_offset(value: _core.Offset) -> str:
+    passages = [points for _, points, _ in value.tight_passages()]
+    counts = f"{counted(value.components, 'component')}, {counted(value.holes, 'hole')}"
+    return offset_picture(value, None, f"with a disc: {counts}", passages)
