@@ -8,7 +8,9 @@
 #include <cstdlib>
 #include <new>
 
+#include "bindings/core_clearance.hpp"
 #include "bindings/core_convolution.hpp"
+#include "bindings/core_disc_paths.hpp"
 #include "bindings/core_erosion.hpp"
 #include "bindings/core_features.hpp"
 #include "bindings/core_paper_space_update.hpp"
@@ -123,6 +125,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_disc_events(module);
   minkref::python::bind_disc_index(module);
   minkref::python::bind_disc_pair_events(module);
+  minkref::python::bind_disc_paths(module);
   minkref::python::bind_features(module);
   minkref::python::bind_convolution(module);
   minkref::python::bind_conditions(module);
@@ -131,6 +134,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_dynamic(module);
   minkref::python::bind_index(module);
   minkref::python::bind_paths(module);
+  minkref::python::bind_clearance(module);
   minkref::python::bind_scene(module);
   minkref::python::bind_scene_questions(module);
   minkref::python::bind_space_paths(module);

@@ -90,7 +90,14 @@ void bind_outside(nb::module_& module) {
             const VertexId edge = outside.edge_of_P({ring, index});
             return std::pair(edge.ring, edge.index);
           },
-          "ring"_a, "index"_a, "Ring and index of the edge of P that an edge of the set is.");
+          "ring"_a, "index"_a, "Ring and index of the edge of P that an edge of the set is.")
+      .def(
+          "vertex_of_P",
+          [](const Outside& outside, std::uint32_t ring, std::uint32_t index) {
+            const VertexId vertex = outside.vertex_of_P({ring, index});
+            return std::pair(vertex.ring, vertex.index);
+          },
+          "ring"_a, "index"_a, "Ring and index of the vertex of P that a vertex of the set is.");
 }
 
 }  // namespace
