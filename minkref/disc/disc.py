@@ -83,6 +83,16 @@ def read_tolerance(text: str, option: str) -> Fraction:
     return value
 
 
+def read_clearance(text: str, option: str) -> Fraction:
+    """Read a distance to keep. Refuses what is not above 0."""
+    where = f"{option} {text[:40]}"
+    mend = "give a positive number, as 1/2"
+    value = read_number(text.strip(), "clearance", where, mend)
+    if value <= 0:
+        raise Refusal("the clearance is not above 0", where, mend, "bad-clearance")
+    return value
+
+
 def read_alpha(text: str, option: str) -> Fraction:
     """Read a disc's diameter. Refuses anything but a number of 0 or more."""
     where = f"{option} {text[:40]}"

@@ -10,6 +10,7 @@ KINDS = (
     "of_features",
     "of_scene",
     "with_ball",
+    "with_clearance",
     "with_disc",
     "with_disc_pairs",
     "with_path",

@@ -18,6 +18,13 @@ from minkref.schemas.disc.values import CurvedRing, ExactPoint, Radius
 from minkref.schemas.disc.view import DiscViewDocument, FeatureViewDocument
 from minkref.schemas.error import ErrorDocument
 from minkref.schemas.lists import FamiliesDocument, ModelsDocument, TargetsDocument
+from minkref.schemas.motion.discs import (
+    ClearFitDocument,
+    ClearPathDocument,
+    DiscFitDocument,
+    DiscPathDocument,
+    DiscTrapDocument,
+)
 from minkref.schemas.motion.fit import FitDocument, SpaceFitDocument
 from minkref.schemas.motion.hold import HoldDocument, SpaceHoldDocument
 from minkref.schemas.motion.path import PathDocument, SpacePathDocument
@@ -83,6 +90,8 @@ DOCUMENTS = {
     "features": FeaturesDocument,
     "fit": FitDocument,
     "fit_in_space": SpaceFitDocument,
+    "fit_with_clearance": ClearFitDocument,
+    "fit_with_disc": DiscFitDocument,
     "generate": GenerateDocument,
     "hold": HoldDocument,
     "hold_in_space": SpaceHoldDocument,
@@ -95,6 +104,8 @@ DOCUMENTS = {
     "opening": OpeningDocument,
     "path": PathDocument,
     "path_in_space": SpacePathDocument,
+    "path_with_clearance": ClearPathDocument,
+    "path_with_disc": DiscPathDocument,
     "report": ReportDocument,
     "scene": SceneDocument,
     "scene_file": SceneFileText,
@@ -109,6 +120,7 @@ DOCUMENTS = {
     "targets": TargetsDocument,
     "trap": TrapDocument,
     "trap_in_space": SpaceTrapDocument,
+    "trap_with_disc": DiscTrapDocument,
     "union": UnionDocument,
     "verify": VerifyDocument,
     "view": ViewDocument,

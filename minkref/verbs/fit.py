@@ -12,8 +12,8 @@ from minkref.cli.options import Json
 from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
 from minkref.exact import read_point, read_points, read_space_point
-from minkref.settings import PLANE, SPACE
-from minkref.verbs.path import Contact
+from minkref.settings import DISC, PLANE, SPACE
+from minkref.verbs.path import Clearance, Contact
 
 EXAMPLES = """Examples:
 
@@ -27,13 +27,15 @@ minkref fit cutter.wkt pocket.wkt --between 2,2 7,2 --contact forbidden --json
 
 minkref fit part.off housing.off --at 3,1/2,0
 
-minkref fit part.off housing.off --anywhere"""
+minkref fit part.off housing.off --anywhere
+
+minkref fit disc pocket.wkt --between 2,2 7,2"""
 
 TOLD = """\
 Find all scales at which a part lies in a container: at a place, somewhere, or all along a
 way between two places, by translations only; in space at a place, or somewhere. Exact, and found
 again at, just below and just above each bound by static sums, in space by what the part's pieces
-cover."""
+cover. With `disc` as the part, all radii, with the features that bound the largest disc."""
 
 Point = tuple[str, str]
 Part = Annotated[str, typer.Argument(help="The part, scaled about its origin: a file or a model.")]
@@ -70,7 +72,21 @@ class FitInPlane:
     anywhere: Anywhere = False
     between: Between = None
     contact: Contact = "allowed"
+    clearance: Clearance = None
     output: Picture = None
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
+class FitOfDisc:
+    part: Part
+    container: Container
+    at: At = None
+    anywhere: Anywhere = False
+    between: Between = None
+    contact: Contact = "allowed"
+    clearance: Clearance = None
     memory: Memory = None
     json: Json = False
 
@@ -91,11 +107,16 @@ command = command_of(
     "fit",
     TOLD,
     {
+        DISC: Verb(
+            FitOfDisc,
+            "minkref.motion.commands.disc_fit:run",
+            why={"-o": "no picture is drawn of a disc's fit"},
+        ),
         PLANE: Verb(FitInPlane, "minkref.motion.commands.fit:run"),
         SPACE: Verb(
             FitInSpace,
             "minkref.motion.commands.free_in_space:run_fit",
-            why={"-o": "no picture is drawn"},
+            why={"-o": "no picture is drawn", "--clearance": "there is no clearance in space"},
             instead={"--between": PLACE},
             code="not-in-space",
         ),

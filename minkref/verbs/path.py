@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import Annotated
 
 import typer
 from minkref.cli.memory import Memory
 from minkref.cli.options import GreatestScale, Json, LeastScale
+from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
+from minkref.disc.disc import read_clearance
 from minkref.errors import Refusal, choice
-from minkref.settings import PLANE, SPACE
+from minkref.settings import DISC, PLANE, SPACE
 
 EXAMPLES = """Examples:
 
@@ -27,12 +30,15 @@ minkref path rod gs3 "LINESTRING Z (0 0 9, 0 0 0, 9 1/2 0)"
 
 minkref path part.off obstacles.stl way.csv --contact forbidden --to 2
 
-minkref path part.wkt obstacles.wkt way.csv --certify valid.cert.json"""
+minkref path part.wkt obstacles.wkt way.csv --certify valid.cert.json
+
+minkref path disc obstacles.wkt way.csv --clearance 1/2"""
 
 TOLD = """\
 Find all scales at which a part passes along a polyline without a collision: its origin moves
 on the path, and it never turns. In the plane or in space. Exact: intervals with open and closed
-ends, single scales, and for each bound the contact that causes it."""
+ends, single scales, and for each bound the contact that causes it. With `disc` as the part, all
+radii at which a disc passes; with --clearance a part that keeps a distance."""
 
 Part = Annotated[str, typer.Argument(help="The part, scaled about its origin: a file or a model.")]
 Obstacles = Annotated[str, typer.Argument(help="What it must not meet: a file or a model.")]
@@ -73,6 +79,15 @@ Certify = Annotated[
         metavar="FILE",
     ),
 ]
+Clearance = Annotated[
+    Fraction | None,
+    typer.Option(
+        "--clearance",
+        help="The distance that the part has to keep: more than 0. In the plane or with a disc.",
+        metavar="C",
+    ),
+    Read(read_clearance),
+]
 
 
 @dataclass(frozen=True)
@@ -81,11 +96,24 @@ class PathInPlane:
     obstacles: Obstacles
     path: PathText
     contact: Contact = "allowed"
+    clearance: Clearance = None
     from_scale: LeastScale = None
     to_scale: GreatestScale = None
     route: Route = "pieces"
     output: Output = None
     certify: Certify = None
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
+class PathOfDisc:
+    part: Part
+    obstacles: Obstacles
+    path: PathText
+    contact: Contact = "allowed"
+    clearance: Clearance = None
+    output: Output = None
     memory: Memory = None
     json: Json = False
 
@@ -108,11 +136,19 @@ command = command_of(
     "path",
     TOLD,
     {
+        DISC: Verb(
+            PathOfDisc,
+            "minkref.motion.commands.disc_path:run",
+            why={"--certify": "there is no certificate of a disc's path"},
+        ),
         PLANE: Verb(PathInPlane, "minkref.motion.commands.path:run"),
         SPACE: Verb(
             PathInSpace,
             "minkref.motion.commands.path:run_in_space",
-            why={"--certify": "there is no certificate in space"},
+            why={
+                "--certify": "there is no certificate in space",
+                "--clearance": "there is no clearance in space",
+            },
         ),
     },
 )

@@ -11,9 +11,9 @@ from minkref.cli.options import GreatestScale, Json, LeastScale
 from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
 from minkref.exact import read_point, read_space_point
-from minkref.settings import PLANE, SPACE
+from minkref.settings import DISC, PLANE, SPACE
 from minkref.verbs.fit import Part, Picture
-from minkref.verbs.path import Certify, Contact
+from minkref.verbs.path import Certify, Clearance, Contact
 
 EXAMPLES = """Examples:
 
@@ -25,13 +25,15 @@ minkref trap ball.wkt cage.wkt --at 2,2 --contact forbidden --from 1/2 --to 4 --
 
 minkref trap ball.wkt cage.wkt --at 2,2 --certify trap.cert.json
 
-minkref trap ball.off cage.off --at 2,2,0"""
+minkref trap ball.off cage.off --at 2,2,0
+
+minkref trap disc cage.wkt --at 2,2"""
 
 TOLD = """\
 Find all scales at which a part is free at a place, and no translation takes it away from the
 obstacles. A rotation may free it all the same: "trapped" is by translations only. Exact, and
 found again at, just below and just above each bound by static sums. In space the part has to be
-star-shaped about its origin."""
+star-shaped about its origin. With `disc` as the part, all radii, with the neck that holds it."""
 
 Obstacles = Annotated[str, typer.Argument(help="What may hold the part: a file or a model.")]
 AT = typer.Option("--at", help="Where the part's origin is; X,Y,Z in space.", metavar="X,Y[,Z]")
@@ -54,6 +56,17 @@ class Trap:
 
 
 @dataclass(frozen=True)
+class TrapOfDisc:
+    part: Part
+    obstacles: Obstacles
+    at: At
+    contact: Contact = "allowed"
+    clearance: Clearance = None
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
 class TrapInSpace:
     part: Part
     obstacles: Obstacles
@@ -69,7 +82,19 @@ command = command_of(
     "trap",
     TOLD,
     {
-        PLANE: Verb(Trap, "minkref.motion.commands.trap:run"),
+        DISC: Verb(
+            TrapOfDisc,
+            "minkref.motion.commands.disc_trap:run",
+            why={
+                "--certify": "there is no certificate of a disc's trap",
+                "-o": "no picture is drawn of a disc's trap",
+            },
+        ),
+        PLANE: Verb(
+            Trap,
+            "minkref.motion.commands.trap:run",
+            why={"--clearance": "only a disc is trapped with a clearance"},
+        ),
         SPACE: Verb(
             TrapInSpace,
             "minkref.motion.commands.free_in_space:run_trap",

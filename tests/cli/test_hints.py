@@ -73,9 +73,18 @@ TAKEN: dict[str, dict[str, Words]] = {
     "closing": {"plane": [NOTCH, SQUARE]},
     "nofit": {"plane": [NOTCH, SQUARE]},
     "innerfit": {"plane": [NOTCH, SQUARE]},
-    "path": {"plane": [SQUARE, NOTCH, WAY], "space": [*CUBES, "0,0,9\n9,0,9"]},
-    "fit": {"plane": [SQUARE, ROOM, "--at", "6,6"], "space": [*CUBES, "--at", "0,0,0"]},
-    "trap": {"plane": [SQUARE, ROOM, "--at", "0,0"], "space": [*CUBES, "--at", "0,0,0"]},
+    "path": {
+        "plane": [SQUARE, NOTCH, WAY], "disc": ["disc", NOTCH, WAY],
+        "space": [*CUBES, "0,0,9\n9,0,9"],
+    },
+    "fit": {
+        "plane": [SQUARE, ROOM, "--at", "6,6"], "disc": ["disc", ROOM, "--at", "6,6"],
+        "space": [*CUBES, "--at", "0,0,0"],
+    },
+    "trap": {
+        "plane": [SQUARE, ROOM, "--at", "0,0"], "disc": ["disc", ROOM, "--at", "0,0"],
+        "space": [*CUBES, "--at", "0,0,0"],
+    },
     "hold": {"plane": [SQUARE, NOTCH, WAY], "space": [*CUBES, "0,0,9\n9,0,9"]},
     "view": {
         "plane": [SQUARE, NOTCH, "-o", "v.html"], "disc": [NOTCH, "disc", "-o", "v.html"],
@@ -102,6 +111,7 @@ VALUES: dict[str, list[str]] = {
     "--limit": ["3"],
     "--compatible": ["closed"],
     "--contact": ["forbidden"],
+    "--clearance": ["1/4"],
     "--repair": ["literal"],
     "--tolerance": ["1/10"],
     "--scale": ["2", "1,2,3"],

@@ -27,7 +27,7 @@ from minkref.motion.scale_ranges import CONTACTS
 from minkref.output.documents import Stopwatch, document, refuse_overwriting
 from minkref.output.output_target import target_of
 from minkref.plane.operand import read_operand
-from minkref.verbs.fit import FitInPlane
+from minkref.verbs.fit import FitInPlane, FitOfDisc
 from minkref.verbs.path import check_words
 
 FORMATS = ("json", "svg")
@@ -36,13 +36,13 @@ FORMATS = ("json", "svg")
 def run(request: FitInPlane) -> None:
     watch = Stopwatch()
     part, container, contact = request.part, request.container, request.contact
-    at, between = request.at, request.between
     check_words(contact=(contact, CONTACTS))
-    if (at is not None) + request.anywhere + (between is not None) != 1:
-        mend = "give --at X,Y, --anywhere or --between X,Y X,Y"
-        raise Refusal("one question is asked at a time", "minkref fit", mend)
-    question = "at" if at is not None else "anywhere" if request.anywhere else "between"
-    places = [at] if at is not None else list(between or ())
+    question, places = question_named(request)
+    if request.clearance is not None:
+        from minkref.motion.commands.clear import run_fit
+
+        run_fit(request, question, places)
+        return
     target = target_of(request.output, None, FORMATS, "json", request.json, has_format=False)
     first, second = read_operand(part), read_operand(container)
     if request.output is not None:
@@ -68,6 +68,16 @@ def run(request: FitInPlane) -> None:
     )
     drawn = partial(fit_picture, first.set, second.set, value, "fits")
     finish(value, target, request.json, drawn, printed=print_fit)
+
+
+def question_named(request: FitInPlane | FitOfDisc) -> tuple[str, list[tuple[str, str]]]:
+    """The one question that is asked, and its places."""
+    at, between = request.at, request.between
+    if (at is not None) + request.anywhere + (between is not None) != 1:
+        mend = "give --at X,Y, --anywhere or --between X,Y X,Y"
+        raise Refusal("one question is asked at a time", "minkref fit", mend)
+    question = "at" if at is not None else "anywhere" if request.anywhere else "between"
+    return question, [at] if at is not None else list(between or ())
 
 
 def free_document(name: str, watch: Stopwatch, rows: Any, **fields: Any) -> dict[str, Any]:

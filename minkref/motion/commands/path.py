@@ -24,6 +24,11 @@ MOTION = "translations only, along the path"
 
 
 def run(request: PathInPlane) -> None:
+    if request.clearance is not None:
+        from minkref.motion.commands.clear import run_path
+
+        run_path(request)
+        return
     asked = input_in_plane(request)
     proof = proof_files(request.certify, asked.files, request.output)
     with asked.memory_wall("the path"):

@@ -1,0 +1,192 @@
+"""Documents of `path`, `fit` and `trap` with a disc, and of parts that keep a distance."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, TypedDict
+
+from minkref.schemas.disc.values import (
+    DiscEventKind,
+    Enclosure,
+    Polynomial,
+    RadiusBetween,
+    RadiusOrRoot,
+    RoundedPoint,
+    ShapeFeature,
+)
+from minkref.schemas.motion.path import PathEvent, Place
+from minkref.schemas.motion.values import ContactRule, Feature
+from minkref.schemas.values import (
+    Count,
+    Head,
+    LastingHead,
+    Number,
+    Point,
+    PositiveCount,
+    Window,
+    Written,
+)
+from msgspec import Meta
+
+Cause = Literal["contact", "neck", "room", "apart", "meets", "free"]
+Clearance = Annotated[
+    Number | None, Meta(description="The distance to keep beyond the radius; null without one.")
+]
+
+
+class DiscRadius(TypedDict):
+    """The root of a squared distance, less the clearance."""
+
+    radius: RadiusBetween
+    squared_distance: Annotated[
+        Number | None, Meta(description="Where it is known to be rational.")
+    ]
+    polynomial: Polynomial
+
+
+DiscRangeEnds = TypedDict(
+    "DiscRangeEnds",
+    {
+        "from": Annotated[DiscRadius | None, Meta(description="null: all radii above 0.")],
+        "to": Annotated[DiscRadius | None, Meta(description="null: no end.")],
+    },
+)
+
+
+class DiscRange(DiscRangeEnds):
+    from_in: Annotated[bool, Meta(description="Whether `from` is one of the radii.")]
+    to_in: Annotated[bool, Meta(description="Whether `to` is.")]
+
+
+class DiscTouches(TypedDict):
+    """Where the disc's centre is, which feature it touches, and where."""
+
+    at: Place
+    obstacle: Feature
+    touching: Point
+
+
+class DiscPlace(TypedDict):
+    """A neck, or a place of the largest disc: as an event of `events P disc`."""
+
+    kind: DiscEventKind
+    place: Annotated[RoundedPoint, Meta(description="Rounded.")]
+    features: Annotated[list[ShapeFeature], Meta(min_length=2)]
+
+
+class AskedRadius(TypedDict):
+    """With `disc:R`: whether the radius is one of them."""
+
+    radius: RadiusOrRoot
+    holds: bool
+
+
+class AnyDisc(TypedDict):
+    """What the three commands tell of a disc."""
+
+    part: Annotated[str, Meta(description="The disc as named.")]
+    contact: ContactRule
+    clearance: Clearance
+    radii: Annotated[DiscRange | None, Meta(description="The radii, one range; null: none.")]
+    cause: Annotated[
+        Cause,
+        Meta(
+            description="What ends the radii: a contact at a place or on the path, a neck on the "
+            "way, the container's room; or why there is none: places apart, a place that is not "
+            "free, nothing in the way."
+        ),
+    ]
+    touches: Annotated[
+        DiscTouches | None, Meta(description="The contact at the greatest radius, the first one.")
+    ]
+    events: Annotated[
+        list[DiscPlace], Meta(description="Necks on a best way, or places of the largest disc.")
+    ]
+    asked: AskedRadius | None
+
+
+class DiscPathDocument(AnyDisc, LastingHead, Written):
+    """The document of `minkref path disc --json`."""
+
+    command: Literal["path"]
+    obstacles: str
+    path: Annotated[str, Meta(description="The path as named.")]
+    vertices: PositiveCount
+
+
+class DiscFitDocument(AnyDisc, Head):
+    """The document of `minkref fit disc --json`."""
+
+    command: Literal["fit"]
+    container: str
+    question: Literal["at", "anywhere", "between"]
+    places: Annotated[list[Point], Meta(description="Those that were asked for.", max_length=2)]
+    warnings: list[str]
+
+
+class DiscTrapDocument(AnyDisc, Head):
+    """The document of `minkref trap disc --json`."""
+
+    command: Literal["trap"]
+    obstacles: str
+    at: Annotated[Point, Meta(description="The place of the disc's centre.")]
+    warnings: list[str]
+
+
+class RootNumber(Enclosure):
+    """A number as an expression, and two doubles around it."""
+
+    exact: Annotated[str, Meta(description="Rational numbers, +, -, * and sqrt(...).")]
+
+
+ClearRangeEnds = TypedDict(
+    "ClearRangeEnds",
+    {"from": RootNumber, "to": Annotated[RootNumber | None, Meta(description="null: no end.")]},
+)
+
+
+class ClearRange(ClearRangeEnds):
+    from_in: bool
+    to_in: bool
+
+
+class ClearBound(TypedDict):
+    """An end, with the features at the distance there, and their place on the path."""
+
+    scale: RootNumber
+    event: PathEvent
+    segment: Count
+    t: RootNumber
+    part: Feature
+    obstacle: Feature
+
+
+class AnyClear(TypedDict):
+    """What is told of a part that keeps a distance."""
+
+    part: Annotated[str, Meta(description="The part as named; it is scaled.")]
+    contact: ContactRule
+    clearance: Number
+    clear: Annotated[list[ClearRange], Meta(description="The scales, ascending.")]
+    ends: Annotated[list[ClearBound], Meta(description="Ends that are none of the window.")]
+
+
+class ClearPathDocument(AnyClear, LastingHead, Window, Written):
+    """The document of `minkref path --clearance C --json`."""
+
+    command: Literal["path"]
+    obstacles: str
+    path: Annotated[str, Meta(description="The path as named.")]
+    vertices: PositiveCount
+    route: Literal["pieces"]
+    motion: str
+    star_shaped: bool
+
+
+class ClearFitDocument(AnyClear, Head):
+    """The document of `minkref fit --at X,Y --clearance C --json`."""
+
+    command: Literal["fit"]
+    container: str
+    question: Literal["at"]
+    places: Annotated[list[Point], Meta(min_length=1, max_length=1)]
+    warnings: list[str]
