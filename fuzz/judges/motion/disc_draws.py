@@ -32,8 +32,9 @@ class DiscCase:
 def disc_case(seed: int, index: int) -> DiscCase:
     """The same one for the same numbers: rooms with doors, or a set of other kinds."""
     dice = random.Random(f"discs {seed}:{index}")
+    centres: list[Place] = []
     if index % 2 == 0:
-        name, drawn = f"rooms {seed}:{index}", rooms(dice)
+        name, (drawn, centres) = f"rooms {seed}:{index}", rooms(dice)
     else:
         name, shape = drawn_set(seed, index, MOST)
         drawn = set_of(shape)
@@ -46,6 +47,12 @@ def disc_case(seed: int, index: int) -> DiscCase:
     inside, outside = (
         (_place_on(dice, rings, side), _place_on(dice, rings, side)) for side in (True, False)
     )
+    if centres and dice.random() < 0.7:
+        first, second = dice.choice(centres), dice.choice(centres)
+        if is_inside(rings, first):
+            inside = first, second
+        else:
+            outside = first, second
     return DiscCase(name, drawn, rings, path, inside, outside)
 
 
@@ -56,9 +63,10 @@ def rings_of(shape: PolygonSet) -> list[list[Place]]:
     ]
 
 
-def rooms(dice: random.Random) -> PolygonSet:
-    """Rooms in a row or in two, with doors of few widths between them, some with a door to the
-    outside; or the block that has them as holes, perhaps with a door. Walls lean, or stand."""
+def rooms(dice: random.Random) -> tuple[PolygonSet, list[Place]]:
+    """Rooms in a row or in two, with doors of few widths between them; or the block that has them
+    as holes, perhaps with a door to the outside. Walls lean, or stand. And a place about the middle
+    of each room."""
     wide, high = dice.randint(2, 4), dice.randint(1, 2)
     boxes = [box(8 * x, 8 * y, 6, 6) for x in range(wide) for y in range(high)]
     widths = dice.choice(((1, 2), (2, 2), (1, 3, 4)))
@@ -81,7 +89,9 @@ def rooms(dice: random.Random) -> PolygonSet:
         [[[str(x + lean * y), str(y)] for x, y in ring] for ring in polygon]
         for polygon in read_shape(found.to_json())
     ]
-    return PolygonSet(sheared)
+    middles = [(8 * x + 3, 8 * y + Fraction(dice.randint(4, 8), 2)) for x in range(wide)
+               for y in range(high)]  # fmt: skip
+    return PolygonSet(sheared), [(x + lean * y, y) for x, y in middles]
 
 
 def _set_of(ring: Ring) -> PolygonSet:

@@ -1,3 +1,3 @@
-"""Valid scales of paths, held scales and traps in the plane: three routes, the definition at and
-beside each bound, enclosing rings and ways out agree; their certificates hold; the time of a large
-path."""
+"""Valid scales of paths, held scales, traps and discs in the plane: three routes, the definition at
+and beside each bound, enclosing rings, ways out and all pairs agree; their certificates hold; the
+times of large paths."""

@@ -20,11 +20,11 @@ from minkref.fuzz.motion.path_collisions import Collisions, Decide, by_slow_engi
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.2, 1.5, 5)
+MINUTES = Minutes(0.1, 1.0, 5)
 
 SEED = 3150
-CASES = Counts(16, 200, 1000)
-SLOW = Counts(8, 48, 240)
+CASES = Counts(8, 130, 1000)
+SLOW = Counts(4, 32, 240)
 SLOW_SCALES = 4
 CONTACTS = ("allowed", "forbidden")
 
