@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.features.question import FEATURES
 from minkref.fuzz.invalid.question import REFUSALS
 from minkref.fuzz.motion.question import PATHS
 from minkref.fuzz.offsets.question import OFFSETS
@@ -16,8 +17,8 @@ from minkref.fuzz.targets.asking import Asking
 from minkref.fuzz.unions.question import UNIONS
 
 SETTINGS: tuple[Setting, ...] = (PLANE, SPACE)
-QUESTIONS: tuple[Question, ...] = (PATHS, UNIONS, OFFSETS, REFUSALS)
-SHRINKABLE: tuple[ShrinkableQuestion, ...] = (PATHS, UNIONS, OFFSETS)
+QUESTIONS: tuple[Question, ...] = (PATHS, UNIONS, OFFSETS, FEATURES, REFUSALS)
+SHRINKABLE: tuple[ShrinkableQuestion, ...] = (PATHS, UNIONS, OFFSETS, FEATURES)
 
 
 def setting_of(dimension: int) -> Setting:

@@ -40,7 +40,8 @@ class Adapter:
     """Answers requests: `hello` is the declaration, `sum_of(sP, Q)` returns a result's members, and
     each function of `verbs`, by verb, a result's members from P, Q and the request: `path`,
     `update`, or `at` itself for an implementation that scales P by itself. `union_of(sets)` returns
-    the members of a union, `offset_of(P, radius)` those of P grown by a disc."""
+    the members of a union, `offset_of(P, radius)` those of P grown by a disc, and
+    `features_of(P, radius)` bars and bridges."""
 
     def __init__(
         self,
@@ -49,12 +50,13 @@ class Adapter:
         verbs: Verbs,
         union_of: Union | None = None,
         offset_of: Offset | None = None,
+        features_of: Offset | None = None,
     ) -> None:
         self.hello = hello
         self.sum_of = sum_of
         self.verbs = verbs
         self.union_of = union_of
-        self.offset_of = offset_of
+        self.with_radius = {"offset": offset_of, "features": features_of}
         self.P: Set | None = None
         self.Q: Set | None = None
 
@@ -69,8 +71,9 @@ class Adapter:
                 return {"status": "result"}
             if verb == "union" and self.union_of is not None:
                 return {"status": "result", **self.union_of(request["sets"])}
-            if verb == "offset" and self.offset_of is not None:
-                return {"status": "result", **self.offset_of(request["P"], request["radius"])}
+            answer_of = self.with_radius.get(str(verb))
+            if answer_of is not None:
+                return {"status": "result", **answer_of(request["P"], request["radius"])}
             if isinstance(verb, str) and verb in self.verbs:
                 if self.P is None or self.Q is None:
                     raise ValueError(f"`{verb}` before any `load`")
@@ -121,13 +124,15 @@ def serve(
     verbs: Verbs | None = None,
     union_of: Union | None = None,
     offset_of: Offset | None = None,
+    features_of: Offset | None = None,
 ) -> None:
     """Answers until `stop` or the input's end. `given`: streams that were taken already. `path_of`
     answers the verb `path`, and `verbs` others, from P, Q and the request; `union_of` the verb
-    `union`, from the sets; `offset_of` the verb `offset`, from P and the radius."""
+    `union`, from the sets; `offset_of` and `features_of` the verbs `offset` and `features`, from P
+    and the radius."""
     requests, answers = given or streams()
     others: Verbs = {} if path_of is None else {"path": path_of}
-    adapter = Adapter(hello, sum_of, {**others, **(verbs or {})}, union_of, offset_of)
+    adapter = Adapter(hello, sum_of, {**others, **(verbs or {})}, union_of, offset_of, features_of)
     for line in requests:
         if not line.strip():
             continue

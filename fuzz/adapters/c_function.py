@@ -46,6 +46,8 @@ def load(path: str, name: str) -> tuple[dict[str, Any], Sum]:
     able = declared["capabilities"]
     if isinstance(able, list) and "space" in able:
         raise Errored("its declaration: capabilities has space, and a C function is for the plane")
+    if isinstance(able, list) and "features" in able:
+        raise Errored("its declaration: capabilities has features, and a C function gives sets")
     return declared, _answering(found)
 
 

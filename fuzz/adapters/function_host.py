@@ -24,7 +24,16 @@ from adapter_protocol import Errored, Rejected, Set, Skipped, Sum, serve, stream
 
 sys.path.remove(HERE)
 PROTOCOL = sys.modules.pop("adapter_protocol")
-MEMBERS = ("polygons", "rings", "components", "vertices", "faces")  # a result's members
+MEMBERS = (
+    "polygons",
+    "rings",
+    "components",
+    "vertices",
+    "faces",
+    "bars",
+    "bridges",
+    "holes",
+)  # of a result
 
 
 def python_function(module: str, name: str) -> tuple[dict[str, Any], Sum]:
@@ -51,13 +60,14 @@ def python_function(module: str, name: str) -> tuple[dict[str, Any], Sum]:
 
 
 def other_verbs(declared: dict[str, Any], sum_of: Any) -> dict[str, Any]:
-    """A function that declares no sums answers what it declares instead: `offset`, from P and the
-    radius, or `union`, from the sets. Keywords of `serve`."""
+    """A function that declares no sums answers what it declares instead: `offset` or `features`,
+    from P and the radius, or `union`, from the sets. Keywords of `serve`."""
     able = declared.get("capabilities", [])
     if declared.get("sum") != "none":
         return {}
-    if "offset" in able:
-        return {"offset_of": lambda P, radius: sum_of.answered(P, radius)}
+    for verb in ("offset", "features"):
+        if verb in able:
+            return {f"{verb}_of": lambda P, radius: sum_of.answered(P, radius)}
     return {"union_of": lambda sets: sum_of.answered(sets)} if "union" in able else {}
 
 

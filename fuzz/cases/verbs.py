@@ -1,11 +1,12 @@
 """Requests that replace the verb `at` of the adapter protocol: LAW(NAME) with a verb for the law, a
-path, sets to unite, a set to grow, or operands with one invalid."""
+path, sets to unite, a set to grow, features of a set, or operands with one invalid."""
 
 UPDATE, EVENTS = "update", "events"
 PAIR_EVENTS = "pair-events"  # of edges of the reduced convolution
 PATH, RANGES = "path", "path-ranges"  # the verb `path`: single scales, or all of a window
 UNION = "union"  # of two or more sets
 OFFSET = "offset"  # a set grown by a disc
+FEATURES = "features"  # of a set, under a growing disc
 REJECTS = "rejects-invalid"  # the capability that invalid cases ask for
 
 
@@ -22,3 +23,8 @@ def is_union(text: str) -> bool:
 def is_offset(text: str) -> bool:
     """Whether a case's text names a set to grow itself."""
     return text.startswith('{"offset"')
+
+
+def is_features(text: str) -> bool:
+    """Whether a case's text names a set itself whose features are asked for."""
+    return text.startswith('{"features"')

@@ -14,7 +14,7 @@ Maker = Callable[[Finding, str], Program | None]
 
 def program(finding: Finding, name: str) -> Program | None:
     """Returns the program, its file called `name`; None if none exists (`why_none`)."""
-    if finding.case.offset is not None:
+    if finding.case.offset is not None or finding.case.features is not None:
         return None
     maker = _maker(finding.outcome.target, finding.case.union is not None)
     return maker(finding, name) if maker else None
@@ -22,7 +22,7 @@ def program(finding: Finding, name: str) -> Program | None:
 
 def why_none(finding: Finding) -> str:
     """A sentence for a finding that has no program."""
-    if finding.case.offset is not None:
+    if finding.case.offset is not None or finding.case.features is not None:
         return "No program: only sums and unions have programs so far."
     if _maker(finding.outcome.target) and finding.case.union is not None:
         return "No program: this library's programs show sums."

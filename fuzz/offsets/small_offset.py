@@ -1,4 +1,4 @@
-"""Steps that make a case of an offset smaller."""
+"""Steps that make a case of a set and a radius smaller."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
+from minkref.fuzz.cases.verbs import OFFSET
 from minkref.fuzz.plane.smaller_operands import (
     Operand,
     is_valid_operand,
@@ -32,15 +33,17 @@ from minkref.fuzz.plane.smaller_sets import (
 
 @dataclass(frozen=True)
 class SmallOffset:
+    """`verb`: the question about the set and the radius."""
+
     set: Operand
     radius: Fraction
+    verb: str = OFFSET
 
     @staticmethod
-    def read(literal: str) -> SmallOffset:
+    def read(literal: str, verb: str = OFFSET) -> SmallOffset:
         value = json.loads(literal)
-        return SmallOffset(
-            read_operand_text(json.dumps(value["offset"])), Fraction(str(value["radius"]))
-        )
+        given = read_operand_text(json.dumps(value[verb]))
+        return SmallOffset(given, Fraction(str(value["radius"])), verb)
 
     @cached_property
     def size(self) -> tuple[int, int, int, str]:
@@ -49,17 +52,17 @@ class SmallOffset:
 
     @cached_property
     def literal(self) -> str:
-        value = {"offset": plain_operand(self.set), "radius": str(self.radius)}
+        value = {self.verb: plain_operand(self.set), "radius": str(self.radius)}
         return json.dumps(value, separators=(",", ":"))
 
     def valid(self) -> bool:
         return self.radius > 0 and is_valid_operand(self.set)
 
     def scaled(self, factor: Fraction) -> SmallOffset:
-        return SmallOffset(scaled_operand(self.set, factor), self.radius * factor)
+        return replace(self, set=scaled_operand(self.set, factor), radius=self.radius * factor)
 
     def rounded(self, step: Fraction) -> SmallOffset:
-        return SmallOffset(rounded_operand(self.set, step), self.radius)
+        return replace(self, set=rounded_operand(self.set, step))
 
 
 def smaller_offsets(case: SmallOffset) -> Iterator[SmallOffset]:

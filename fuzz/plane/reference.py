@@ -44,7 +44,9 @@ class ReferenceTarget:
 
     def sum(self, case: AnyCase) -> Answer:
         if not isinstance(case, Case):
-            return skipped("does not declare space, rejects-invalid, path, union or offset")
+            return skipped(
+                "does not declare space, rejects-invalid, path, union, offset or features"
+            )
         if self.route in UPDATING:
             return self.updated_sum(case, case)
         return self._guarded(

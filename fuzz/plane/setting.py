@@ -14,6 +14,7 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import (
     EVENTS,
+    FEATURES,
     OFFSET,
     PAIR_EVENTS,
     PATH,
@@ -40,7 +41,7 @@ class Plane(Setting):
     target = "minkref:paper"
     asking = PlaneAsking
     families: ClassVar[dict[str, str]] = {name: one.title for name, one in FAMILIES.items()}
-    verbs = (UPDATE, EVENTS, PAIR_EVENTS, REJECTS, PATH, RANGES, UNION, OFFSET)
+    verbs = (UPDATE, EVENTS, PAIR_EVENTS, REJECTS, PATH, RANGES, UNION, OFFSET, FEATURES)
     never = frozenset({"non-uniform"})  # no case needs it: other targets get `S P` as P
 
     def holds(self, operands: list[Any]) -> bool:

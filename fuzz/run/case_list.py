@@ -25,7 +25,7 @@ DEEPEST_MUTANT = 4
 AXES_PER_ROUND = 4  # families with a factor for each axis
 PROBES_PER_ROUND = 3
 PATHS_PER_ROUND = 3  # per verb
-SETS_PER_ROUND = 3  # per family of sets to unite or to grow
+SETS_PER_ROUND = 3  # per family of sets to unite, to grow, or with features
 GRID_BITS = 24  # for cases on a grid, or in doubles
 CONVEX_FAMILIES = ("space-convex", "space-sphere")  # taken by most targets with updates
 TOUCHING = "passing"  # the family with topology events of the kind `touch`
@@ -68,6 +68,7 @@ class CaseList:
     paths: tuple[str, ...] = ()  # verbs of paths
     unions: tuple[str, ...] = ()  # families of sets to unite
     offsets: tuple[str, ...] = ()  # families of sets to grow
+    features: tuple[str, ...] = ()  # families of sets whose features are asked for
     doubles: bool = False  # no target takes other numbers: each pair on a grid, too
     spent: float = 0.0  # seconds used by an earlier part of the run
     notes: list[str] = field(default_factory=list)
@@ -128,7 +129,7 @@ class CaseList:
         """Returns the settings that distinguish runs."""
         names = ("seed", "pairs", "seconds", "named", "models", "families", "space", "laws")
         head: dict[str, object] = {name: getattr(self, name) for name in names}
-        more = ("derived", "files", "invalid", "paths", "unions", "offsets", "doubles")
+        more = ("derived", "files", "invalid", "paths", "unions", "offsets", "features", "doubles")
         return {**head, **{name: getattr(self, name) for name in more}}
 
     def miss(self) -> None:
@@ -141,7 +142,7 @@ class CaseList:
             self._learned.append((number, text, coverage))
 
     def _generated(self) -> Iterator[CaseName | Wait]:
-        if not (self.families or self.space or self.unions or self.offsets):
+        if not (self.families or self.space or self.unions or self.offsets or self.features):
             return
         if not self.derived:
             for index in itertools.count():
@@ -204,11 +205,14 @@ class CaseList:
                 yield CaseName(f"{verb}{end}:{self.seed}:{number}", "paths")
 
     def _of_sets(self, index: int) -> Iterator[CaseName]:
-        for group, families in (("unions", self.unions), ("offsets", self.offsets)):
+        for group, families in self._groups():
             for family in families:
                 for k in range(SETS_PER_ROUND):
                     number = index * SETS_PER_ROUND + k
                     yield CaseName(f"{family}:{self.seed}:{number}", group)
+
+    def _groups(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        return ("unions", self.unions), ("offsets", self.offsets), ("features", self.features)
 
     def _by_axes(self, index: int, texts: dict[str, str]) -> Iterator[CaseName]:
         """Yields cases of some families with a factor for each axis, and updates to such."""

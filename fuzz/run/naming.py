@@ -21,6 +21,8 @@ union:SEED:INDEX          sets to unite (union-grid: on a grid of 24 bits; union
 {"sets":[...]}            such sets themselves
 offsets:SEED:INDEX        a set to grow by a disc (offsets-grid: on a grid; offsets-known: known)
 {"offset":{...},"radius":"7/5"}   such a set itself
+features:SEED:INDEX       concave features of a set, bridges at a radius (features-grid: on a grid)
+{"features":{...},"radius":"7/5"}   such a set itself
 {"part":...,"obstacles":...,"path":...,"contact":...,"scales":[...]}   such a case itself
 """
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 from minkref.fuzz.cases.verbs import (
     EVENTS,
+    FEATURES,
     OFFSET,
     PAIR_EVENTS,
     PATH,
@@ -16,6 +17,7 @@ from minkref.fuzz.cases.verbs import (
     REJECTS,
     UNION,
     UPDATE,
+    is_features,
     is_offset,
     is_path,
     is_union,
@@ -128,10 +130,13 @@ def verb_of(text: str) -> str:
     verbs |= {f"{RANGES}:": RANGES, f"{RANGES}-": RANGES, f"{PATH}:": PATH, f"{PATH}-grid": PATH}
     verbs |= {f"{UNION}:": UNION, f"{UNION}-": UNION}
     verbs |= {"offsets:": OFFSET, "offsets-": OFFSET}  # `offset` is a family of pairs
+    verbs |= {f"{FEATURES}:": FEATURES, f"{FEATURES}-": FEATURES}
     if is_union(text):
         return UNION
     if is_offset(text):
         return OFFSET
+    if is_features(text):
+        return FEATURES
     if is_path(text):
         return PATH if '"scales"' in text else RANGES
     return next((verb for start, verb in verbs.items() if text.startswith(start)), "at")

@@ -11,7 +11,7 @@ from multiprocessing.connection import Connection
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import is_offset, is_path, is_union
+from minkref.fuzz.cases.verbs import is_features, is_offset, is_path, is_union
 from minkref.fuzz.cgal import server as cgal_server
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import child, naming
@@ -88,6 +88,11 @@ class CaseResult:
     def offset(self) -> str | None:
         """Returns the set to grow, with the radius, as a case's text, if something is amiss."""
         return self.literal if self.literal is not None and is_offset(self.literal) else None
+
+    @property
+    def features(self) -> str | None:
+        """Returns the set whose features are asked for, likewise."""
+        return self.literal if self.literal is not None and is_features(self.literal) else None
 
 
 def work(pipe: Connection, targets: list[str], catalogue: Catalogue, limits: Limits) -> None:

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 
 from minkref.errors import cut, message_of
 from minkref.fuzz.cases.any_case import AnyCase
-from minkref.fuzz.cases.verbs import OFFSET, UNION
+from minkref.fuzz.cases.verbs import FEATURES, OFFSET, UNION
 from minkref.fuzz.targets.adapter_process import GAVE_UP, AdapterProcess, Failure
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration
@@ -55,12 +55,18 @@ class ProgramTarget:
 
     def offset(self, case: AnyCase, text: str, radius: Fraction) -> Answer:
         """Asks for a set grown by a disc: without `load`, and no state changes."""
+        return self._asked_with_radius(case, OFFSET, text, radius)
 
+    def features(self, case: AnyCase, text: str, radius: Fraction) -> Answer:
+        """Asks for the concave features of a set, likewise."""
+        return self._asked_with_radius(case, FEATURES, text, radius)
+
+    def _asked_with_radius(self, case: AnyCase, verb: str, text: str, radius: Fraction) -> Answer:
         def fields(declaration: Declaration) -> dict[str, Any]:
             P = case.exchange.sent(text, declaration)
             return {"P": P, "radius": sent_number(radius, declaration)}
 
-        return self._asked_at_once(case, OFFSET, fields)
+        return self._asked_at_once(case, verb, fields)
 
     def _asked_at_once(
         self, case: AnyCase, verb: str, fields: Callable[[Declaration], dict[str, Any]]

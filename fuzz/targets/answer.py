@@ -47,9 +47,9 @@ class Limits:
 
 @dataclass
 class Answer:
-    """A target's answer: a region, in space a polyhedron, of a grown set perhaps `curves`, or a
-    verdict that explains its absence. WRONG without a set: the target called the operands
-    invalid."""
+    """A target's answer: a region, in space a polyhedron, of a grown set perhaps `curves`, bars and
+    bridges as `features`, or a verdict that explains its absence. WRONG without an answer: the
+    target called the operands invalid."""
 
     region: Region | None = None
     verdict: Verdict | None = None
@@ -60,18 +60,24 @@ class Answer:
     solid: Polyhedron | None = None
     log: str = ""
     curves: str | None = None
+    features: str | None = None
 
     @property
     def text(self) -> str | None:
-        """The set in the plane as canonical JSON."""
-        return self.curves if self.region is None else self.region.json
+        """The answer in the plane as canonical JSON."""
+        return self._other if self.region is None else self.region.json
 
     @property
     def digest(self) -> str | None:
-        """For the set in the plane."""
+        """For the answer in the plane."""
         if self.region is not None:
             return self.region.digest
-        return None if self.curves is None else digest(self.curves)
+        return None if self._other is None else digest(self._other)
+
+    @property
+    def _other(self) -> str | None:
+        """The answer that is no polygon set."""
+        return self.features if self.curves is None else self.curves
 
 
 class Target(Protocol):

@@ -55,7 +55,7 @@ class Asking(ABC):
         lost = self.lost.get(JUDGING + name)
         if lost is None:
             return answer
-        unread = replace(answer, region=None, solid=None, curves=None)
+        unread = replace(answer, region=None, solid=None, curves=None, features=None)
         return replace(unread, verdict=lost.verdict, message=lost.message)
 
 

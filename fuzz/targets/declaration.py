@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref.fuzz.cases.grid import bits_of
-from minkref.fuzz.cases.verbs import OFFSET, PATH, RANGES, UNION
+from minkref.fuzz.cases.verbs import FEATURES, OFFSET, PATH, RANGES, UNION
 from minkref.fuzz.geometry.number_text import number_of
 
 # For each capability, the trait of cases needing it.
@@ -34,6 +34,7 @@ CAPABILITIES = {
     "path-ranges": "all scales at which a part passes along a path, in the plane",
     "union": "sets to unite, in the plane",
     "offset": "a set to grow by a disc, in the plane",
+    "features": "concave features of a set under a growing disc, in the plane",
 }
 PLANE = frozenset(
     ("plane", "non-convex", "holes", "components", "touching", "empty", "point", "segment")
@@ -46,7 +47,7 @@ MEMBERS = frozenset(
 OF_TOLERANCE = frozenset(("absolute", "relative", "radius"))
 OF_GRID = frozenset(("bits", "unit", "largest"))
 NO_SUMS = "none"  # `sum` of a target that is asked for no sums
-OTHER_VERBS = frozenset((UNION, OFFSET, PATH, RANGES))
+OTHER_VERBS = frozenset((UNION, OFFSET, FEATURES, PATH, RANGES))
 FREE = "x-"  # members whose names begin so mean nothing to us
 
 
@@ -151,7 +152,9 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
     if declared.boundary and "space" in declared.capabilities:
         raise DeclarationError("sum: boundary is for the plane, and capabilities has space")
     if not declared.makes_sums and not declared.capabilities & OTHER_VERBS:
-        raise DeclarationError("sum: none leaves nothing to ask for without union, offset or path")
+        raise DeclarationError(
+            "sum: none leaves nothing to ask for without union, offset, features or path"
+        )
     if declared.exact and (declared.absolute or declared.relative or declared.of_radius):
         raise DeclarationError("exact arithmetic has no tolerance")
     return declared

@@ -35,8 +35,8 @@ class FunctionTarget(ProgramTarget):
     the case is outside its capabilities, and ValueError that an operand is invalid. A dictionary
     `minkref` among the function's attributes is its declaration, as the answer to `hello` in the
     adapter protocol: with `"numbers": "double"` it takes and returns floats. With `"sum":
-    "none"` it grows P by a radius, or unites a list of sets. For C functions see
-    fuzz/adapters/minkref_adapter.h."""
+    "none"` it grows P by a radius, finds the features of P, or unites a list of sets. For C
+    functions see fuzz/adapters/minkref_adapter.h."""
 
     def _read(
         self, case: AnyCase, value: dict[str, Any], declaration: Declaration, seconds: float

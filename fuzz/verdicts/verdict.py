@@ -7,6 +7,7 @@ from enum import StrEnum
 from typing import Any
 
 from minkref.errors import cut
+from minkref.fuzz.verdicts.feature_claim import FeatureClaim
 
 
 class Verdict(StrEnum):
@@ -45,6 +46,10 @@ class Reason(StrEnum):
     REJECTED_VALID = "rejected-valid"  # valid operands called invalid
     PASSAGE_MISSED = "passage-missed"  # a tight passage
     PASSAGE_INVENTED = "passage-invented"
+    BAR_MISSED = "bar-missed"  # a feature's life
+    BAR_INVENTED = "bar-invented"
+    BRIDGE_MISSED = "bridge-missed"  # of a feature, at the radius that is asked about
+    BRIDGE_INVENTED = "bridge-invented"
     COLLISION_MISSED = "collision-missed"  # a scale at which a part collides is called valid
     COLLISION_INVENTED = "collision-invented"  # a valid scale is not
 
@@ -71,6 +76,7 @@ class Witness:
     radius: str | None = None  # of an offset; p and q are None
     squared_distance: str | None = None  # from the set that is grown
     nearest: tuple[str, ...] | None = None  # its feature: "inside", "vertex" x y, "edge" x y x y
+    feature: FeatureClaim | None = None  # bars, bridges or counts; `point` shows where
     places: int | None = None  # at none of so many, which decide for all, the part collides
 
     def document(self) -> dict[str, Any]:
@@ -93,6 +99,8 @@ class Witness:
             nearest = list(self.nearest) if self.nearest else None
             value |= {"radius": self.radius, "squared_distance": self.squared_distance}
             value["nearest"] = nearest
+        if self.feature is not None:
+            value["feature"] = self.feature.document()
         return value if self.scale is None else {**value, "scale": self.scale}
 
 

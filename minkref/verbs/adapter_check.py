@@ -19,7 +19,7 @@ from minkref.cli.target_options import (
     walls_and_limits,
 )
 from minkref.fuzz.all_targets import ALL_TARGETS
-from minkref.fuzz.cases.verbs import OFFSET, PATH, RANGES, UNION
+from minkref.fuzz.cases.verbs import FEATURES, OFFSET, PATH, RANGES, UNION
 from minkref.fuzz.isolation.isolation import AUTO, Isolation
 from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.shrink.asker import Asker
@@ -63,6 +63,7 @@ class Trying:
     path: dict[str, Any] | None = None  # a question about one, P being the part
     others: tuple[str, ...] | None = None  # a question about the union of P, Q and these
     radius: str | None = None  # a question about P grown by a disc
+    verb: str = OFFSET  # of P and a radius
 
     @property
     def literal(self) -> str:
@@ -73,7 +74,7 @@ class Trying:
             sets = [texts.loads(text) for text in (self.P, self.Q, *self.others)]
             return texts.dumps({"sets": sets}, separators=(",", ":"))
         if self.radius is not None:
-            value = {"offset": texts.loads(self.P), "radius": self.radius}
+            value = {self.verb: texts.loads(self.P), "radius": self.radius}
             return texts.dumps(value, separators=(",", ":"))
         value = {"P": texts.loads(self.P), "Q": texts.loads(self.Q), "scale": self.scale}
         return texts.dumps(value, separators=(",", ":"))
@@ -119,6 +120,12 @@ OFFSETS = [
     Trying("a frame: the hole is filled", FRAME, "", radius="3/2"),
 ]
 
+OF_FEATURES = [
+    Trying("features of a triangle: none", TRIANGLE, "", radius="1", verb=FEATURES),
+    Trying("of a hook: one bay", HOOK, "", radius="1", verb=FEATURES),
+    Trying("of a frame: four corners, one hole", FRAME, "", radius="1/2", verb=FEATURES),
+]
+
 
 def _solid(*cells: Cell) -> str:
     return surface_of(frozenset(cells)).to_json()
@@ -159,8 +166,8 @@ def command(
 ) -> None:
     """Start an adapter, show what it declares and what that leaves out, and ask for four sums: two
     of convex operands, one of an operand that is not convex, and one with a hole; and for paths,
-    unions and offsets, if it declares them. Exits with 1 if an answer is proven wrong, 3 if the
-    adapter breaks, and 2 if it does not start."""
+    unions, offsets and features, if it declares them. Exits with 1 if an answer is proven wrong, 3
+    if the adapter breaks, and 2 if it does not start."""
     watch = Stopwatch()
     walls, limits = walls_and_limits(call_seconds, call_memory, call_processes, isolation, pass_env)
     chosen = [ALL_TARGETS.select_one(target)]
@@ -169,6 +176,7 @@ def command(
     able = declared.capabilities
     asked = {"plane": IN_PLANE, "space": IN_SPACE} if declared.makes_sums else {}
     asked |= {PATH: ON_PATHS, RANGES: ALL_ON_PATHS, UNION: UNIONS, OFFSET: OFFSETS}
+    asked |= {FEATURES: OF_FEATURES}
     trials = [trying for word, some in asked.items() if word in able for trying in some]
     with ending_in_order(), Asker(entry.name, ALL_TARGETS, limits) as asker:
         rows = [(trying, asker.ask(trying.literal)[1]) for trying in trials]

@@ -7,7 +7,17 @@ from collections.abc import Iterable
 from minkref.errors import Refusal, choice, nearest
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import EVENTS, OFFSET, PAIR_EVENTS, PATH, RANGES, UNION, UPDATE
+from minkref.fuzz.cases.verbs import (
+    EVENTS,
+    FEATURES,
+    OFFSET,
+    PAIR_EVENTS,
+    PATH,
+    RANGES,
+    UNION,
+    UPDATE,
+)
+from minkref.fuzz.features.question import FEATURES as OF_FEATURES
 from minkref.fuzz.offsets.question import OFFSETS
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.laws import LAWS
@@ -33,7 +43,7 @@ def case_list(asked: Cases, declared: Iterable[Declaration]) -> CaseList:
         raise Refusal(what, "--suite", mend)
     for text in named or []:
         refuse_unless_case(text)
-    known = (*FAMILIES, *SPACE_FAMILIES, *UNIONS.families, *OFFSETS.families)
+    known = (*FAMILIES, *SPACE_FAMILIES, *UNIONS.families, *OFFSETS.families, *OF_FEATURES.families)
     for name in families or []:
         if name not in known:
             raise Refusal(
@@ -50,6 +60,7 @@ def case_list(asked: Cases, declared: Iterable[Declaration]) -> CaseList:
         *(SPACE_FAMILIES if space else ()),
         *(UNIONS.families if UNION in able else ()),
         *(OFFSETS.families if OFFSET in able else ()),
+        *(OF_FEATURES.families if FEATURES in able else ()),
     ]
     fuzz = suite in ("fuzz", "all")
     filed = suite in ("corpus", "all") and not named
@@ -71,6 +82,7 @@ def case_list(asked: Cases, declared: Iterable[Declaration]) -> CaseList:
         tuple(verb for verb in (PATH, RANGES) if verb in able and fuzz and not families),
         tuple(name for name in wanted if name in UNIONS.families) if fuzz else (),
         tuple(name for name in wanted if name in OFFSETS.families) if fuzz else (),
+        tuple(name for name in wanted if name in OF_FEATURES.families) if fuzz else (),
         "rational" not in able,
     )
     if files.note is not None:

@@ -8,6 +8,7 @@ from minkref.fuzz.libraries.programs import library
 from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.output.terminal import escaped
 from minkref.reports.conformance.case_view import CaseView, written
+from minkref.reports.conformance.feature_words import feature_question
 from minkref.reports.conformance.markdown_text import plain
 from minkref.reports.conformance.offset_words import offset_question
 from minkref.reports.conformance.path_words import path_argument, path_question
@@ -53,6 +54,8 @@ def bug_report(view: CaseView, version: str | None, presence: list[str]) -> str:
 def _subject(view: CaseView) -> str:
     if view.case.offset is not None:
         return "Offset of a polygon"
+    if view.case.features is not None:
+        return "Concave features of a polygon"
     return f"Minkowski sum of {'two solids' if view.case.dimension == 3 else 'two polygons'}"
 
 
@@ -65,6 +68,8 @@ def _input(view: CaseView) -> str:
         texts += union_question(view.case.union)
     if view.case.offset is not None:
         texts += offset_question(view.case.offset)
+    if view.case.features is not None:
+        texts += feature_question(view.case.features)
     if view.case.path is not None:
         texts += ["P is the part, Q the obstacles.", *path_question(view.case.path)]
     return "\n".join(texts)

@@ -21,6 +21,12 @@ from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import Outcome, Reason
 from minkref.output.terminal import counted, escaped
 from minkref.reports.conformance.argument import argument_in_plane, point_text
+from minkref.reports.conformance.feature_words import (
+    feature_argument,
+    feature_question,
+    features_lines,
+    features_set,
+)
 from minkref.reports.conformance.offset_pictures import offset_pictures
 from minkref.reports.conformance.offset_words import offset_argument, offset_question, offset_set
 from minkref.reports.conformance.path_words import path_argument, path_question
@@ -99,13 +105,15 @@ class CaseView:
             return union_question(self.case.union)
         if self.case.offset:
             return offset_question(self.case.offset)
+        if self.case.features:
+            return feature_question(self.case.features)
         return path_question(self.case.path) if self.case.path else [f"scale: {self.case.scale}"]
 
     @property
     def claim(self) -> str:
         """The witness's claim, whose argument follows."""
         witness = self.outcome.witness
-        if witness is None or witness.contact is not None:
+        if witness is None or witness.contact is not None or witness.feature is not None:
             return ""
         has = "has" if witness.in_truth else "does not have"
         wrong = "; the result is wrong there" if self.outcome.got else ""
@@ -119,6 +127,8 @@ class CaseView:
             return [(name, written(text)) for name, text in named_sets(self.case.union)]
         if self.case.offset:
             return [("the set", written(offset_set(self.case.offset)))]
+        if self.case.features:
+            return [("the set", written(features_set(self.case.features)))]
         return [
             (name, written(text))
             for name, text in (("P", self.case.P), ("Q", self.case.Q))
@@ -161,6 +171,8 @@ def _view(finding: Finding, title: str, name: str, boundary: bool) -> CaseView:
             _fill_union(view, case.union)
         elif case.offset is not None:
             _fill_offset(view, case.offset)
+        elif case.features is not None:
+            _fill_features(view, case.features)
         elif case.dimension == 3:
             _fill_space(view, case.P, case.Q)
         else:
@@ -200,6 +212,13 @@ def _fill_offset(view: CaseView, literal: str) -> None:
         view.panes = offset_pictures(view.expected, radius, view.outcome)
     if view.outcome.witness is not None:
         view.argument = offset_argument(view.outcome.witness)
+
+
+def _fill_features(view: CaseView, literal: str) -> None:
+    view.operands = set_pictures([("the set", features_set(literal))])
+    view.expected = view.case.expected
+    if view.outcome.witness is not None:
+        view.argument = feature_argument(view.outcome.witness)
 
 
 def _fill_plane(view: CaseView, P: str, Q: str, boundary: bool) -> None:
@@ -269,6 +288,8 @@ def written(text: str) -> str:
             lines.append(f"polygon {_ring(polygon['outer'])}")
             lines += [f"  hole {_ring(hole)}" for hole in polygon.get("holes", [])]
         lines = lines or ["the empty set"]
+    elif "bars" in value:
+        lines += features_lines(value) or ["no features"]
     elif "components" in value:
         for component in value["components"]:
             lines.append(f"ring {_curves(component['outer'])}")

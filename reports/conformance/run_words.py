@@ -11,6 +11,7 @@ from minkref.fuzz.shrink.finding import SmallFinding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
 from minkref.output.terminal import counted, escaped
+from minkref.reports.conformance.feature_words import feature_witness_text
 from minkref.reports.conformance.offset_words import offset_witness_text
 from minkref.reports.conformance.path_words import path_witness_text
 from minkref.reports.conformance.union_words import union_witness_text
@@ -98,7 +99,7 @@ def describe(group: Group) -> list[str]:
 
 def _measures(case: CaseResult) -> str:
     vertices = f"{case.size[0]} vertices"
-    if case.offset:
+    if case.offset or case.features:
         return f"{vertices}, {case.Q_name}"
     return vertices if case.path or case.union else f"scale {case.scale}, {vertices}"
 
@@ -122,6 +123,8 @@ def witness_text(witness: Witness, scale: str) -> str:
         return path_witness_text(witness)
     if witness.sets is not None:
         return union_witness_text(witness)
+    if witness.feature is not None:
+        return feature_witness_text(witness)
     if witness.radius is not None:
         return offset_witness_text(witness)
     point = f"({', '.join(witness.point)})"

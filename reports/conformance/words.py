@@ -36,6 +36,10 @@ REASONS = {
     Reason.REJECTED_VALID: "valid operands are called invalid",
     Reason.PASSAGE_MISSED: "a tight passage is not reported",
     Reason.PASSAGE_INVENTED: "a tight passage is reported where there is none",
+    Reason.BAR_MISSED: "a feature's bar is not reported",
+    Reason.BAR_INVENTED: "a bar is reported that the set does not have",
+    Reason.BRIDGE_MISSED: "a bridge at the radius is not reported",
+    Reason.BRIDGE_INVENTED: "a bridge is reported where there is none",
     Reason.COLLISION_MISSED: "a scale is called valid at which the part collides on the path",
     Reason.COLLISION_INVENTED: "a scale is called not valid at which the part passes",
 }

@@ -12,8 +12,8 @@ from minkref import _core
 from minkref.disc.feature_regions import RegionsAt
 from minkref.disc.features import Features
 from minkref.errors import Refusal
+from minkref.fuzz.features.place_draws import drawn_set, set_of
 from minkref.fuzz.geometry.plane import Shape, box, mapped
-from minkref.fuzz.judges.disc.place_draws import drawn_set, set_of
 
 from tests.disc.sampled_closing import added_area
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from known_features import Shape, box, holed, slot
-from minkref.fuzz.judges.disc.feature_draws import drawn_set
+from minkref.fuzz.features.feature_draws import drawn_set
 from minkref.oracle.features import Judge
 from minkref.oracle.features.cuts import cuts, is_convex, pieces
 from minkref.oracle.features.outline import Point, cross

@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 from minkref import _core
+from minkref.fuzz.features.outer_diagram import BOOST, CGAL, DiagramJudge, absence
+from minkref.fuzz.features.outline import Outline
 from minkref.fuzz.judges.disc.diagram_witness import Ruling, settle
 from minkref.fuzz.judges.disc.disc_diagram import DiagramComparison, Table, compare, main
-from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, DiagramJudge, absence
-from minkref.fuzz.judges.disc.outline import Outline
 from thoroughness import draws
 
 Corners = list[tuple[Any, Any]]

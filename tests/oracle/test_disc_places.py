@@ -10,8 +10,8 @@ from functools import cache
 from typing import Any
 
 import pytest
+from minkref.fuzz.features.place_draws import KINDS, drawn_set, set_of
 from minkref.fuzz.judges.disc.disc_places import Table, compare, faults_of, law_faults, rows_of
-from minkref.fuzz.judges.disc.place_draws import KINDS, drawn_set, set_of
 from minkref.fuzz.judges.disc.place_mutants import MUTANTS
 from minkref.oracle.places import Boundary
 from minkref.oracle.places.bridges import bridges

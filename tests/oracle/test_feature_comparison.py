@@ -10,9 +10,9 @@ from typing import Any
 
 import pytest
 from minkref import _core
+from minkref.fuzz.features.feature_comparison import feature_faults
+from minkref.fuzz.features.feature_draws import KINDS, drawn_set, set_of
 from minkref.fuzz.judges.disc.cut_comparison import cut_faults
-from minkref.fuzz.judges.disc.feature_comparison import feature_faults
-from minkref.fuzz.judges.disc.feature_draws import KINDS, drawn_set, set_of
 from minkref.oracle.features import Judge
 from thoroughness import draws
 

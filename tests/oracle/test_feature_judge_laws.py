@@ -9,8 +9,9 @@ from fractions import Fraction
 from functools import cache
 
 import pytest
+from minkref.fuzz.features.feature_draws import KINDS, drawn_set, set_of
+from minkref.fuzz.features.outer_diagram import BOOST, CGAL, DiagramJudge, absence
 from minkref.fuzz.geometry.plane import Shape
-from minkref.fuzz.judges.disc.feature_draws import KINDS, drawn_set, set_of
 from minkref.fuzz.judges.disc.feature_shape_laws import (
     Table,
     count,
@@ -18,7 +19,6 @@ from minkref.fuzz.judges.disc.feature_shape_laws import (
     rounded_bars,
     sum_faults,
 )
-from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, DiagramJudge, absence
 from minkref.oracle.features import Judge
 from minkref.oracle.features.graph import Graph
 from minkref.oracle.features.outline import Outline

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
+from minkref.fuzz.features.outline import Outline
 from minkref.fuzz.judges.disc.equidistant_comparison import (
     KINDS,
     Choice,
@@ -19,7 +20,6 @@ from minkref.fuzz.judges.disc.equidistant_comparison import (
     difference,
     main,
 )
-from minkref.fuzz.judges.disc.outline import Outline
 from minkref.oracle.symbolic.disc.disc import Offset
 from minkref.oracle.symbolic.disc.disc_diagram import SquaredRadius, between, equidistant, in_front
 from minkref.oracle.symbolic.rational import Rational

@@ -1,4 +1,4 @@
-"""Functions that answer a union and an offset: `py:asked_functions:NAME`."""
+"""Functions that answer a union, an offset and features: `py:asked_functions:NAME`."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import Any
 import minkref
 
 path.insert(0, str(Path(__file__).parent))
+import features_adapter
 from offset_adapter import ALL, answer_to, read
 
 ABLE = [word for word in ALL if word not in ("offset", "point", "segment")]
@@ -31,6 +32,11 @@ def curves(P: Any, radius: str) -> Any:
     return answer_to("curves", {"P": P, "radius": radius})
 
 
+def bars(P: Any, radius: str) -> Any:
+    return features_adapter.answer_to("right", {"P": P, "radius": radius})
+
+
+bars.minkref = {"sum": "none", "capabilities": features_adapter.ALL}  # type: ignore[attr-defined]
 NEAR = {"arithmetic": "polygons", "tolerance": {"radius": "0.0022", "relative": "1e-12"}}
 united.minkref = {"sum": "none", "capabilities": [*ABLE, "union"]}  # type: ignore[attr-defined]
 curves.minkref = {"sum": "none", "capabilities": ALL}  # type: ignore[attr-defined]

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from minkref.fuzz.judges.disc.outline import Feature, Outline, Piece, Point
+from minkref.fuzz.features.outline import Feature, Outline, Piece, Point
 
 NEAR = 1e-9  # times the set's size: closer candidates are compared exactly
 

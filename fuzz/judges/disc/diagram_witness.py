@@ -12,7 +12,7 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from minkref.fuzz.judges.disc.outline import Feature, Outline, Piece
+from minkref.fuzz.features.outline import Feature, Outline, Piece
 from mpmath import iv, mp
 
 DIGITS = 60

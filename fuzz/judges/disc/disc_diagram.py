@@ -18,11 +18,11 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from minkref import _core
+from minkref.fuzz.features.outer_diagram import BOOST, CGAL, DiagramAnswer, DiagramJudge, Vertex
+from minkref.fuzz.features.outline import Feature, Outline
 from minkref.fuzz.judges.disc.diagram_saddles import saddles
 from minkref.fuzz.judges.disc.diagram_witness import Ruling, settle
 from minkref.fuzz.judges.disc.offset_comparison import grid_set
-from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, DiagramAnswer, DiagramJudge, Vertex
-from minkref.fuzz.judges.disc.outline import Feature, Outline
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 
 SECONDS = 60.0  # per diagram

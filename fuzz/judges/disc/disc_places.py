@@ -17,8 +17,8 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
+from minkref.fuzz.features.place_draws import changed, drawn_set, set_of
 from minkref.fuzz.geometry.plane import Point, Shape
-from minkref.fuzz.judges.disc.place_draws import changed, drawn_set, set_of
 from minkref.oracle.places import Boundary, event_faults, history_faults
 
 Row = dict[str, Any]

@@ -18,8 +18,8 @@ from typing import Any
 
 import sympy as sp
 from minkref import _core
+from minkref.fuzz.features.outline import Outline
 from minkref.fuzz.judges.disc.disc_diagram import drawn_set
-from minkref.fuzz.judges.disc.outline import Outline
 from minkref.oracle.symbolic.disc import disc_diagram
 from minkref.oracle.symbolic.disc.disc import Offset
 from minkref.oracle.symbolic.disc.disc_diagram import Feature, SquaredRadius

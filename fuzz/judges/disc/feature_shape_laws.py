@@ -10,11 +10,11 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from minkref import _core
+from minkref.fuzz.features.diagram_bars import Bar, bars_of, unmatched
+from minkref.fuzz.features.feature_draws import set_of
+from minkref.fuzz.features.outer_diagram import DiagramJudge
+from minkref.fuzz.features.outline import Outline
 from minkref.fuzz.geometry.plane import Shape
-from minkref.fuzz.judges.disc.diagram_bars import Bar, bars_of, unmatched
-from minkref.fuzz.judges.disc.feature_draws import set_of
-from minkref.fuzz.judges.disc.outer_diagram import DiagramJudge
-from minkref.fuzz.judges.disc.outline import Outline
 from minkref.oracle.features import Judge
 
 RADII = 3  # between levels, for each set

@@ -12,9 +12,10 @@ import time
 from collections.abc import Sequence
 
 from minkref import _core
+from minkref.fuzz.features.feature_comparison import feature_faults
+from minkref.fuzz.features.feature_draws import drawn_set, set_of
+from minkref.fuzz.features.outer_diagram import BOOST, CGAL, DiagramJudge
 from minkref.fuzz.judges.disc.cut_comparison import cut_faults
-from minkref.fuzz.judges.disc.feature_comparison import feature_faults
-from minkref.fuzz.judges.disc.feature_draws import drawn_set, set_of
 from minkref.fuzz.judges.disc.feature_shape_laws import (
     Table,
     count,
@@ -23,7 +24,6 @@ from minkref.fuzz.judges.disc.feature_shape_laws import (
     rounded_bars,
     sum_faults,
 )
-from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, DiagramJudge
 from minkref.oracle.features import Judge
 
 SECONDS = 60.0  # for a diagram

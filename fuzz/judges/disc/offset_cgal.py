@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.fuzz.cgal.executables import BUILD_COMMAND, search_folders
-from minkref.fuzz.judges.line_process import LineProcess
+from minkref.fuzz.cgal.line_process import LineProcess
 
 PROGRAM = "minkref-cgal-offset"
 Curve = tuple[str, ...]

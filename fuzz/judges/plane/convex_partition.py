@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Self
 
 from minkref.fuzz.cgal.executables import BUILD_COMMAND, search_folders
-from minkref.fuzz.judges.line_process import LineProcess
+from minkref.fuzz.cgal.line_process import LineProcess
 
 _PROGRAM = "minkref-cgal-partition"
 Ring = Sequence[tuple[object, object]]  # coordinates that print exactly

@@ -29,6 +29,10 @@ Reason = Literal[
     "state-drift",
     "passage-missed",
     "passage-invented",
+    "bar-missed",
+    "bar-invented",
+    "bridge-missed",
+    "bridge-invented",
     "collision-missed",
     "collision-invented",
     "nondeterministic",
@@ -94,10 +98,23 @@ class Tolerance(TypedDict):
     radius: NotRequired[str]
 
 
+class FeatureClaim(TypedDict):
+    """A bar, a bridge at the case's radius, a count of the alpha-shape, or a set refused."""
+
+    kind: Literal["bar", "bridge", "shape", "set"]
+    what: str
+    in_set: Annotated[int, Meta(description="How many the set has; of shape, the count.")]
+    in_answer: int
+    nearest: Annotated[str | None, Meta(description="The bar most like an invented one.")]
+    begins_at: Annotated[list[str] | None, Meta(description="Of a bar: near the birth's place.")]
+    ends_at: Annotated[list[str] | None, Meta(description="Of a bar: near the death's place.")]
+
+
 class Witness(TypedDict):
     """Inside: scale p + q = point. Outside: the scaled P does not meet the point less Q. Of a
     path: point + scale p = q, or at no place that decides does the part collide. For a union: a set
-    has the point, or none has it. For an offset: the squared distance from the set."""
+    has the point, or none has it. For an offset: the squared distance from the set. For features:
+    what the set has, near the point."""
 
     point: AnyPoint
     in_truth: Annotated[bool, Meta(description="The point lies in the sum.")]
@@ -151,6 +168,7 @@ class Witness(TypedDict):
             Meta(description="Its nearest feature: inside, vertex x y, or edge x y x y."),
         ]
     ]
+    feature: NotRequired[FeatureClaim]
 
 
 class CasePolygon(TypedDict):

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from minkref import _core
+from minkref.fuzz.features.outer_diagram import BOOST, CGAL, absence
 from minkref.fuzz.judges.disc import disc_diagram, equidistant_comparison
 from minkref.fuzz.judges.disc.disc_diagram import DiagramComparison, Table
-from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, absence
 from minkref.reports.evidence.disc_sums.sums import LARGE
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand, tell_absent

@@ -10,8 +10,8 @@ from typing import Any
 
 from minkref import _core
 from minkref.degeneracies.catalogue import DISC_FAMILIES
+from minkref.fuzz.features.place_draws import KINDS, drawn_set, set_of
 from minkref.fuzz.judges.disc.disc_places import Table, compare, faults_of, rows_of
-from minkref.fuzz.judges.disc.place_draws import KINDS, drawn_set, set_of
 from minkref.fuzz.judges.disc.place_mutants import MUTANTS
 from minkref.fuzz.plane.families.drawing import shape_text
 from minkref.reports.evidence.framework.command import minkref

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.judges.disc.feature_draws import KINDS
+from minkref.fuzz.features.feature_draws import KINDS
+from minkref.fuzz.features.outer_diagram import BOOST, CGAL, absence
 from minkref.fuzz.judges.disc.feature_shape_laws import Table
 from minkref.fuzz.judges.disc.features_before_judges import compare, compare_bars
-from minkref.fuzz.judges.disc.outer_diagram import BOOST, CGAL, absence
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

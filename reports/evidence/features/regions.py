@@ -12,7 +12,7 @@ from itertools import combinations, pairwise
 from minkref import _core
 from minkref.disc.feature_regions import RegionsAt
 from minkref.disc.features import Features
-from minkref.fuzz.judges.disc.place_draws import KINDS, drawn_set, set_of
+from minkref.fuzz.features.place_draws import KINDS, drawn_set, set_of
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any, Self
 
 from minkref.fuzz.cgal.executables import BUILD_COMMAND, built_folders, search_folders
-from minkref.fuzz.judges.disc.outline import Feature, Outline, distance, height
-from minkref.fuzz.judges.line_process import LineProcess
+from minkref.fuzz.cgal.line_process import LineProcess
+from minkref.fuzz.features.outline import Feature, Outline, distance, height
 
 CGAL, BOOST = "CGAL", "Boost"
 _PROGRAMS = {CGAL: "minkref-cgal-diagram", BOOST: "minkref-boost-diagram"}

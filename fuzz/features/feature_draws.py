@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from minkref import _core
+from minkref.fuzz.features import place_draws
 from minkref.fuzz.geometry.plane import Number, Point, Ring, Shape, box, mapped, moved, read_shape
-from minkref.fuzz.judges.disc import place_draws
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.families.drawing import is_valid, shape_text
 
@@ -173,7 +173,7 @@ def drawn_set(seed: int, number: int, most: int = MOST) -> tuple[str, Shape]:
     while True:
         shape = KINDS[kind](dice)
         if is_shifted:
-            shape = _shifted(dice, shape)
+            shape = shifted(dice, shape)
         count = sum(len(ring) for polygon in shape for ring in polygon)
         if 3 <= count <= most and is_valid(shape_text(shape)):
             return f"{kind} {'shifted ' if is_shifted else ''}{seed}:{number}", shape
@@ -183,7 +183,7 @@ def set_of(shape: Shape) -> _core.PolygonSet:
     return _core.PolygonSet.from_json(shape_text(shape))
 
 
-def _shifted(dice: Dice, shape: Shape) -> Shape:
+def shifted(dice: Dice, shape: Shape) -> Shape:
     """Moves each vertex a little, equal vertices alike."""
     shifts: dict[Point, Point] = {}
 

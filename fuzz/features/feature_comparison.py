@@ -24,20 +24,33 @@ def feature_faults(
     judge: Judge, found: _core.Features, dice: random.Random, counts: Counter[str]
 ) -> list[str]:
     """Differences, in words; none if both agree."""
-    own, other = canonical_json(judge), found.canonical_json()
-    if own != other:
-        return [f"trees: the judge has {own}, the reference {other}"]
-    comparison = _Comparison(judge, found)
-    faults = [*comparison.radii(), *comparison.bars()]
-    if judge.tracks() != comparison.tracks():
-        faults.append(f"tracks: {judge.tracks()} and {comparison.tracks()}")
+    faults = bar_faults(judge, found)
     if faults:  # numbers below stand for bars and nodes
         return faults
+    comparison = _Comparison(judge, found)
+    if judge.tracks() != comparison.tracks():
+        return [f"tracks: {judge.tracks()} and {comparison.tracks()}"]
     for alpha in _alphas(judge, dice):
         counts["alphas"] += 1
         faults += comparison.alive(alpha, counts)
         faults += comparison.notches(alpha, dice, counts)
     return faults + comparison.notches(Fraction(0), dice, counts)
+
+
+def bar_faults(judge: Judge, found: _core.Features) -> list[str]:
+    """Differences of trees, radii and bars."""
+    own, other = canonical_json(judge), found.canonical_json()
+    if own != other:
+        return [f"trees: the judge has {own}, the reference {other}"]
+    comparison = _Comparison(judge, found)
+    return [*comparison.radii(), *comparison.bars()]
+
+
+def alive_faults(
+    judge: Judge, found: _core.Features, alpha: Fraction, counts: Counter[str]
+) -> list[str]:
+    """Differences at a diameter, where trees and bars are equal."""
+    return _Comparison(judge, found).alive(alpha, counts)
 
 
 def _alphas(judge: Judge, dice: random.Random) -> list[Fraction]:

@@ -7,8 +7,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from minkref.fuzz.judges.disc.outer_diagram import DiagramEdge, DiagramGraph
-from minkref.fuzz.judges.disc.outline import Feature, Outline
+from minkref.fuzz.features.outer_diagram import DiagramEdge, DiagramGraph
+from minkref.fuzz.features.outline import Feature, Outline
 
 NEAR = 1e-9  # times size or radius: differences by rounding
 Bar = tuple[float, float]

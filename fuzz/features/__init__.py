@@ -1,0 +1,1 @@
+"""Concave features of a growing disc, verified: questions, cases and verdicts."""

@@ -1,0 +1,53 @@
+"""Radii at which features change, as the reference knows them, and numbers compared with them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import isqrt
+
+
+@dataclass(frozen=True)
+class ExactRadius:
+    """A radius between `low` and `high`; its square, if rational, else a polynomial with that root,
+    the lowest coefficient first."""
+
+    low: Fraction
+    high: Fraction
+    square: Fraction | None = None
+    polynomial: tuple[Fraction, ...] = ()
+
+    def compare_square(self, number: Fraction) -> int:
+        """The sign of the squared radius less the number. Exact, as long as the polynomial has one
+        root between the bounds' squares; else 0 between them."""
+        if self.square is not None:
+            return (self.square > number) - (self.square < number)
+        low, high = self.low**2, self.high**2
+        if not low < number < high:
+            return 1 if number <= low else -1
+        at_low, here, at_high = (_sign(self.polynomial, x) for x in (low, number, high))
+        if here == 0 or at_low * at_high >= 0:
+            return 0
+        return 1 if here == at_low else -1
+
+    @property
+    def text(self) -> str:
+        """The number, the root of its square, or the double next to it."""
+        if self.square is None:
+            return f"about {float(self.low)!r}"
+        root = Fraction(isqrt(self.square.numerator), isqrt(self.square.denominator))
+        return str(root) if root**2 == self.square else f"sqrt({self.square})"
+
+    @property
+    def near(self) -> float:
+        return float((self.low + self.high) / 2)
+
+
+ZERO = ExactRadius(Fraction(0), Fraction(0), Fraction(0))
+
+
+def _sign(polynomial: tuple[Fraction, ...], at: Fraction) -> int:
+    total = Fraction(0)
+    for factor in reversed(polynomial):
+        total = total * at + factor
+    return (total > 0) - (total < 0)
