@@ -46,6 +46,7 @@ GUIDE = (
     "certificates-convex",
     "certificates-solids",
     "certificates-paths",
+    "certificates-features",
     "degeneracies",
     "roadmap",
 )

@@ -1,11 +1,11 @@
-"""Documents of `certify` and `check`."""
+"""Documents of `certify` and `check`, and certificates that other commands write."""
 
 from __future__ import annotations
 
 from typing import Annotated, Literal, NotRequired, TypedDict
 
 from minkref.schemas.grammar import ruled
-from minkref.schemas.values import Count, Head
+from minkref.schemas.values import Count, Head, PositiveCount
 from msgspec import Meta
 
 CheckVerdict = Literal["verified", "refuted", "malformed", "out of budget", "declined"]
@@ -34,6 +34,24 @@ class CertifyDocument(Head):
     claims: Annotated[
         list[Claim], Meta(description="As in the certificate (docs/certificates.md).")
     ]
+
+
+class Certificate(TypedDict):
+    output: str
+    case: str
+    bytes: Count
+    claims: PositiveCount
+    verified: bool
+
+
+CertificateMade = Annotated[
+    Certificate | None,
+    Meta(
+        description="With --certify: the proof that was written, its case, its size not "
+        "compressed, the number of its claims, and whether the checker verified it (false where "
+        "its budget did not suffice); null without."
+    ),
+]
 
 
 class CheckedFile(TypedDict):

@@ -26,7 +26,9 @@ minkref features glyph1204 --alpha 5 -o bridges.svg
 
 minkref features glyph1204 --alpha 5 -o bridges.dxf
 
-minkref features glyph1204 --alpha 5 --regions --rest -o rest.svg"""
+minkref features glyph1204 --alpha 5 --regions --rest -o rest.svg
+
+minkref features g1 --alpha 1 --certify bridges.cert.json"""
 
 TOLD = """\
 The concave features of a set under a growing disc: where bays, corridors and holes of a diameter
@@ -71,6 +73,16 @@ Format = Annotated[
     str | None, typer.Option("--format", help="Format of the file: json, svg or dxf.", metavar="F")
 ]
 
+Certify = Annotated[
+    Path | None,
+    typer.Option(
+        "--certify",
+        help="With --alpha: write a proof of the bridges (docs/certificates-features.md) as "
+        "FILE.cert.json or FILE.cert.json.gz, and its case beside it.",
+        metavar="FILE",
+    ),
+]
+
 
 @dataclass(frozen=True)
 class FeaturesRequest:
@@ -83,6 +95,7 @@ class FeaturesRequest:
     output: Output = None
     form: Format = None
     index: IndexFile = None
+    certify: Certify = None
     memory: Memory = None
     json: Json = False
 

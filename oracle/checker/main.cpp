@@ -10,6 +10,7 @@
 #include <new>
 #include <optional>
 
+#include "oracle/checker/disc/bridges.hpp"
 #include "oracle/checker/motion/path.hpp"
 #include "oracle/checker/plane/claims.hpp"
 #include "oracle/checker/space/convex.hpp"
@@ -158,10 +159,11 @@ void check_file(const std::string& file, const Options& options) {
   try {
     const Value certificate = parse_json(read(file, most, file == "-"), false);
     const auto said =
-        is_convex_certificate(certificate)  ? check_convex(certificate, read_case, budget)
-        : is_solid_certificate(certificate) ? check_solids(certificate, read_case, budget)
-        : is_path_certificate(certificate)  ? check_paths(certificate, read_case, budget)
-                                            : check(certificate, read_case, budget);
+        is_convex_certificate(certificate)    ? check_convex(certificate, read_case, budget)
+        : is_solid_certificate(certificate)   ? check_solids(certificate, read_case, budget)
+        : is_path_certificate(certificate)    ? check_paths(certificate, read_case, budget)
+        : is_feature_certificate(certificate) ? check_features(certificate, read_case, budget)
+                                              : check(certificate, read_case, budget);
     std::cout << shown(file) << ": verified\n";
     for (const std::string& line : said) std::cout << "  " << shown(line) << "\n";
   } catch (const NotVerified& error) {

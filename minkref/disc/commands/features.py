@@ -10,6 +10,7 @@ from minkref import _core
 from minkref.certain_digits import between
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import give, plain_table, written_row
+from minkref.disc.commands.bridge_proof import proved_bridges
 from minkref.disc.commands.events import feature_row
 from minkref.disc.commands.index_file import from_places
 from minkref.disc.commands.region_rows import print_regions, region_rows, rest_rows
@@ -17,12 +18,20 @@ from minkref.disc.commands.sum import enclosed
 from minkref.disc.feature_regions import RegionsAt
 from minkref.disc.features import FeatureBar, Features, LiveFeature
 from minkref.errors import Refusal
-from minkref.output.documents import Stopwatch, as_text, document, lasting, refuse_overwriting
+from minkref.output.documents import (
+    Stopwatch,
+    as_text,
+    document,
+    lasting,
+    refuse_overwriting,
+    write_together,
+)
 from minkref.output.output_target import Target, target_of
 from minkref.output.terminal import console, counted
 from minkref.plane.commands.scale_index import cores, refuse_overwriting_index
 from minkref.plane.operand import Operand, read_operand
 from minkref.verbs.features import FeaturesRequest
+from minkref.verbs.proof_option import proof_document, proof_files, proof_rows
 
 FORMATS = ("json", "svg", "dxf")
 SHOWN = 20  # bars that people see
@@ -35,11 +44,13 @@ def run(request: FeaturesRequest) -> None:
     offered = FORMATS if alpha is not None else FORMATS[:2]
     target = target_of(output, request.form, FORMATS, "json", request.json, offered=offered)
     _check(request, target)
+    proven = None
     with memory_wall(request.memory, "features", request.P, SIMPLER):
         operand = read_operand(request.P)
         if output is not None:
             refuse_overwriting(output, [operand.file])
             refuse_overwriting_index(output, request.index)
+        files = proof_files(request.certify, [operand.file], output)
         built = from_places(
             request.index, operand, lambda places: _core.features(operand.set, cores(), places)
         )
@@ -47,12 +58,14 @@ def run(request: FeaturesRequest) -> None:
         alive = None if alpha is None else found.at(alpha)
         asked = request.regions or request.rest
         regions = found.regions(alpha) if asked else None
+        if files is not None and alpha is not None:
+            proven = proved_bridges(files, operand, alpha / 2, built)
         numbers = [k for k, bar in enumerate(found.bars) if _is_within(bar, request)]
         value = document(
             "features",
             watch,
             P=operand.name,
-            warnings=operand.warnings,
+            warnings=[*operand.warnings, *(proven.warnings if proven else [])],
             output=str(output) if output else None,
             alpha=None if alpha is None else str(alpha),
             **{"from": _text(request.from_alpha)},
@@ -63,7 +76,10 @@ def run(request: FeaturesRequest) -> None:
             **rows_of(found, numbers, alive),
             regions=region_rows(regions) if regions and request.regions else None,
             rest=rest_rows(regions) if regions and request.rest else None,
+            certificate=proof_document(proven.proof if proven else None),
         )
+        if proven is not None:
+            write_together({**proven.proof[0].contents()})
         if target is not None:
             text = _written(target, value, found, operand, alive, regions)
             if target.write(text, target.form == "json"):
@@ -81,6 +97,8 @@ def _check(request: FeaturesRequest, target: Target | None) -> None:
     for name, is_asked in (("--regions", request.regions), ("--rest", request.rest)):
         if is_asked and request.alpha is None:
             raise Refusal("regions and rest are of one alpha", name, "add --alpha A")
+    if request.certify is not None and request.alpha is None:
+        raise Refusal("bridges are of one alpha", str(request.certify), "add --alpha A")
 
 
 def _text(bound: Fraction | None) -> str | None:
@@ -231,7 +249,8 @@ def _print(value: Row, found: Features, numbers: list[int]) -> None:
         if len(longest) < len(numbers):
             out.print(f"and {len(numbers) - len(longest):,} shorter ones (--json has them)")
     print_regions(value["regions"], value["rest"])
-    for name, text in [("digest", value["digest"]), *written_row({**value, "output_exact": True})]:
+    rows = [*proof_rows(value), *written_row({**value, "output_exact": True})]
+    for name, text in [("digest", value["digest"]), *rows]:
         out.print(f"{name}  {text}")
 
 

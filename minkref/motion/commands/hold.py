@@ -12,12 +12,13 @@ from minkref.errors import refusing
 from minkref.motion.commands.hold_answer import MOTION, held_fields, print_held
 from minkref.motion.commands.path_answer import finish
 from minkref.motion.commands.path_input import PathInput, input_in_plane, input_in_space
-from minkref.motion.commands.path_proof import proof_document, proof_files, proved
+from minkref.motion.commands.path_proof import proved
 from minkref.motion.commands.path_rows import contact_document, space_contact_document
 from minkref.motion.path_text import ExactPoint
 from minkref.motion.scale_ranges import range_values
 from minkref.verbs.certificate_output import CertificateFiles, Checked
 from minkref.verbs.hold import HoldInPlane, HoldInSpace
+from minkref.verbs.proof_option import proof_document, proof_files
 
 QUESTIONS = ("place", "way")  # each has a certificate
 

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Any
 
 from minkref.cli.output import print_lines
-from minkref.motion.commands.path_proof import certificate_text
 from minkref.motion.commands.path_rows import (
     MOST_ROWS,
     extreme_scales,
@@ -16,6 +15,7 @@ from minkref.motion.commands.path_rows import (
     range_documents,
     ranges_text,
 )
+from minkref.verbs.proof_option import certificate_text
 
 MOTION = "translations only, along the way: another way or a rotation may do what it cannot"
 

@@ -10,7 +10,7 @@ from minkref import _core
 from minkref.errors import refusing
 from minkref.motion.commands.path_answer import finish
 from minkref.motion.commands.path_input import PathInput, input_in_plane, input_in_space
-from minkref.motion.commands.path_proof import proof_document, proof_files, proved
+from minkref.motion.commands.path_proof import proved
 from minkref.motion.commands.path_rows import (
     contact_document,
     extreme_scales,
@@ -19,6 +19,7 @@ from minkref.motion.commands.path_rows import (
 )
 from minkref.motion.scale_ranges import range_values
 from minkref.verbs.path import PathInPlane, PathInSpace
+from minkref.verbs.proof_option import proof_document, proof_files
 
 MOTION = "translations only, along the path"
 

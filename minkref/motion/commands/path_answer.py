@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from minkref.cli.output import give, print_lines
-from minkref.motion.commands.path_proof import proof_rows
 from minkref.motion.commands.path_rows import (
     MOST_ROWS,
     feature_text,
@@ -18,6 +17,7 @@ from minkref.motion.commands.path_rows import (
 from minkref.output.documents import as_text, lasting, write_together
 from minkref.output.output_target import Target
 from minkref.verbs.certificate_output import Checked
+from minkref.verbs.proof_option import proof_rows
 
 
 def finish(

@@ -13,13 +13,14 @@ from minkref.exact import text_of_bounds
 from minkref.motion.commands.fit import FORMATS, bound_rows, free_document, written_rows
 from minkref.motion.commands.fit_picture import fit_picture
 from minkref.motion.commands.path_answer import finish
-from minkref.motion.commands.path_proof import proof_document, proof_files, proof_rows, proved
+from minkref.motion.commands.path_proof import proved
 from minkref.motion.commands.path_rows import point_text, ranges_text
 from minkref.motion.scale_ranges import CONTACTS, range_values
 from minkref.output.documents import Stopwatch, refuse_overwriting
 from minkref.output.output_target import target_of
 from minkref.plane.operand import read_operand
 from minkref.verbs.path import check_words
+from minkref.verbs.proof_option import proof_document, proof_files, proof_rows
 from minkref.verbs.trap import Trap
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
+from minkref.schemas.certificates import CertificateMade
 from minkref.schemas.disc.index import PartEnd
 from minkref.schemas.disc.sum import Term
 from minkref.schemas.disc.values import (
@@ -143,3 +144,4 @@ class FeaturesDocument(LastingHead, AlphaWindow, Written):
     ]
     regions: Annotated[RegionsAtAlpha | None, Meta(description="With --regions, at alpha.")]
     rest: Annotated[RestAtAlpha | None, Meta(description="With --rest, at alpha.")]
+    certificate: CertificateMade

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
+from minkref.schemas.certificates import Certificate
 from minkref.schemas.motion.path import PathBound, PathRoute, SpacePathBound, SpacePathRoute
-from minkref.schemas.motion.values import Certificate, ContactRule, EndScale, ScaleRange
+from minkref.schemas.motion.values import ContactRule, EndScale, ScaleRange
 from minkref.schemas.values import (
     InSpace,
     LastingHead,

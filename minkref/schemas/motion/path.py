@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
-from minkref.schemas.motion.values import CertificateMade, EndScale, Feature, OnPath, SpaceFeature
+from minkref.schemas.certificates import CertificateMade
+from minkref.schemas.motion.values import EndScale, Feature, OnPath, SpaceFeature
 from minkref.schemas.values import (
     Count,
     InSpace,

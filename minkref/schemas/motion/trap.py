@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from minkref.schemas.motion.values import CertificateMade, PlaneFit, ScaleRange, SpaceFree
+from minkref.schemas.certificates import CertificateMade
+from minkref.schemas.motion.values import PlaneFit, ScaleRange, SpaceFree
 from minkref.schemas.values import InSpace, Point, SpacePoint, Window
 from msgspec import Meta
 

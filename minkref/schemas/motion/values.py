@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, TypedDict
 
 from minkref.schemas.grammar import EXACTLY_ONE, ruled
-from minkref.schemas.values import Count, Head, Number, Pair, Point, PositiveCount, Rule, SpacePoint
+from minkref.schemas.values import Count, Head, Number, Pair, Point, Rule, SpacePoint
 from msgspec import Meta
 
 ContactRule = Annotated[Rule, Meta(description="Whether the part may touch what it must not meet.")]
@@ -173,21 +173,3 @@ class OnPath(TypedDict):
     path: Annotated[str, Meta(description="The path as named.")]
     contact: ContactRule
     valid: Annotated[list[ScaleRange], Meta(description="The valid scales, ascending.")]
-
-
-class Certificate(TypedDict):
-    output: str
-    case: str
-    bytes: Count
-    claims: PositiveCount
-    verified: bool
-
-
-CertificateMade = Annotated[
-    Certificate | None,
-    Meta(
-        description="With --certify: the proof that was written, its case, its size not "
-        "compressed, the number of its claims, and whether the checker verified it (false where "
-        "its budget did not suffice); null without."
-    ),
-]

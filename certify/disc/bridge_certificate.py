@@ -1,0 +1,180 @@
+"""The producer of certificates for bridges (docs/certificates-features.md). The producer is not
+trusted: the checker is."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import Any
+
+from minkref import _core
+from minkref.certify.case_text import places, plain_polygons, ring_numbers
+from minkref.certify.plane.certificate import NoProof
+from minkref.exact import digest
+from minkref.version import version
+
+FORM = "feature-certificate-v1"
+DENOMINATORS = 1_000_000  # of the places of events
+FEWEST = 1e-11  # of the size: a box is larger, since centres come as doubles
+Spot = tuple[float, float]
+Named = tuple[str, int]
+
+
+class BridgeCertificate:
+    """Claims about discs of one radius outside of P: bridges, and discs that touch more features.
+    Exact. `declined`: why bridges have no claim: their disc nearly touches a third feature, or they
+    end where rings touch. O(n) for each bridge."""
+
+    def __init__(self, P: _core.PolygonSet, radius: Fraction) -> None:
+        """`radius`: half of alpha. Validates P."""
+        P.validate("P")
+        self.P, self.radius = P, radius
+        self.claims: list[dict[str, Any]] = []
+        self.declined: Counter[str] = Counter()
+        self._at = places(P)
+        x, y = self._at[0] if self._at else (Fraction(0), Fraction(0))
+        self._origin = x, y
+        self._spots = [(float(p - x), float(q - y)) for p, q in self._at]
+        self._rings = ring_numbers(P)
+        self._next = {n: r[(k + 1) % len(r)] for r in self._rings for k, n in enumerate(r)}
+        self._last = {j: i for i, j in self._next.items()}
+        self._size = max((abs(c) for spot in self._spots for c in spot), default=1.0) or 1.0
+
+    def bridges(self, features: _core.Features) -> int:
+        """Claims the bridges at the radius, and returns the number of claims."""
+        for _, _, _, _, rows in features.at(str(2 * self.radius)):
+            for _, left, _, right, centre in rows:
+                try:
+                    named = self._named(left), self._named(right)
+                    self._bridge(*named, (centre[2], centre[3]))
+                except NoProof as error:
+                    self.declined[str(error)] += 1
+        return len(self.claims)
+
+    def touches(self) -> int:
+        """Claims the events of the disc at the radius that have rational places with denominators
+        up to DENOMINATORS, and returns the number of claims."""
+        events = _core.diagram_events(self.P)
+        for _, square, _, _, near, features in events.rows(0, len(events)):
+            if square is None or Fraction(square) != self.radius**2:
+                continue
+            try:
+                named = sorted({self._named(feature) for feature in features})
+            except NoProof as error:
+                self.declined[str(error)] += 1
+                continue
+            place = self._rational(near, named)
+            if place is None:
+                self.declined["the place of an event is not rational"] += 1
+                continue
+            self.claims.append({"claim": "touch", "centre": [str(x) for x in place],
+                                "features": [list(each) for each in named]})  # fmt: skip
+        return len(self.claims)
+
+    def _rational(self, near: Spot, named: Sequence[Named]) -> tuple[Fraction, Fraction] | None:
+        """The place near a double, if it is as far from all features as the radius."""
+        if not all(map(math.isfinite, near)):
+            return None
+        x, y = (Fraction(c).limit_denominator(DENOMINATORS) for c in near)
+        for kind, n in named:
+            (ax, ay), (bx, by) = self._at[n], self._at[self._next[n]]
+            far, length = (x - ax) ** 2 + (y - ay) ** 2, Fraction(1)
+            if kind == "edge":
+                far = ((x - ax) * (by - ay) - (y - ay) * (bx - ax)) ** 2
+                length = (bx - ax) ** 2 + (by - ay) ** 2
+            if far != self.radius**2 * length:
+                return None
+        return x, y
+
+    def _named(self, feature: Sequence[str]) -> Named:
+        kind, first, second = feature
+        if kind == "edge":
+            return kind, self._rings[int(first)][int(second)]
+        place = (Fraction(first), Fraction(second))
+        if self._at.count(place) > 1:
+            raise NoProof("a bridge ends where rings touch")
+        return kind, self._at.index(place)
+
+    def _bridge(self, left: Named, right: Named, near: Spot) -> None:
+        """A box around the centre: its sides are level lines of both distances, nearly."""
+        centre = (
+            float(Fraction(near[0]) - self._origin[0]),
+            float(Fraction(near[1]) - self._origin[1]),
+        )
+        one, other = self._way(left, centre), self._way(right, centre)
+        sine = one[0] * other[1] - one[1] * other[0]
+        radius = float(self.radius)
+        room = min(self._room(left, right, centre, radius), radius)
+        half = min(room * abs(sine), radius * sine * sine) / 16
+        if half < FEWEST * self._size:
+            raise NoProof("the disc of a bridge nearly touches a third feature")
+        step = 2.0 ** math.floor(math.log2(half))
+        u = other[1] / sine * step, -other[0] / sine * step  # along it only one distance grows
+        w = -one[1] / sine * step, one[0] / sine * step
+        corner = [Fraction(c) - Fraction(a + b) for c, a, b in zip(near, u, w, strict=True)]
+        box = [[str(c) for c in corner], *([str(2 * Fraction(c)) for c in way] for way in (u, w))]
+        self.claims.append(
+            {"claim": "bridge", "left": list(left), "right": list(right), "box": box}
+        )
+
+    def _way(self, feature: Named, centre: Spot) -> Spot:
+        """The direction from the foot to the centre."""
+        kind, n = feature
+        a = self._spots[n]
+        if kind == "vertex":
+            way = centre[0] - a[0], centre[1] - a[1]
+        else:
+            b = self._spots[self._next[n]]
+            way = b[1] - a[1], a[0] - b[0]
+        far = math.hypot(*way)
+        return way[0] / far, way[1] / far
+
+    def _room(self, left: Named, right: Named, centre: Spot, radius: float) -> float:
+        """How far the centre may move: to the radius from other edges, and in front of its own."""
+        own: set[int] = set()
+        room = math.inf
+        for kind, n in (left, right):
+            edges = (n,) if kind == "edge" else (self._last[n], n)
+            own.update(edges)
+            for k in edges:
+                room = min(room, *self._beyond(k, centre, kind == "edge", k == n))
+        for n in self._next.keys() - own:
+            room = min(room, self._distance(n, centre) - radius)
+        return room
+
+    def _beyond(self, n: int, p: Spot, is_edge: bool, is_first: bool) -> Iterable[float]:
+        """How far a point is from the perpendiculars at the ends of an edge: inside of both, or
+        outside of one."""
+        a, b = self._spots[n], self._spots[self._next[n]]
+        dx, dy = b[0] - a[0], b[1] - a[1]
+        long = math.hypot(dx, dy)
+        over = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / long
+        if is_edge:
+            return over, long - over
+        return (-over if is_first else over - long,)
+
+    def _distance(self, n: int, p: Spot) -> float:
+        a, b = self._spots[n], self._spots[self._next[n]]
+        dx, dy = b[0] - a[0], b[1] - a[1]
+        t = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / (dx * dx + dy * dy)
+        t = min(max(t, 0.0), 1.0)
+        return math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy)
+
+    def case(self) -> str:
+        """The text of the case file."""
+        return f'{{"P":{self.P.to_json()}}}\n'
+
+    def text(self, case: str, title: str = "", producer: str = "") -> str:
+        """The certificate; `case`: the path of the case's file, from its own."""
+        plain = json.dumps({"P": plain_polygons(self.P)}, sort_keys=True, separators=(",", ":"))
+        head = {
+            "certificate": FORM,
+            "title": title,
+            "producer": producer or f"minkref {version()}",
+            "case": {"path": case, "sha256": digest(plain)},
+            "square": str(self.radius**2),
+        }
+        return json.dumps({**head, "claims": self.claims}, indent=1) + "\n"

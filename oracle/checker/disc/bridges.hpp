@@ -1,0 +1,23 @@
+// Certificates for discs that touch a set from outside, and its bridges.
+// docs/certificates-features.md
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "oracle/checker/budget.hpp"
+#include "oracle/checker/json_value.hpp"
+
+namespace minkref::checker {
+
+/// Whether a certificate claims to have this form.
+bool is_feature_certificate(const Value& certificate);
+
+/// Returns a certificate's proven claims, a line each. `read_case` reads the case from the path
+/// named by the certificate. Throws NotVerified.
+std::vector<std::string> check_features(const Value& certificate,
+                                        const std::function<Value(const std::string&)>& read_case,
+                                        Budget& budget);
+
+}  // namespace minkref::checker
