@@ -10,11 +10,11 @@ from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.15, 1, 40)
+MINUTES = Minutes(0.15, 0.6, 40)
 
 SEED = 2052
 MODELS = "glyph275", "glyph1204"
-SETS, BATCH = Counts(20, 100, 2000), 10
+SETS, BATCH = Counts(20, 60, 2000), 10
 TIES = ("sets with several places at one radius", "sets with ridges",
         "sets with nodes of degree 3 or more", "sets with ties of birth and depth")  # fmt: skip
 

@@ -44,6 +44,11 @@ def offset_adapter(way: str) -> str:
     return f"cmd:{sys.executable} {VERIFY / 'offset_adapter.py'} {way}"
 
 
+def features_adapter(way: str) -> str:
+    """The target name for an adapter that finds concave features."""
+    return f"cmd:{sys.executable} {VERIFY / 'features_adapter.py'} {way}"
+
+
 def seeded_adapter(fault: str) -> str:
     """The target; `sound` for none."""
     return f"cmd:{sys.executable} {SEEDED / 'seeded_adapter.py'} {fault}"
