@@ -116,3 +116,21 @@ def test_work_that_needs_more_memory_than_it_may_have_is_refused(minkref: Minkre
     ran = minkref("features", "cells1815", "--memory", "30", "--json")
     assert (ran.code, ran.json["error"]["code"]) == (2, "memory-limit")
     assert "cells1815" in ran.json["error"]["where"]
+
+
+def test_a_proof_of_the_bridges(minkref: Minkref, tmp_path: Path) -> None:
+    """Written beside its case, and verified; at an event what cannot be claimed is counted."""
+    file = tmp_path / "b.cert.json"
+    ran = minkref("features", SLOT, "--alpha", "5", "--certify", file)
+    assert ran.code == 0 and "1 claim" in ran.out and "checked: verified" in ran.out, ran.err
+    assert minkref("check", file).code == 0
+    assert json.loads(file.read_text())["square"] == "25/4"
+    at_event = tmp_path / "e.cert.json"
+    ran = minkref("features", SLOT, "--alpha", "2", "--certify", at_event, "--json")
+    assert (ran.code, ran.json["certificate"]["verified"]) == (0, True), ran.err
+    assert any("left out" in warning for warning in ran.json["warnings"])
+    refused = minkref("features", SLOT, "--certify", tmp_path / "c.cert.json")
+    assert refused.code == 2 and "add --alpha A" in refused.err
+    refused = minkref("features", SQUARE, "--alpha", "1", "--certify", tmp_path / "d.cert.json")
+    assert refused.code == 2 and "no bridge at this alpha" in refused.err
+    assert not (tmp_path / "d.cert.json").exists()

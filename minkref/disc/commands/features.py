@@ -30,8 +30,9 @@ from minkref.output.output_target import Target, target_of
 from minkref.output.terminal import console, counted
 from minkref.plane.commands.scale_index import cores, refuse_overwriting_index
 from minkref.plane.operand import Operand, read_operand
+from minkref.verbs.certificate_output import CertificateFiles
 from minkref.verbs.features import FeaturesRequest
-from minkref.verbs.proof_option import proof_document, proof_files, proof_rows
+from minkref.verbs.proof_option import OPTION, proof_document, proof_files, proof_rows
 
 FORMATS = ("json", "svg", "dxf")
 SHOWN = 20  # bars that people see
@@ -98,7 +99,8 @@ def _check(request: FeaturesRequest, target: Target | None) -> None:
         if is_asked and request.alpha is None:
             raise Refusal("regions and rest are of one alpha", name, "add --alpha A")
     if request.certify is not None and request.alpha is None:
-        raise Refusal("bridges are of one alpha", str(request.certify), "add --alpha A")
+        CertificateFiles.of(request.certify, OPTION)
+        raise Refusal("bridges are of one alpha", OPTION, "add --alpha A")
 
 
 def _text(bound: Fraction | None) -> str | None:
