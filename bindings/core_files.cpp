@@ -1,4 +1,5 @@
 // Reading and writing files from Python.
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 
 #include "bindings/core.hpp"
@@ -14,6 +15,11 @@ namespace {
 
 Set kept(Reading reading) {
   return {std::move(reading.set), false, std::move(reading.origins), std::move(reading.warnings)};
+}
+
+std::pair<Set, std::vector<int>> kept_with_faults(FaultyReading faulty) {
+  std::vector<int> open(faulty.open.begin(), faulty.open.end());
+  return {kept(std::move(faulty.reading)), std::move(open)};
 }
 
 }  // namespace
@@ -36,6 +42,19 @@ void bind_files(nb::module_& module) {
       },
       "text"_a, "format"_a, "source"_a = "", Released(),
       "Reads an operand from text in wkt, geojson, poly, json or case. Raises BadInput.");
+  module.def(
+      "read_faulty_file",
+      [](const std::string& path) { return kept_with_faults(read_faulty_file(path)); }, "path"_a,
+      Released(),
+      "Reads rings as written, also those whose faults `minkref repair` mends; and of each ring "
+      "1 if it is open, in formats that repeat the first vertex, else 0. Raises BadInput.");
+  module.def(
+      "read_faulty_text",
+      [](const std::string& text, const std::string& format, const std::string& source) {
+        return kept_with_faults(read_faulty_text(text, format_named(format), source));
+      },
+      "text"_a, "format"_a, "source"_a = "", Released(),
+      "The same from text in wkt, geojson, poly or json. Raises BadInput.");
   module.def(
       "write",
       [](const Set& set, const std::string& format) {

@@ -197,6 +197,18 @@ void bind_polygon_set(nb::module_& module) {
           "source"_a = "", Released(), "Raises BadInput unless the set is regular closed.")
       .def_ro("warnings", &Set::warnings,
               "What the reader of the file or text put right; empty for all other sets.")
+      .def_prop_ro(
+          "written_rings",
+          [](const Set& set) {
+            std::vector<std::pair<std::size_t, std::vector<std::size_t>>> rings;
+            for (const RingOrigin& origin : set.origins) {
+              std::vector<std::size_t> lines(origin.lines.begin(), origin.lines.end());
+              rings.emplace_back(origin.ring, std::move(lines));
+            }
+            return rings;
+          },
+          "Of each ring its number in the file, and the line of each vertex, in the file's order; "
+          "empty for sets of no file.")
       .def("rings", exact_rings,
            nb::sig("def rings(self) -> list[list[list[tuple[fractions.Fraction, "
                    "fractions.Fraction]]]]"),

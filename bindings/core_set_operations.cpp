@@ -1,4 +1,5 @@
 // Unions, intersections and differences of polygon sets in Python.
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
@@ -31,6 +32,18 @@ std::tuple<Set, std::size_t, std::size_t> combined_sets(const std::string& opera
   return {Set{std::move(form.region), true}, form.components, form.holes};
 }
 
+FillRule rule_of(const std::string& name) {
+  if (name == "nonzero") return FillRule::nonzero;
+  if (name == "evenodd") return FillRule::evenodd;
+  if (name == "positive") return FillRule::positive;
+  throw std::invalid_argument("a rule is nonzero, evenodd or positive");
+}
+
+std::pair<Set, bool> filled_rings(const Set& rings, const std::string& rule) {
+  Canonical form = filled(rings.value, rule_of(rule));
+  return {Set{std::move(form.region), true}, form.well_formed};
+}
+
 }  // namespace
 
 void bind_set_operations(nb::module_& module) {
@@ -39,6 +52,10 @@ void bind_set_operations(nb::module_& module) {
       "The closure of the interior of a union, of an intersection, or of the first set without "
       "the others (difference), canonical; its components and holes. Points and segments have no "
       "interior. Exact. O((n + k) log n) for n vertices and k crossings.");
+  module.def("filled", &filled_rings, "rings"_a, "rule"_a, Released(),
+             "The closure of the points inside a set's rings, which may cross, by a rule: nonzero, "
+             "evenodd or positive winding numbers; canonical. And whether all winding numbers are "
+             "0 or 1. Exact. O((n + k) log n).");
 }
 
 }  // namespace minkref::python

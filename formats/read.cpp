@@ -58,31 +58,37 @@ void refuse_operand_name(const std::string& source, const Input& input) {
                "leave #P or #Q out of the name");
 }
 
-Reading read_any_json(std::string_view text, const std::string& source, const ReadLimits& limits) {
+FaultyReading finished(SetBuilder& set) {
+  if (!set.keeps_faults()) return {set.finish(), {}};
+  Reading reading = set.finish_as_read();
+  return {std::move(reading), set.take_open()};
+}
+
+FaultyReading read_any_json(std::string_view text, const std::string& source,
+                            const ReadLimits& limits, Faults faults) {
   Input input(source, limits);
   const JsonText document(text, input);
-  SetBuilder set(input);
+  SetBuilder set(input, faults);
   const bool geojson = looks_like_geojson(document.root());
-  if (!geojson && looks_like_case(document.root())) return operand_of_case(text, source, limits);
+  if (!geojson && looks_like_case(document.root()))
+    return {operand_of_case(text, source, limits), {}};
   refuse_operand_name(source, input);
   if (geojson) {
     read_geojson(document.root(), set);
   } else {
     read_json_set(document.root(), set, JsonNumbers::any);
   }
-  return set.finish();
+  return finished(set);
 }
 
-}  // namespace
-
-Reading read_text(std::string_view text, Format format, const std::string& source,
-                  const ReadLimits& limits) {
+FaultyReading read_in_format(std::string_view text, Format format, const std::string& source,
+                             const ReadLimits& limits, Faults faults) {
   text = plain_text(text, source, limits);
-  if (format == Format::case_json) return operand_of_case(text, source, limits);
-  if (format == Format::json) return read_any_json(text, source, limits);
+  if (format == Format::case_json) return {operand_of_case(text, source, limits), {}};
+  if (format == Format::json) return read_any_json(text, source, limits, faults);
   Input input(source, limits);
   refuse_operand_name(source, input);
-  SetBuilder set(input);
+  SetBuilder set(input, faults);
   if (format == Format::wkt) {
     read_wkt(text, set);
   } else if (format == Format::poly) {
@@ -94,15 +100,35 @@ Reading read_text(std::string_view text, Format format, const std::string& sourc
     input.refuse("unknown-format", "a picture (" + name(format) + ") can be written, not read",
                  "give a file in wkt, geojson, json or poly");
   }
-  return set.finish();
+  return finished(set);
 }
 
-Reading read_file(const std::string& path, const ReadLimits& limits) {
+FaultyReading read_path(const std::string& path, const ReadLimits& limits, Faults faults) {
   // A file whose own name ends with "#P" keeps that name.
   std::error_code error;
   const std::string file = std::filesystem::exists(path, error) ? path : split(path).file;
   const std::string text = read_whole_file(file, limits);
-  return read_text(text, format_of_file(file), path, limits);
+  return read_in_format(text, format_of_file(file), path, limits, faults);
+}
+
+}  // namespace
+
+Reading read_text(std::string_view text, Format format, const std::string& source,
+                  const ReadLimits& limits) {
+  return read_in_format(text, format, source, limits, Faults::refused).reading;
+}
+
+Reading read_file(const std::string& path, const ReadLimits& limits) {
+  return read_path(path, limits, Faults::refused).reading;
+}
+
+FaultyReading read_faulty_text(std::string_view text, Format format, const std::string& source,
+                               const ReadLimits& limits) {
+  return read_in_format(text, format, source, limits, Faults::kept);
+}
+
+FaultyReading read_faulty_file(const std::string& path, const ReadLimits& limits) {
+  return read_path(path, limits, Faults::kept);
 }
 
 Reading read_valid_text(std::string_view text, Format format, const std::string& source,

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "formats/format.hpp"
 #include "formats/limits.hpp"
@@ -23,6 +24,18 @@ Reading read_text(std::string_view text, Format format, const std::string& sourc
 /// Reads a whole file first, then its text; the extension tells the format. "case.json#Q" means the
 /// operand Q of case.json.
 Reading read_file(const std::string& path, const ReadLimits& limits = {});
+
+/// `open`: of each ring, whether it is not closed where the format repeats the first vertex.
+struct FaultyReading {
+  Reading reading;
+  std::vector<bool> open;
+};
+
+/// Reads a set whose faults `minkref repair` mends (set_builder.hpp: Faults::kept), rings as
+/// written, none turned. Refuses everything else as read_text does.
+FaultyReading read_faulty_text(std::string_view text, Format format, const std::string& source,
+                               const ReadLimits& limits = {});
+FaultyReading read_faulty_file(const std::string& path, const ReadLimits& limits = {});
 
 /// Read, then validated (`validate`); a refusal names the file, and the line, the ring and the
 /// vertices as the file numbers them.

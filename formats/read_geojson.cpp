@@ -21,11 +21,14 @@ class GeoJsonReader {
   // The JSON text's limited depth bounds the recursion.
   void object(Json value) {
     const JsonObject members(value, input_, "a GeoJSON object",
-                             {"type", "coordinates", "geometry", "geometries", "features"},
+                             {"type", "coordinates", "geometry", "geometries", "features", "crs"},
                              JsonObject::Others::ignored);
     const Json type_member = members.require("type");
     expect(type_member, JsonKind::string, "the type of a GeoJSON object", input_);
     const std::string type = type_member.string();
+    if (const auto crs = members.find("crs"); crs && !crs->is(JsonKind::null)) {
+      set_.drop("the reference system (crs): numbers are coordinates in the plane", crs->line());
+    }
     if (type == "FeatureCollection") {
       each(members.require("features"), "features", [&](Json feature) { object(feature); });
     } else if (type == "Feature") {
@@ -63,8 +66,8 @@ class GeoJsonReader {
       input_.refuse("wrong-type", "a position must be an array of two numbers", "write [x, y]",
                     where);
     }
-    if (value.size() > 2) {
-      input_.refuse("three-dimensional", "a position has more than two coordinates",
+    if (value.size() > 4) {
+      input_.refuse("three-dimensional", "a position has more than four coordinates",
                     "drop all but x and y", where);
     }
     const Json x = *value.begin();
@@ -72,6 +75,15 @@ class GeoJsonReader {
     if (!x.is(JsonKind::number) || !y.is(JsonKind::number)) {
       input_.refuse("not-a-number", "a coordinate of a position is not a JSON number",
                     "write [x, y] with two finite numbers", where);
+    }
+    std::size_t at = 0;
+    for (const Json more : value) {
+      if (at++ < 2) continue;
+      if (!more.is(JsonKind::number) && !more.is(JsonKind::null)) {
+        input_.refuse("not-a-number", "the altitude of a position is not a JSON number",
+                      "write [x, y], or [x, y, altitude]", where);
+      }
+      set_.drop_coordinate(more.is(JsonKind::null) ? "0" : more.text(), where);
     }
     set_.vertex(ring, x.text(), y.text(), value.line());
   }

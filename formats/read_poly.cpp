@@ -60,12 +60,14 @@ class PolyReader {
     TextRing fresh = set_.ring(header.number);
     lines_.advance();
     for (std::size_t i = 0; i < size; ++i) vertex(fresh, size);
-    if (size < 3) {
+    if (size < 3 && !set_.keeps_faults()) {
       input_.refuse("too-few-vertices", "a ring needs three or more vertices",
                     "complete the ring or leave it out; give a point or a segment as WKT",
                     fresh.place());
     }
     indices(fresh);
+    // Of fewer than three vertices (if faults are kept) no ring holds anything.
+    if (fresh.points.size() < 3) return set_.polygon(std::move(fresh), {});
     (hole ? holes_ : outers_).push_back(std::move(fresh));
   }
 
@@ -146,12 +148,31 @@ class PolyReader {
       holes.push_back(&hole.points);
       places.push_back(hole.place_of(0));
     }
-    const auto owners = containing_outers(outers, holes, places, input_);
+    const auto owners = owners_of(outers, holes, places);
     std::vector<std::vector<TextRing>> held(outers_.size());
     for (std::size_t h = 0; h < holes_.size(); ++h) held[owners[h]].push_back(std::move(holes_[h]));
     for (std::size_t o = 0; o < outers_.size(); ++o) {
       set_.polygon(std::move(outers_[o]), std::move(held[o]));
     }
+  }
+
+  /// The outer ring of each hole. If faults are kept, a hole in no outer ring goes to the first.
+  std::vector<std::size_t> owners_of(const std::vector<const Ring*>& outers,
+                                     const std::vector<const Ring*>& holes,
+                                     const std::vector<Place>& places) const {
+    if (!set_.keeps_faults() || outers.empty()) {
+      return containing_outers(outers, holes, places, input_);
+    }
+    std::vector<std::size_t> owners;
+    for (std::size_t h = 0; h < holes.size(); ++h) {
+      try {
+        owners.push_back(containing_outers(outers, {holes[h]}, {places[h]}, input_).front());
+      } catch (const BadInput& fault) {
+        if (fault.code() != "hole-outside") throw;
+        owners.push_back(0);
+      }
+    }
+    return owners;
   }
 
   SetBuilder& set_;

@@ -33,12 +33,19 @@ class AsciiReader {
       : input_(input), mesh_(input, Positions::lines), lines_(text, {.comments = false}) {}
 
   MeshReading run() {
-    take("solid", "");
-    while (is_word(lines_.due("`facet` or `endsolid`", input_).tokens[0], "facet")) facet();
-    take("endsolid", "");
+    std::size_t solids = 0;
+    do {
+      take("solid", "");
+      while (is_word(lines_.due("`facet` or `endsolid`", input_).tokens[0], "facet")) facet();
+      take("endsolid", "");
+      ++solids;
+    } while (lines_.line() && is_word(lines_.line()->tokens[0], "solid"));
     if (lines_.line()) {
       input_.refuse("trailing-text", "there is text after `endsolid`",
-                    "keep one solid in the file, and nothing after it", lines_.line()->number);
+                    "keep solids in the file, and nothing else", lines_.line()->number);
+    }
+    if (solids > 1) {
+      input_.warn(0, std::to_string(solids) + " solids are read as one polyhedron");
     }
     return mesh_.finish_shared();
   }

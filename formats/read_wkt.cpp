@@ -24,13 +24,10 @@ class WktReader {
 
  private:
   void geometry(std::size_t depth) {
+    reference_system();
     const std::size_t line = tokens_.line();
-    const std::string word = tokens_.word("a geometry");
-    if (word == "SRID") {
-      input_.refuse("unsupported-geometry", "a reference system (SRID) has no meaning here",
-                    "leave the prefix SRID=...; out", line);
-    }
-    refuse_dimensions(word, line);
+    std::string word = tokens_.word("a geometry");
+    dimensions(word);
     if (word == "POLYGON") {
       if (!empty()) polygon();
     } else if (word == "MULTIPOLYGON") {
@@ -50,11 +47,25 @@ class WktReader {
     }
   }
 
-  void refuse_dimensions(const std::string& word, std::size_t line) {
-    const bool glued = word.ends_with("Z") || word.ends_with("ZM") || word.ends_with("M");
-    if (tokens_.peek_word("Z") || tokens_.peek_word("M") || tokens_.peek_word("ZM") || glued) {
-      input_.refuse("three-dimensional", "the geometry has coordinates beyond x and y (Z or M)",
-                    "drop them: the plane has two coordinates", line);
+  /// Skips the prefix SRID=...; of extended well-known text.
+  void reference_system() {
+    const std::size_t line = tokens_.line();
+    if (!tokens_.take_word("SRID")) return;
+    tokens_.expect('=');
+    tokens_.number();
+    tokens_.expect(';');
+    set_.drop("the reference system (SRID): numbers are coordinates in the plane", line);
+  }
+
+  /// Takes Z, M or ZM behind the geometry's name, apart or together: more coordinates than two.
+  void dimensions(std::string& word) {
+    count_ = 0;
+    for (const std::string_view more : {"ZM", "Z", "M"}) {
+      const bool glued = word.ends_with(more);
+      if (!glued && !tokens_.take_word(more)) continue;
+      if (glued) word.resize(word.size() - more.size());
+      count_ = 2 + more.size();
+      return;
     }
   }
 
@@ -84,11 +95,19 @@ class WktReader {
     const std::size_t line = tokens_.line();
     const std::string_view x = tokens_.number();
     const std::string_view y = tokens_.number();
-    if (tokens_.at_number()) {
-      Place where = ring.place_of(ring.points.size());
-      where.line = line;
-      input_.refuse("three-dimensional", "a vertex has more than two coordinates",
-                    "drop all but x and y", where);
+    Place where = ring.place_of(ring.points.size());
+    where.line = line;
+    std::size_t count = 2;
+    for (; tokens_.at_number(); ++count) set_.drop_coordinate(tokens_.number(), where);
+    // A missing comma makes two vertices one of four coordinates.
+    if (count_ == 0) count_ = count;
+    if (count != count_ || count > 4) {
+      input_.refuse("three-dimensional",
+                    "a vertex has " + std::to_string(count) + " coordinates" +
+                        (count > 4 ? "" : ", and " + std::to_string(count_) + " are expected"),
+                    "give each vertex x and y, and all of them as many more; a comma separates "
+                    "two vertices",
+                    where);
     }
     set_.vertex(ring, x, y, line);
   }
@@ -123,6 +142,7 @@ class WktReader {
   SetBuilder& set_;
   Input& input_;
   WktTokens tokens_;
+  std::size_t count_ = 0;  ///< coordinates of each vertex of the geometry; 0: not known
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "formats/set_builder.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -59,7 +60,36 @@ void SetBuilder::vertex(TextRing& ring, std::string_view x, std::string_view y, 
   ring.lines.push_back(static_cast<std::uint32_t>(line));
 }
 
+void SetBuilder::drop(const std::string& what, std::size_t line) {
+  const auto known = [&](const auto& one) { return one.first == what; };
+  if (std::ranges::none_of(dropped_, known)) dropped_.emplace_back(what, line);
+}
+
+void SetBuilder::drop_coordinate(std::string_view token, const Place& place) {
+  const bool is_nan = token.size() == 3 && std::ranges::equal(token, std::string_view("nan"), {},
+                                                              [](char c) { return c | 0x20; });
+  if (!is_nan) input_.number(token, place);
+  if (coordinates_dropped_++ == 0) coordinates_line_ = place.line.value_or(0);
+}
+
+void SetBuilder::tell_dropped() {
+  for (const auto& [what, line] : dropped_) input_.warn(line, "dropped: " + what);
+  dropped_.clear();
+  if (coordinates_dropped_ > 0) {
+    input_.warn(coordinates_line_, "dropped: " + std::to_string(coordinates_dropped_) +
+                                       " coordinates beyond x and y, from here on");
+  }
+  coordinates_dropped_ = 0;
+}
+
 void SetBuilder::close(TextRing& ring) const {
+  if (keeps_faults()) {
+    ring.is_open = ring.points.size() > 1 && ring.points.front() != ring.points.back();
+    if (ring.points.size() < 2 || ring.is_open) return;
+    ring.points.pop_back();
+    ring.lines.pop_back();
+    return;
+  }
   if (ring.points.empty()) too_few(input_, ring);
   if (ring.points.front() != ring.points.back()) {
     Place where = ring.place_of(0);
@@ -105,7 +135,7 @@ Reading SetBuilder::finish_as_read() {
   for (const auto& rings : polygons_) {
     for (const TextRing& ring : rings) {
       const std::size_t size = ring.points.size();
-      if (size >= 3 || (alone && size > 0)) continue;
+      if (size >= 3 || (alone && size > 0) || keeps_faults()) continue;
       if (size == 0 || &ring != &rings[0] || rings.size() > 1) too_few(input_, ring);
       input_.refuse("mixed-operand",
                     std::string(size == 1 ? "a point" : "a segment") +
@@ -121,12 +151,14 @@ Reading SetBuilder::finish_as_read() {
       RingOrigin origin;
       origin.ring = ring.number;
       origin.lines = std::move(ring.lines);
+      open_.push_back(ring.is_open);
       reading.origins.push_back(std::move(origin));
       (&ring == &rings[0] ? polygon.outer : polygon.holes.emplace_back()) = std::move(ring.points);
     }
     reading.set.polygons.push_back(std::move(polygon));
   }
   polygons_.clear();
+  tell_dropped();
   reading.warnings = input_.take_warnings();
   return reading;
 }

@@ -73,7 +73,7 @@ std::string_view WktTokens::number() {
   if (!at_number()) refuse("a number");
   std::size_t end = at_;
   while (end < text_.size() && !is_wkt_space(text_[end]) && text_[end] != '(' &&
-         text_[end] != ')' && text_[end] != ',') {
+         text_[end] != ')' && text_[end] != ',' && text_[end] != ';') {
     ++end;
   }
   const std::string_view token = text_.substr(at_, end - at_);

@@ -45,6 +45,7 @@ HEADINGS = {
         "check": "Check whether proofs hold.",
     },
     "Inputs": {
+        "repair": "An operand of a file with faults; lists every change with its exact size.",
         "union": "The exact union of sets; also the repair of polygons that overlap.",
         "intersection": "The exact intersection of sets.",
         "difference": "The first set without the others, exact.",

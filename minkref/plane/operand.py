@@ -13,6 +13,7 @@ from minkref.file_text import text_of_file
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
 from minkref.output.terminal import escaped
 from minkref.plane.operand_text import is_text, source_of, text_and_form
+from minkref.plane.repair_offer import MENDED, offering_repair
 
 FORMATS = tuple(f".{name}" for name, is_read in _core.SET_FORMATS.items() if is_read)
 MESHES = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
@@ -40,12 +41,50 @@ def read_operand(name: str) -> Operand:
 
 def validated(operand: Operand) -> Operand:
     source = escaped(operand.source)
-    refusing(source, lambda: operand.set.validate(source))
+    with offering_repair(operand.file, MENDED):
+        refusing(source, lambda: operand.set.validate(source))
     return operand
 
 
 def as_written(name: str) -> Operand:
-    """Read an operand, not validated. A file wins over a model with the same name, and both over a
+    """Read an operand, not validated: see `found`."""
+    return found(name, Reader())
+
+
+def as_faulty(name: str) -> tuple[Operand, list[int]]:
+    """Read an operand for a repair: rings as written, none refused for a fault that can be mended;
+    and of each ring 1 if it is open, else 0."""
+    reader = FaultyReader()
+    return found(name, reader), reader.is_open
+
+
+class Reader:
+    """Reads files and texts, not validated."""
+
+    def file(self, source: str) -> _core.PolygonSet:
+        return _core.read_file(source)
+
+    def text(self, text: str, form: str, source: str) -> _core.PolygonSet:
+        return _core.read_text(text, form, source)
+
+
+class FaultyReader(Reader):
+    """Reads rings with faults, and keeps which are open."""
+
+    def __init__(self) -> None:
+        self.is_open: list[int] = []
+
+    def file(self, source: str) -> _core.PolygonSet:
+        read, self.is_open = _core.read_faulty_file(source)
+        return read
+
+    def text(self, text: str, form: str, source: str) -> _core.PolygonSet:
+        read, self.is_open = _core.read_faulty_text(text, form, source)
+        return read
+
+
+def found(name: str, reader: Reader) -> Operand:
+    """Find and read an operand. A file wins over a model with the same name, and both over a
     text: `-` means standard input; WKT and JSON texts are operands themselves. Refuses missing
     operands, and what is no text of a set."""
     if not name:
@@ -54,12 +93,12 @@ def as_written(name: str) -> Operand:
     if path.suffix.lower() in MESHES:
         raise _refuse_mesh("the name is that of a polyhedron", name)
     if is_file(name):
-        return _read(name, path)
+        return _read(name, path, reader)
     models = all_models()
     if name in models:
-        return _read(name, models[name].path)
+        return _read(name, models[name].path, reader)
     if is_text(name):
-        return _of_text(name)
+        return _of_text(name, reader)
     _refuse_special(name, path)
     if path.suffix in FORMATS or len(path.parts) > 1:
         raise Refusal("there is no such file", name, "check the path", "no-such-file")
@@ -96,10 +135,10 @@ def _refuse_mesh(what: str, name: str) -> Refusal:
     return Refusal(f"{what}, and this operand lies in the plane", name, mend, "three-dimensional")
 
 
-def _of_text(name: str) -> Operand:
+def _of_text(name: str, reader: Reader) -> Operand:
     text, form = text_and_form(name)
     source = escaped(source_of(name))
-    operand = refusing(source, lambda: _core.read_text(text, form, source))
+    operand = refusing(source, lambda: reader.text(text, form, source))
     return Operand(source, source, operand, operand.warnings)
 
 
@@ -120,18 +159,20 @@ def is_regular(path: Path) -> bool:
         return False
 
 
-def read_set(path: Path) -> _core.PolygonSet:
+def read_set(path: Path, reader: Reader | None = None) -> _core.PolygonSet:
     """Read the set in a file, not validated; the reader's warnings are its `warnings`."""
     source = str(path)
+    reader = reader or Reader()
     if is_utf8(source):
-        return refusing(source, lambda: _core.read_file(source))
+        return refusing(source, lambda: reader.file(source))
     text = text_of_file(path, escaped(source), "name a file that you may read")
     form = path.suffix.lower().removeprefix(".")
-    return refusing(escaped(source), lambda: _core.read_text(text, form, escaped(source)))
+    return refusing(escaped(source), lambda: reader.text(text, form, escaped(source)))
 
 
-def _read(name: str, path: Path) -> Operand:
-    operand = read_set(path)
+def _read(name: str, path: Path, reader: Reader) -> Operand:
+    with offering_repair(path, MENDED):
+        operand = read_set(path, reader)
     return Operand(name, str(path), operand, operand.warnings)
 
 

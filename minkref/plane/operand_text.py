@@ -11,7 +11,8 @@ from minkref.file_text import LONGEST, decoded
 
 STANDARD_INPUT = "-"
 _WKT = re.compile(
-    r"\s*(SRID=\d+;)?\s*(MULTI)?(POLYGON|POINT|LINESTRING)\b|\s*GEOMETRYCOLLECTION\b", re.IGNORECASE
+    r"\s*(SRID\s*=\s*\d+\s*;)?\s*((MULTI)?(POLYGON|POINT|LINESTRING)|GEOMETRYCOLLECTION)(ZM?|M)?\b",
+    re.IGNORECASE,
 )
 MEND = "write WKT, GeoJSON, or the plain JSON of docs/formats.md"
 

@@ -49,6 +49,7 @@ from minkref.schemas.plane.sum import SumDocument
 from minkref.schemas.plane.sweep import SweepDocument
 from minkref.schemas.plane.values import Ring
 from minkref.schemas.plane.view import ViewDocument
+from minkref.schemas.repair import RepairDocument
 from minkref.schemas.report import ReportDocument
 from minkref.schemas.scene.file import SceneFileText
 from minkref.schemas.scene.scene import SceneDocument
@@ -106,6 +107,7 @@ DOCUMENTS = {
     "path_in_space": SpacePathDocument,
     "path_with_clearance": ClearPathDocument,
     "path_with_disc": DiscPathDocument,
+    "repair": RepairDocument,
     "report": ReportDocument,
     "scene": SceneDocument,
     "scene_file": SceneFileText,

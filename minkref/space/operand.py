@@ -14,9 +14,19 @@ from minkref.model_catalogue import shipped_polyhedra
 from minkref.output.terminal import escaped
 from minkref.plane.operand import LONGEST_NAME, is_regular, is_utf8, read_operand
 from minkref.space.ball import is_ball
+from minkref.plane.repair_offer import offering_repair
+from minkref.repair.solid import repaired_solid
 
 FORMATS = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
 
+
+#: Refusals of polyhedra that a repair mends, if nothing else stands against it.
+MENDED_AT_TIMES = (
+    "zero-length-edge", "zero-area", "non-planar-face", "repeated-vertex", "unused-vertex",
+    "wrong-orientation", "open-mesh", "non-manifold-edge", "non-manifold-vertex", "shell-nesting",
+    "overlapping-faces",
+)  # fmt: skip
+MOST_TRIED = 5_000  # faces
 
 CONVEX_ONLY = "give a convex polyhedron; `minkref sum` and `minkref view` take any other"
 
@@ -54,7 +64,7 @@ def in_space(P: str, Q: str) -> bool:
     for name in filter(is_ball, (P, Q)):
         mend = "give a polyhedron; `minkref sum` and `minkref erode` also take a ball"
         raise Refusal("this command takes no ball", name, mend, "not-with-ball")
-    kinds = [_is_polyhedron(name) for name in (P, Q)]
+    kinds = [is_polyhedron(name) for name in (P, Q)]
     if kinds[0] != kinds[1]:
         flat, solid = (P, Q) if kinds[1] else (Q, P)
         read_operand(flat)  # a name without any operand lies nowhere: say so first
@@ -80,6 +90,29 @@ def read_space_operand(name: str) -> SpaceOperand:
 def read_summand(name: str, convex: bool = False) -> SpaceOperand:
     """Read a polyhedron of any shape, or a plane polygon. `convex`: refuses a polyhedron that is
     not convex."""
+    path, surface, warnings = read_surface(name)
+    source = escaped(str(path))
+    if surface.faces < 2:
+        refusing(source, lambda: surface.validate_summand(source))
+        return SpaceOperand(name, path, surface, None, warnings)
+    with offering_repair(path, MENDED_AT_TIMES, lambda: _is_mended(surface, source)):
+        body = _body(surface, source, convex)
+    return SpaceOperand(name, path, surface, body, warnings)
+
+
+def _is_mended(surface: _core.Polyhedron, source: str) -> bool:
+    """Try whether a repair mends a surface; not for large ones."""
+    if surface.faces > MOST_TRIED:
+        return False
+    try:
+        repaired_solid(surface, "nonzero", None, source)
+    except Refusal:
+        return False
+    return True
+
+
+def read_surface(name: str) -> tuple[Path, _core.Polyhedron, list[str]]:
+    """Find and read a polyhedron, not validated, with the reader's warnings."""
     path = Path(name)
     if not path.is_file():
         path = _models().get(name, path)
@@ -88,12 +121,8 @@ def read_summand(name: str, convex: bool = False) -> SpaceOperand:
     if not path.is_file():
         mend = f"write it to a file first whose ending names the format: {', '.join(FORMATS)}"
         raise Refusal("this is not a regular file", name, mend, "not-a-file")
-    source = escaped(str(path))
-    surface, warnings = _read(path, source)
-    if surface.faces < 2:
-        refusing(source, lambda: surface.validate_summand(source))
-        return SpaceOperand(name, path, surface, None, warnings)
-    return SpaceOperand(name, path, surface, _body(surface, source, convex), warnings)
+    surface, warnings = _read(path, escaped(str(path)))
+    return path, surface, warnings
 
 
 def _body(surface: _core.Polyhedron, source: str, convex: bool) -> _core.ConvexPolyhedron | None:
@@ -133,7 +162,8 @@ def _models() -> dict[str, Path]:
     return {model.name: model.path for model in shipped_polyhedra()}
 
 
-def _is_polyhedron(name: str) -> bool:
+def is_polyhedron(name: str) -> bool:
+    """Tell whether a name means a polyhedron: by the ending, the members of JSON, or as a model."""
     path = Path(name)
     if "\0" in name or not name or len(path.name) > LONGEST_NAME:
         return False

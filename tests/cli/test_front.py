@@ -20,6 +20,7 @@ Minkref = Callable[..., Any]
 COMMANDS = (
     "sum",
     "convolution",
+    "repair",
     "union",
     "intersection",
     "difference",

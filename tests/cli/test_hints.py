@@ -92,6 +92,7 @@ TAKEN: dict[str, dict[str, Words]] = {
         "space": [*CUBES, "-o", "v.html"], "scene": [SCENE, "-o", "v.html"],
     },
     "decompose": {"plane": [NOTCH]},
+    "repair": {"plane": [NOTCH], "space": ["cube.off"]},
     "scene": {"plane": [SCENE]},
     "certify": {
         "plane": [SQUARE, SQUARE, "-o", "c.cert.json"],
@@ -131,11 +132,13 @@ VALUES: dict[str, list[str]] = {
     "--at": ["0,0"],
     "--way": [WAY],
     "--copies": ["copies.csv"],
+    "--rule": ["evenodd"],
+    "--weld": ["1/1000"],
 }
 #: Options that refuse a misspelt value.
 WORDS = (
     "--route", "--arithmetic", "--form", "--reading", "--format", "--kind", "--compatible",
-    "--contact", "--repair",
+    "--contact", "--repair", "--rule",
 )  # fmt: skip
 NOT_WALKED = ("--json", "--schema", "--memory", "--index", "--theorem", "--between")
 

@@ -60,7 +60,7 @@ TEST(GeoJson, WhatIsNoOperandIsRefused) {
   EXPECT_EQ(code(R"({"type":"MultiPoint","coordinates":[[1,2]]})"), "unsupported-geometry");
   EXPECT_EQ(code(R"({"type":"Sphere"})"), "unsupported-geometry");
   EXPECT_EQ(code(R"({"type":"LineString","coordinates":[[1,2],[3,4],[5,7]]})"), "not-a-segment");
-  EXPECT_EQ(code(R"({"type":"Point","coordinates":[1,2,3]})"), "three-dimensional");
+  EXPECT_EQ(code(R"({"type":"Point","coordinates":[1,2,3,4,5]})"), "three-dimensional");
   EXPECT_EQ(code(R"({"coordinates":[1,2]})"), "missing-member");
   EXPECT_EQ(code(R"({"type":"Polygon"})"), "missing-member");
   expect_code(code, "wrong-type",
@@ -68,6 +68,23 @@ TEST(GeoJson, WhatIsNoOperandIsRefused) {
                R"({"type":"Point","coordinates":[1]})"});
   EXPECT_EQ(code(R"({"type":"Point","coordinates":["1","2"]})"), "not-a-number");
   EXPECT_EQ(code(R"({"type":"Point","coordinates":[null,2]})"), "not-a-number");
+}
+
+TEST(GeoJson, AltitudesAndReferenceSystemsAreDroppedWithAWarning) {
+  const Reading reading = read_text(
+      "{\"type\":\"Polygon\",\"crs\":{\"type\":\"name\"},\n"
+      "\"coordinates\":[[[0,0],[1,0,1e3],[0,1,-7.25,null],[0,0]]]}",
+      Format::geojson, "input");
+  EXPECT_EQ(reading.set,
+            geojson(R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]})"));
+  EXPECT_EQ(reading.warnings,
+            (std::vector<std::string>{"input: line 1: dropped: the reference system (crs): numbers "
+                                      "are coordinates in the plane",
+                                      "input: line 2: dropped: 3 coordinates beyond x and y, from "
+                                      "here on"}));
+  EXPECT_TRUE(read_text(R"({"type":"Point","coordinates":[1,2],"crs":null})", Format::geojson, "")
+                  .warnings.empty());
+  EXPECT_EQ(code(R"({"type":"Point","coordinates":[1,2,"3"]})"), "not-a-number");
 }
 
 TEST(GeoJson, AnOpenRingIsRefusedWithItsLine) {

@@ -92,6 +92,16 @@ TEST(Stl, NoTriangleIsTheEmptySet) {
   EXPECT_TRUE(stl(binary_stl({})).empty());
 }
 
+TEST(Stl, SeveralSolidsAreOnePolyhedron) {
+  const std::string other = "SOLID\n" + facet("5 0 0", "5 1 0", "6 0 0") + "endsolid b\n";
+  const MeshReading reading = read_mesh_text(tetra + other, MeshFormat::stl, "input");
+  EXPECT_EQ(reading.polyhedron.faces.size(), 5U);
+  EXPECT_EQ(reading.polyhedron.vertices.size(), 7U);
+  EXPECT_EQ(reading.warnings,
+            std::vector<std::string>{"input: 2 solids are read as one polyhedron"});
+  EXPECT_TRUE(read_mesh_text(tetra, MeshFormat::stl, "input").warnings.empty());
+}
+
 TEST(Stl, ALengthThatDoesNotFitIsRefused) {
   const std::string good = binary_stl(tetrahedron());
   EXPECT_EQ(code(good.substr(0, 40)), "syntax");  // 40 bytes of text
@@ -111,7 +121,7 @@ TEST(Stl, WrongStructureIsRefusedWithItsLine) {
   EXPECT_EQ(code("sold\nendsolid\n"), "syntax");
   EXPECT_EQ(code("solid\n"), "truncated");
   EXPECT_EQ(code("solid\n" + facet("0 0 0", "0 1 0", "1 0 0")), "truncated");
-  EXPECT_EQ(code("solid\nendsolid\nsolid\nendsolid\n"), "trailing-text");
+  EXPECT_EQ(code("solid\nendsolid\nfacet\n"), "trailing-text");
   expect_code(
       code, "syntax",
       {"solid\nfacet 0 0 1\nendsolid\n", "solid\n" + facet("0 0 0", "0 1 0", "1 0") + "endsolid\n",

@@ -46,17 +46,46 @@ TEST(Wkt, ACollectionOfPolygonsIsOneSet) {
   EXPECT_EQ(set.polygons.size(), 3U);
 }
 
-TEST(Wkt, ZAndMAreRefused) {
+TEST(Wkt, CoordinatesBeyondXAndYAreDroppedWithAWarning) {
+  const PolygonSet plain = wkt("POLYGON ((0 0, 1 0, 0 1, 0 0))");
+  for (const char* text :
+       {"POLYGON Z ((0 0 1, 1 0 2, 0 1 -3.5, 0 0 7))", "POLYGONZ ((0 0 1, 1 0 1, 0 1 1, 0 0 1))",
+        "polygon m ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POLYGON((0 0 1, 1 0 1, 0 1 NaN, 0 0 1))",
+        "SRID=25832;POLYGON ZM ((0 0 1 2, 1 0 1 2, 0 1 1 2, 0 0 1 2))"}) {
+    const Reading reading = read_text(text, Format::wkt, "input");
+    EXPECT_EQ(reading.set, plain) << text;
+    ASSERT_FALSE(reading.warnings.empty()) << text;
+    EXPECT_EQ(reading.warnings.back(),
+              "input: line 1: dropped: " + std::string(text[0] == 'S' ? "8" : "4") +
+                  " coordinates beyond x and y, from here on");
+  }
+  EXPECT_TRUE(read_text("POLYGON Z EMPTY", Format::wkt, "").warnings.empty());
+}
+
+TEST(Wkt, AReferenceSystemIsDroppedWithAWarning) {
+  const Reading reading = read_text("SRID=4326;\nPOINT (1 2)", Format::wkt, "input");
+  EXPECT_EQ(reading.set, wkt("POINT (1 2)"));
+  EXPECT_EQ(reading.warnings,
+            std::vector<std::string>{"input: line 1: dropped: the reference system (SRID): numbers "
+                                     "are coordinates in the plane"});
+  EXPECT_EQ(code("SRID=4326 POINT (1 2)"), "syntax");
+}
+
+TEST(Wkt, AMissingCommaIsNoThirdCoordinate) {
   expect_code(code, "three-dimensional",
-              {"POINT Z (1 2 3)", "POINTZ (1 2 3)", "POLYGON M ((0 0 1, 1 0 1, 0 1 1, 0 0 1))",
-               "POINT ZM (1 2 3 4)", "POINT (1 2 3)", "POLYGON Z EMPTY"});
+              {"POLYGON ((0 0, 1 0 1 1, 0 1, 0 0))", "POLYGON ((0 0 1, 1 0, 0 1 1, 0 0 1))",
+               "POINT Z (1 2)", "POINT ZM (1 2 3)", "POINT (1 2 3 4 5)"});
+  const BadInput refused = refusal_of_text("POLYGON ((0 0,\n 1 0 1 1,\n 0 1, 0 0))", Format::wkt);
+  EXPECT_EQ(refused.place().line, 2U);
+  EXPECT_EQ(refused.place().ring, 0U);
+  EXPECT_EQ(refused.place().vertices, std::vector<std::size_t>{1});
+  EXPECT_EQ(code("POINT Z (1 2 high)"), "not-a-number");
 }
 
 TEST(Wkt, OtherGeometriesAreRefused) {
   EXPECT_EQ(code("LINESTRING (0 0, 1 0, 1 1)"), "not-a-segment");
   EXPECT_EQ(code("LINESTRING (0 0)"), "not-a-segment");
-  expect_code(code, "unsupported-geometry",
-              {"MULTIPOINT ((0 0))", "CURVEPOLYGON EMPTY", "SRID=4326;POINT (0 0)"});
+  expect_code(code, "unsupported-geometry", {"MULTIPOINT ((0 0))", "CURVEPOLYGON EMPTY"});
 }
 
 TEST(Wkt, APointBesideOtherPartsIsRefused) {

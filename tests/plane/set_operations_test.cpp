@@ -103,5 +103,29 @@ TEST(SetOperations, UnionsOfManySlidersAreExact) {
   EXPECT_EQ(area(found.region), Rational(50) - 24 * e - e);
 }
 
+Rational filled_area(const Ring& ring, FillRule rule) {
+  return area(filled({{Polygon{ring, {}}}}, rule).region);
+}
+
+TEST(SetOperations, ARuleTellsWhatLiesInARingThatCrossesItself) {
+  // A bow tie of two triangles with the areas 4 and 1, the smaller one wound the other way.
+  const Ring bow{{0, 0}, {4, 0}, {1, 3}, {3, 3}};
+  EXPECT_EQ(filled_area(bow, FillRule::nonzero), 5);
+  EXPECT_EQ(filled_area(bow, FillRule::evenodd), 5);
+  EXPECT_EQ(filled_area(bow, FillRule::positive), 4);
+  EXPECT_FALSE(filled({{Polygon{bow, {}}}}, FillRule::nonzero).well_formed);
+  // Around a square of the area 4, then around one of the area 1 in it: twice.
+  const Ring twice{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(filled_area(twice, FillRule::nonzero), 4);
+  EXPECT_EQ(filled_area(twice, FillRule::evenodd), 3);
+  EXPECT_EQ(filled_area(twice, FillRule::positive), 4);
+  // Clockwise, nothing is positive.
+  const Ring clockwise{{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+  EXPECT_EQ(filled_area(clockwise, FillRule::nonzero), 1);
+  EXPECT_EQ(filled_area(clockwise, FillRule::evenodd), 1);
+  EXPECT_EQ(filled_area(clockwise, FillRule::positive), 0);
+  EXPECT_TRUE(filled({}, FillRule::nonzero).region.empty());
+}
+
 }  // namespace
 }  // namespace minkref::testing::of_set_operations

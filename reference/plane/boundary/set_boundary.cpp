@@ -6,9 +6,11 @@
 #include "reference/plane/boundary/face_boundary.hpp"
 
 namespace minkref::inline plane {
+namespace {
 
-SetBoundary set_boundary(const PolygonSet& rings, int least) {
-  return on_exact_frame(rings, {}, [least](const auto& frame) {
+template <class Inside>
+SetBoundary boundary_of(const PolygonSet& rings, const Inside& is_inside) {
+  return on_exact_frame(rings, {}, [&](const auto& frame) {
     using K = typename std::decay_t<decltype(frame)>::K;
     std::vector<typename K::Vector> vertices;
     std::vector<IndexedSegment> segments;
@@ -25,13 +27,31 @@ SetBoundary set_boundary(const PolygonSet& rings, int least) {
     std::vector<bool> inside;
     SetBoundary result;
     for (const int number : winding) {
-      inside.push_back(number >= least);
+      inside.push_back(is_inside(number));
       result.well_formed = result.well_formed && (number == 0 || number == 1);
     }
     result.graph = face_boundary(
         arrangement, inside, [&](std::uint32_t n) { return position(frame, arrangement.node(n)); });
     return result;
   });
+}
+
+}  // namespace
+
+SetBoundary set_boundary(const PolygonSet& rings, int least) {
+  return boundary_of(rings, [least](int number) { return number >= least; });
+}
+
+SetBoundary set_boundary(const PolygonSet& rings, FillRule rule) {
+  switch (rule) {
+    case FillRule::positive:
+      return set_boundary(rings, 1);
+    case FillRule::nonzero:
+      return boundary_of(rings, [](int number) { return number != 0; });
+    case FillRule::evenodd:
+      break;
+  }
+  return boundary_of(rings, [](int number) { return number % 2 != 0; });
 }
 
 Canonical canonicalize(const PolygonSet& rings) {

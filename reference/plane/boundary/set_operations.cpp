@@ -5,7 +5,6 @@
 #include <span>
 
 #include "reference/number/float_environment.hpp"
-#include "reference/plane/boundary/set_boundary.hpp"
 
 namespace minkref::inline plane {
 namespace {
@@ -53,6 +52,15 @@ Canonical combined(SetOperation operation, const std::vector<PolygonSet>& sets) 
   if (rings.empty()) return {};
   add_reversed(rings, wound(together(all.subspan(1)), 1).region);
   return wound(rings, 1);
+}
+
+Canonical filled(const PolygonSet& rings, FillRule rule) {
+  const FloatEnvironment standard;
+  if (rings.empty()) return {};
+  const SetBoundary boundary = set_boundary(rings, rule);
+  Canonical result = canonical_form(boundary.graph);
+  result.well_formed = boundary.well_formed;
+  return result;
 }
 
 }  // namespace minkref::inline plane

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/plane/boundary/canonical.hpp"
+#include "reference/plane/boundary/set_boundary.hpp"
 
 namespace minkref::inline plane {
 
@@ -15,5 +16,9 @@ enum class SetOperation : std::uint8_t { unite, intersect, subtract };
 /// no interior, and changes nothing but an intersection, which is empty. Exact. O((n + k) log n)
 /// for n vertices and k crossings.
 Canonical combined(SetOperation operation, const std::vector<PolygonSet>& sets);
+
+/// The closure of the points that lie inside the rings by a rule, however they cross, overlap or
+/// run; in canonical form. `well_formed`: every winding number is 0 or 1. Exact. O((n + k) log n).
+Canonical filled(const PolygonSet& rings, FillRule rule);
 
 }  // namespace minkref::inline plane

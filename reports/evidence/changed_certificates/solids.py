@@ -18,7 +18,7 @@ from minkref.reports.evidence.certificates.mutant_tally import (
 from minkref.reports.evidence.certificates.solid_cases import certified, solid_pairs
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 1, 8)
+MINUTES = Minutes(0.1, 0.6, 8)
 
 SEED = 1974
 LEAST = Counts(20, 800, 4000)

@@ -18,7 +18,7 @@ from minkref.reports.evidence.framework.command import minkref
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 1.2, 8)
+MINUTES = Minutes(0.1, 0.8, 8)
 
 SEED = 2046
 SETS, BATCH = Counts(20, 200, 2000), 10

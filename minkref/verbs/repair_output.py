@@ -1,0 +1,159 @@
+"""What `minkref repair` answers: the changes, and the operand written."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.cli.memory import SIMPLER, memory_wall
+from minkref.cli.output import give, measure, print_lines, written_row
+from minkref.errors import Refusal, choice, refusing
+from minkref.file_text import bytes_of_file
+from minkref.output.documents import Stopwatch, document, refuse_overwriting, write_together
+from minkref.output.output_target import Target, target_of
+from minkref.output.terminal import escaped
+from minkref.plane.operand import as_faulty
+from minkref.repair.change import Change, told
+from minkref.repair.plane import RULES, repaired
+from minkref.repair.solid import repaired_solid
+from minkref.space.operand import is_polyhedron, read_surface
+from minkref.verbs.repair import RepairRequest
+
+PLANE_FORMS = ("wkt", "geojson", "poly", "json")
+SPACE_FORMS = ("off", "obj", "stl", "ply", "json")
+MOST_TOLD = 40  # changes in the text
+
+
+@dataclass(frozen=True)
+class Repaired:
+    """A repaired operand. `file`: its own, where it has one; `write`, `is_exact`: its text in a
+    format, and whether the text holds the very set."""
+
+    file: Path | None
+    dimension: int
+    changes: list[Change]
+    warnings: list[str]
+    measures: dict[str, Any]
+    write: Callable[[str], str]
+    is_exact: Callable[[str], bool]
+    check: Callable[[str, str], object]
+
+
+def run(request: RepairRequest) -> None:
+    watch = Stopwatch()
+    if request.rule not in RULES:
+        what = f"there is no rule {request.rule[:40]!r}"
+        raise Refusal(what, "--rule", choice(request.rule, RULES))
+    in_space = is_polyhedron(request.file)
+    forms = SPACE_FORMS if in_space else PLANE_FORMS
+    target = target_of(
+        request.output, request.form, forms, "json" if in_space else "wkt", request.json
+    )
+    with memory_wall(request.memory, "the repair", request.file, SIMPLER):
+        found = (_in_space if in_space else _in_plane)(request)
+        if target is not None and found.file is not None:
+            refuse_overwriting(target.path, [found.file])
+        if target is not None and _write(target, found):
+            return
+    value = document(
+        "repair",
+        watch,
+        dimension=found.dimension,
+        operand=request.file,
+        rule=request.rule,
+        weld=None if request.weld is None else str(request.weld),
+        changes=[change.document() for change in found.changes],
+        **found.measures,
+        warnings=found.warnings,
+        output=None if request.output is None else str(request.output),
+        output_exact=None if target is None else not found.changes or found.is_exact(target.form),
+    )
+    give(value, request.json, _print)
+
+
+def _in_plane(request: RepairRequest) -> Repaired:
+    operand, is_open = as_faulty(request.file)
+    source = escaped(operand.source)
+    found, changes = repaired(operand.set, is_open, request.rule, request.weld)
+    if operand.set.is_region or not operand.set.is_empty:
+        refusing(source, lambda: found.validate(source))
+    return Repaired(
+        operand.file if operand.file.is_file() else None,
+        2,
+        changes,
+        operand.warnings,
+        {"area": found.area(), "volume": None, "vertices": found.vertices, "faces": None},
+        lambda form: _core.write(found, form),
+        lambda form: _core.writes_exactly(found, form),
+        lambda text, form: _core.read_text(text, form).validate(),
+    )
+
+
+def _in_space(request: RepairRequest) -> Repaired:
+    path, surface, warnings = read_surface(request.file)
+    source = escaped(str(path))
+    found, changes = repaired_solid(surface, request.rule, request.weld, source)
+    volume = Fraction(found.sextuple_volume()) / 6
+    return Repaired(
+        path,
+        3,
+        changes,
+        warnings,
+        {"area": None, "volume": str(volume), "vertices": found.vertices, "faces": found.faces},
+        lambda form: _core.write_mesh(found, form),
+        lambda form: _core.writes_mesh_exactly(found, form),
+        lambda text, form: _core.read_mesh_text(text.encode(), form)[0].validate_summand(),
+    )
+
+
+def _write(target: Target, found: Repaired) -> bool:
+    """Write the operand: the file's own bytes if nothing is to be changed, neither the format."""
+    file = found.file
+    if not found.changes and file is not None and file.suffix.lower() == f".{target.form}":
+        data = bytes_of_file(file, escaped(str(file)), "name a file that you may read")
+        if target.is_standard_output:
+            sys.stdout.flush()
+            sys.stdout.buffer.write(data)
+            sys.stdout.buffer.flush()
+        else:
+            write_together({target.path: data})
+        return target.is_standard_output
+    text = refusing(target.name, lambda: found.write(target.form))
+    is_exact = found.is_exact(target.form)
+    if not is_exact:
+        _refuse_spoiled(text, target, found)
+    return target.write(text, is_exact)
+
+
+def _refuse_spoiled(text: str, target: Target, found: Repaired) -> None:
+    """Refuse a format that cannot hold the operand: read again, it would have faults."""
+    try:
+        found.check(text, target.form)
+    except _core.BadInput as error:
+        raise Refusal(
+            f"as {target.form} the operand would have faults again: {error.problem}",
+            target.name,
+            "name a .json file, which is exact",
+            "not-representable",
+        ) from error
+
+
+def _print(value: dict[str, Any]) -> None:
+    changes = value["changes"]
+    for change in changes[:MOST_TOLD]:
+        sys.stdout.write(f"{escaped(told(change))}\n")
+    if len(changes) > MOST_TOLD:
+        sys.stdout.write(f"and {len(changes) - MOST_TOLD:,} more: --json has all\n")
+    size = "area" if value["volume"] is None else "volume"
+    rows = [
+        ("changes", f"{len(changes):,}" if changes else "no changes"),
+        (size, measure(value[size])),
+        *written_row(value),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]
+    print_lines(rows, value)
