@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from minkref import _core
 from minkref.disc.disc import is_disc
+from minkref.drawings.drawing import DRAWINGS, is_drawing, read_drawing
 from minkref.errors import Refusal, nearest, refusing
 from minkref.file_text import text_of_file
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
@@ -16,6 +18,7 @@ from minkref.plane.operand_text import is_text, source_of, text_and_form
 from minkref.plane.repair_offer import MENDED, offering_repair
 
 FORMATS = tuple(f".{name}" for name, is_read in _core.SET_FORMATS.items() if is_read)
+INPUTS = (*FORMATS, *DRAWINGS)
 MESHES = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
 LONGEST_NAME = 255  # characters; no system allows longer names
 
@@ -51,10 +54,12 @@ def as_written(name: str) -> Operand:
     return found(name, Reader())
 
 
-def as_faulty(name: str) -> tuple[Operand, list[int]]:
+def as_faulty(
+    name: str, drawing: Callable[[Path], tuple[_core.PolygonSet, list[str]]] = read_drawing
+) -> tuple[Operand, list[int]]:
     """Read an operand for a repair: rings as written, none refused for a fault that can be mended;
-    and of each ring 1 if it is open, else 0."""
-    reader = FaultyReader()
+    and of each ring 1 if it is open, else 0. `drawing` reads drawings."""
+    reader = FaultyReader(drawing)
     return found(name, reader), reader.is_open
 
 
@@ -67,12 +72,19 @@ class Reader:
     def text(self, text: str, form: str, source: str) -> _core.PolygonSet:
         return _core.read_text(text, form, source)
 
+    def drawing(self, path: Path) -> tuple[_core.PolygonSet, list[str]]:
+        return read_drawing(path)
+
 
 class FaultyReader(Reader):
-    """Reads rings with faults, and keeps which are open."""
+    """Reads rings with faults, and keeps which are open; and drawings as asked for."""
 
-    def __init__(self) -> None:
+    def __init__(self, drawing: Callable[[Path], tuple[_core.PolygonSet, list[str]]]) -> None:
         self.is_open: list[int] = []
+        self._drawing = drawing
+
+    def drawing(self, path: Path) -> tuple[_core.PolygonSet, list[str]]:
+        return self._drawing(path)
 
     def file(self, source: str) -> _core.PolygonSet:
         read, self.is_open = _core.read_faulty_file(source)
@@ -100,7 +112,7 @@ def found(name: str, reader: Reader) -> Operand:
     if is_text(name):
         return _of_text(name, reader)
     _refuse_special(name, path)
-    if path.suffix in FORMATS or len(path.parts) > 1:
+    if path.suffix in INPUTS or len(path.parts) > 1:
         raise Refusal("there is no such file", name, "check the path", "no-such-file")
     if name in {paper for paper, *_ in PAPER_MODELS}:
         alike = next(look for paper, _, look, _ in PAPER_MODELS if paper == name)
@@ -131,7 +143,7 @@ def found(name: str, reader: Reader) -> Operand:
 
 
 def _refuse_mesh(what: str, name: str) -> Refusal:
-    mend = f"give a set of polygons: {', '.join(FORMATS)}, or one of `minkref models`"
+    mend = f"give a set of polygons: {', '.join(INPUTS)}, or one of `minkref models`"
     return Refusal(f"{what}, and this operand lies in the plane", name, mend, "three-dimensional")
 
 
@@ -171,6 +183,8 @@ def read_set(path: Path, reader: Reader | None = None) -> _core.PolygonSet:
 
 
 def _read(name: str, path: Path, reader: Reader) -> Operand:
+    if is_drawing(path):
+        return Operand(name, str(path), *reader.drawing(path))
     with offering_repair(path, MENDED):
         operand = read_set(path, reader)
     return Operand(name, str(path), operand, operand.warnings)
@@ -184,7 +198,7 @@ def _refuse_special(name: str, path: Path) -> None:
     raise Refusal(
         "this is not a regular file",
         name,
-        f"write it to a file first whose ending names the format: {', '.join(FORMATS)}",
+        f"write it to a file first whose ending names the format: {', '.join(INPUTS)}",
         "not-a-file",
     )
 

@@ -22,6 +22,8 @@ minkref repair parcels.geojson -o repaired.geojson
 
 minkref repair drawing.wkt --rule evenodd --weld 1/1000 -o repaired.json
 
+minkref repair part.dxf --tolerance 1/100 --layer CUT -o part.json
+
 minkref repair body.stl --weld 1e-9 -o body.off
 
 minkref repair scan.ply --json"""
@@ -78,6 +80,20 @@ Rule = Annotated[
 ]
 
 
+Tolerance = Annotated[
+    Fraction | None,
+    typer.Option(
+        "--tolerance",
+        help="For a drawing (.dxf, .svg) with arcs or curves: how far polylines may be off them.",
+        metavar="T",
+    ),
+    Read(read_distance),
+]
+Layer = Annotated[
+    str | None, typer.Option("--layer", help="Of a drawing: read this layer alone.", metavar="NAME")
+]
+
+
 @dataclass(frozen=True)
 class RepairRequest:
     file: File
@@ -85,6 +101,8 @@ class RepairRequest:
     form: Format = None
     weld: Weld = None
     rule: Rule = "nonzero"
+    tolerance: Tolerance = None
+    layer: Layer = None
     memory: Memory = None
     json: Json = False
 

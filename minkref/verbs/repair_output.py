@@ -12,6 +12,7 @@ from typing import Any
 from minkref import _core
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import give, measure, print_lines, written_row
+from minkref.drawings.drawing import is_drawing, read_drawing
 from minkref.errors import Refusal, choice, refusing
 from minkref.file_text import bytes_of_file
 from minkref.output.documents import Stopwatch, document, refuse_overwriting, write_together
@@ -77,7 +78,12 @@ def run(request: RepairRequest) -> None:
 
 
 def _in_plane(request: RepairRequest) -> Repaired:
-    operand, is_open = as_faulty(request.file)
+    _refuse_for_drawings(request)
+
+    def drawing(path: Path) -> tuple[_core.PolygonSet, list[str]]:
+        return read_drawing(path, request.tolerance, request.layer, request.weld)
+
+    operand, is_open = as_faulty(request.file, drawing)
     source = escaped(operand.source)
     found, changes = repaired(operand.set, is_open, request.rule, request.weld)
     if operand.set.is_region or not operand.set.is_empty:
@@ -94,7 +100,21 @@ def _in_plane(request: RepairRequest) -> Repaired:
     )
 
 
+def _refuse_for_drawings(request: RepairRequest) -> None:
+    """Refuse options of drawings for other operands."""
+    given = [
+        option
+        for option, value in (("--tolerance", request.tolerance), ("--layer", request.layer))
+        if value is not None
+    ]
+    if given and not is_drawing(Path(request.file)):
+        them = "it" if len(given) == 1 else "them"
+        what = "the operand is no drawing (.dxf, .svg)"
+        raise Refusal(what, ", ".join(given), f"leave {them} out")
+
+
 def _in_space(request: RepairRequest) -> Repaired:
+    _refuse_for_drawings(request)
     path, surface, warnings = read_surface(request.file)
     source = escaped(str(path))
     found, changes = repaired_solid(surface, request.rule, request.weld, source)

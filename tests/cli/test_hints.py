@@ -132,7 +132,7 @@ VALUES: dict[str, list[str]] = {
     "--at": ["0,0"],
     "--way": [WAY],
     "--copies": ["copies.csv"],
-    "--rule": ["evenodd"],
+    "--rule": ["positive"],
     "--weld": ["1/1000"],
 }
 #: Options that refuse a misspelt value.

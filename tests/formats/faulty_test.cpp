@@ -24,7 +24,7 @@ TEST(Faulty, RingsStayAsWritten) {
 }
 
 TEST(Faulty, AHoleInNoOuterRingIsTheFirstOnes) {
-  const Reading reading =
+  const FaultyReading found =
       faulty("4\n3 out\n0 0\n1 0\n0 1\n3 out\n5 0\n6 0\n5 1\n3 in\n9 9\n9 8\n8 9\n2 in\n1 1\n2 2\n",
              Format::poly);
   ASSERT_EQ(found.reading.set.polygons.size(), 3U);

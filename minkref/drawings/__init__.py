@@ -1,0 +1,1 @@
+"""Drawings as operands: DXF and SVG, with the decimals of their text (docs/formats.md)."""
