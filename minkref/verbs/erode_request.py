@@ -44,7 +44,7 @@ Output = Annotated[
     Path | None,
     typer.Option(
         "-o",
-        help="Write the region to this file: .wkt, .geojson, .poly, .json or .svg; with a disc "
+        help="Write the region to this file: .wkt, .geojson, .poly, .json, .svg, .dxf; with a disc "
         ".json, .svg and .dxf, and others with --tolerance; in space .off, .obj, .stl, .ply or "
         ".json. `-`: print it alone on standard output. Remnants and exact fits are in the .svg "
         "and in --json.",

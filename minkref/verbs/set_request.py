@@ -21,7 +21,7 @@ Output = Annotated[
     Path | None,
     typer.Option(
         "-o",
-        help="Write the set to this file: .wkt, .geojson, .poly, .json or .svg. `-`: print it "
+        help="Write the set to this file: .wkt, .geojson, .poly, .json, .svg, .dxf. `-`: print it "
         "alone on standard output.",
         metavar="FILE",
     ),

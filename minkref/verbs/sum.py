@@ -122,8 +122,8 @@ Output = Annotated[
     Path | None,
     typer.Option(
         "-o",
-        help="Write the sum to this file: .wkt, .geojson, .poly, .json or .svg; with a disc "
-        "also .dxf; in space .off, .obj, .stl, .ply or .json. `-`: print the sum alone on "
+        help="Write the sum to this file: .wkt, .geojson, .poly, .json, .svg or .dxf; "
+        "in space .off, .obj, .stl, .ply or .json. `-`: print the sum alone on "
         "standard output.",
         metavar="FILE",
     ),

@@ -44,6 +44,8 @@ SCENE = (
     '{"schema":"scene-v1","robot":"POINT (0 0)",'
     '"shapes":{"box":"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"},"copies":[]}'
 )
+DRAWING = """<svg xmlns:i="http://www.inkscape.org/namespaces/inkscape">
+<g i:groupmode="layer" id="cut"><rect width="2" height="2"/></g></svg>"""
 WINDOW = ["--from", "1", "--to", "2"]
 #: Arguments that each command takes in each setting.
 TAKEN: dict[str, dict[str, Words]] = {
@@ -92,7 +94,7 @@ TAKEN: dict[str, dict[str, Words]] = {
         "space": [*CUBES, "-o", "v.html"], "scene": [SCENE, "-o", "v.html"],
     },
     "decompose": {"plane": [NOTCH]},
-    "repair": {"plane": [NOTCH], "space": ["cube.off"]},
+    "repair": {"plane": [NOTCH], "space": ["cube.off"], "drawing": ["square.svg"]},
     "scene": {"plane": [SCENE]},
     "certify": {
         "plane": [SQUARE, SQUARE, "-o", "c.cert.json"],
@@ -132,6 +134,7 @@ VALUES: dict[str, list[str]] = {
     "--at": ["0,0"],
     "--way": [WAY],
     "--copies": ["copies.csv"],
+    "--layer": ["cut"],
     "--rule": ["positive"],
     "--weld": ["1/1000"],
 }
@@ -176,6 +179,7 @@ def test_what_a_hint_recommends_is_accepted(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "cube.off").write_text(CUBE, encoding="utf-8")
+    (tmp_path / "square.svg").write_text(DRAWING, encoding="utf-8")
     (tmp_path / "scales.txt").write_text("1\n2\n", encoding="utf-8")
     (tmp_path / "copies.csv").write_text("shape,scale,x,y\nbox,1,0,0\n", encoding="utf-8")
     refusals: list[dict[str, str]] = []

@@ -81,7 +81,7 @@ def _written(
     if target.form == "json":
         return canonical + "\n", True
     if target.form == "dxf":
-        from minkref.disc.commands.dxf import dxf_text
+        from minkref.output.dxf import dxf_text
 
         return dxf_text(found, target.name), False
     if target.form == "svg":

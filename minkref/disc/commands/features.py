@@ -216,7 +216,7 @@ def _written(
         return as_text(lasting(value))
     bridges = [bridge.near for feature in alive or [] for bridge in feature.bridges]
     if target.form == "dxf":
-        from minkref.disc.commands.dxf import dxf_of_lines
+        from minkref.output.dxf import dxf_of_lines
 
         return dxf_of_lines(bridges, "BRIDGES", target.name)
     from minkref.reports.features_picture import features_picture

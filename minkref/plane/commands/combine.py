@@ -16,11 +16,11 @@ from minkref.errors import Refusal, refusing
 from minkref.output.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.output.output_target import target_of
 from minkref.plane.commands.sum_fields import set_fields
+from minkref.plane.commands.written_set import FORMS, written_set
 from minkref.plane.operand import Operand, as_written
 from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.verbs.set_request import SetRequest
 
-FORMS = ("wkt", "geojson", "poly", "json", "svg")
 BETWEEN_POLYGONS = ("overlapping-rings", "crossing-rings", "overlapping-polygons")
 
 
@@ -44,9 +44,10 @@ def _run(operation: str, request: SetRequest) -> None:
         )
         seconds = time.perf_counter() - began
     region, components, holes = found
+    is_exact = None
     if target is not None:
-        text = refusing(target.name, lambda: _core.write(region, target.form))
-        if target.write(text, _core.writes_exactly(region, target.form)):
+        text, is_exact = written_set(region, target)
+        if target.write(text, is_exact):
             return
     value = document(
         operation,
@@ -57,7 +58,7 @@ def _run(operation: str, request: SetRequest) -> None:
         ],
         warnings=[warning for operand in operands for warning in operand.warnings],
         output=None if request.output is None else str(request.output),
-        output_exact=None if target is None else _core.writes_exactly(region, target.form),
+        output_exact=is_exact,
         compute_seconds=seconds,
         **set_fields(region, components, holes),
         result=json.loads(region.canonical_json()),

@@ -17,9 +17,10 @@ from minkref.errors import Refusal, refusing
 from minkref.output.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.output.output_target import Target, target_of
 from minkref.plane.commands.scale_index import chosen_route, refuse_overwriting_index
-from minkref.plane.commands.sum import OUTPUTS, compute
+from minkref.plane.commands.sum import compute
 from minkref.plane.commands.sum_fields import set_fields
 from minkref.plane.commands.sum_table import described, passage_rows
+from minkref.plane.commands.written_set import FORMS, written_set
 from minkref.plane.eroded import eroding_pair, has_room, refuse_empty
 from minkref.plane.operand import Operand, read_operand
 from minkref.plane.operand_text import STANDARD_INPUT
@@ -172,7 +173,7 @@ def _answer(asked: Question) -> None:
     if names[0] == names[1] == STANDARD_INPUT:
         what = f"{asked.operands[0]} and {asked.operands[1]}"
         raise Refusal("standard input is one operand", what, "name a file for the other")
-    target = target_of(request.output, request.form, OUTPUTS, "wkt", request.json)
+    target = target_of(request.output, request.form, FORMS, "wkt", request.json)
     if request.only_region and (target is None or target.form != "svg"):
         raise Refusal("no picture is written", "--only-region", "add -o FILE.svg")
     check_plot(request.plot, request.json, target)
@@ -226,8 +227,7 @@ def _written(
             words=(asked.command, _words(asked).removesuffix("s")),
             beneath=P.set.scaled(scale) if asked.around else None,
         ), False
-    text = refusing(target.name, lambda: _core.write(found.region, target.form))
-    return text, _core.writes_exactly(found.region, target.form)
+    return written_set(found.region, target)
 
 
 def _words(asked: Question) -> str:

@@ -20,6 +20,7 @@ from minkref.output.output_target import Target, target_of
 from minkref.plane.commands.scale_index import chosen_route, index_of, refuse_overwriting_index
 from minkref.plane.commands.sum_fields import SUM_FIELDS, sum_fields
 from minkref.plane.commands.sum_table import print_table
+from minkref.plane.commands.written_set import FORMS, written_set
 from minkref.plane.operand import Operand, read_operand
 from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.plane.parents import PassageRows, passages_of
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
     from minkref.verbs.paper_update import PaperWalk
 
 OR_PAPER = ("definition", "dynamic", "index", PAPER_UPDATE)  # the route paper needs less memory
-OUTPUTS = ("wkt", "geojson", "poly", "json", "svg")
 
 
 def run(request: SumInPlane) -> None:
@@ -45,7 +45,7 @@ def run(request: SumInPlane) -> None:
     if request.start is not None and route not in UPDATING:
         what = f"the route {route} does not go from scale to scale"
         raise Refusal(what, f"--from {request.start}", f"add --route {' or '.join(UPDATING)}")
-    target = target_of(output, request.form, OUTPUTS, "wkt", json)
+    target = target_of(output, request.form, FORMS, "wkt", json)
     _check_pictures(request, target)
     instead = f"{SIMPLER}, or the route paper" if route in OR_PAPER else SIMPLER
     with memory_wall(request.memory, f"route {route}", f"{P} and {Q}", instead):
@@ -142,8 +142,7 @@ def _written(
         counts = (found["components"], found["holes"])
         passages = [passage["points"] for passage in found["tight_passages"] or ()]
         return sum_picture(P, Q, scale, region, *counts, truth, passages), False
-    text = refusing(target.name, lambda: _core.write(region, target.form))
-    return text, _core.writes_exactly(region, target.form)
+    return written_set(region, target)
 
 
 def compute(

@@ -20,6 +20,7 @@ from minkref.output.terminal import counted, escaped
 from minkref.plane.commands.scale_index import cores
 from minkref.plane.commands.sum_fields import set_fields
 from minkref.plane.commands.sum_table import passage_rows
+from minkref.plane.commands.written_set import FORMS, written_set
 from minkref.plane.operand import Operand
 from minkref.plane.parents import EdgeRow, parents
 from minkref.scene.commands.questions import (
@@ -34,7 +35,6 @@ from minkref.scene.commands.questions import (
 from minkref.scene.scene_file import SceneFile, read_scene_file
 from minkref.verbs.scene import SceneRequest
 
-FORMS = ("wkt", "geojson", "poly", "json", "svg")
 FEWER = "take fewer copies, or simpler shapes"
 MOST_THREADS = 256
 SHOWN = 5  # shapes that people see
@@ -66,9 +66,10 @@ def run(request: SceneRequest) -> None:
             "asked": None if way is None else answers(scene, way[0], request.contact or "allowed"),
             "counts": dict(found.counts()),
         }
+    is_exact = None
     if target is not None:
-        text = refusing(target.name, lambda: _core.write(region, target.form))
-        if target.write(text, _core.writes_exactly(region, target.form)):
+        text, is_exact = written_set(region, target)
+        if target.write(text, is_exact):
             return
     value = document(
         "scene",
@@ -78,7 +79,7 @@ def run(request: SceneRequest) -> None:
         threads=threads,
         warnings=scene.warnings,
         output=None if request.output is None else str(request.output),
-        output_exact=None if target is None else _core.writes_exactly(region, target.form),
+        output_exact=is_exact,
         compute_seconds=seconds,
         **answer,
         result=json.loads(region.canonical_json()),

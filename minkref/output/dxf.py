@@ -1,10 +1,11 @@
-"""DXF: sums with a disc as closed polylines, whose arcs are bulges; bridges as lines."""
+"""DXF: sets as closed polylines, with a disc their arcs as bulges; bridges as lines."""
 
 from __future__ import annotations
 
 import io
 import math
 from collections.abc import Callable, Iterable
+from fractions import Fraction
 from typing import Any
 
 from minkref import _core
@@ -32,6 +33,26 @@ def dxf_text(found: _core.Offset, where: str) -> str:
 
 
 Point = tuple[float, float]
+
+
+def dxf_of_set(region: _core.PolygonSet, where: str) -> tuple[str, bool]:
+    """A closed polyline for each ring, and whether the decimals written are the exact numbers.
+    Refuses as dxf_text."""
+    rings = [ring for polygon in region.approximate_rings() for ring in polygon]
+
+    def draw(space: Any) -> None:
+        for ring in rings:
+            _check(ring, where)
+            space.add_lwpolyline(ring, format="xy", close=True, dxfattribs={"layer": LAYER})
+
+    exact = [ring for polygon in region.rings() for ring in polygon]
+    points = zip((p for ring in rings for p in ring), (p for r in exact for p in r), strict=True)
+    text = _text(draw, LAYER, where)
+    return text, all(_is_exact(near, true) for near, true in points)
+
+
+def _is_exact(near: Point, true: tuple[Fraction, Fraction]) -> bool:
+    return all(Fraction(repr(x)) == y for x, y in zip(near, true, strict=True))
 
 
 def dxf_of_lines(lines: Iterable[tuple[Point, Point]], layer: str, where: str) -> str:
