@@ -47,6 +47,7 @@ GUIDE = (
     "certificates-solids",
     "certificates-paths",
     "certificates-features",
+    "certificates-unions",
     "degeneracies",
     "roadmap",
 )

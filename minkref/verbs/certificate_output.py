@@ -6,7 +6,7 @@ import gzip
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 from minkref.errors import Refusal
 from minkref.output.documents import check_writable, refuse_overwriting
@@ -25,6 +25,11 @@ class AnyCertificate(Protocol):
     def case(self) -> str: ...
 
     def text(self, case: str, title: str = "", producer: str = "") -> str: ...
+
+
+class Claiming(AnyCertificate, Protocol):
+    @property
+    def claims(self) -> Sequence[object]: ...
 
 
 @dataclass(frozen=True)

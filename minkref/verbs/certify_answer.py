@@ -6,7 +6,6 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
 
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.errors import refusing
@@ -19,14 +18,9 @@ from minkref.output.documents import (
     write_together,
 )
 from minkref.output.terminal import counted, escaped
-from minkref.verbs.certificate_output import CHECKED, AnyCertificate, CertificateFiles
+from minkref.verbs.certificate_output import CHECKED, CertificateFiles, Claiming
 from minkref.verbs.certify import CertifyInPlane, CertifyInSpace
 from minkref.verbs.certify_theorem import HOW, theorem_of
-
-
-class Claiming(AnyCertificate, Protocol):
-    @property
-    def claims(self) -> list[dict[str, object]]: ...
 
 
 @dataclass(frozen=True)

@@ -38,6 +38,18 @@ Plot = Annotated[
 ]
 
 
+CertifyUnion = Annotated[
+    Path | None,
+    typer.Option(
+        "--certify",
+        metavar="FILE",
+        help="Write a proof of the union, and of what meets by chance "
+        "(docs/certificates-unions.md), as FILE.cert.json or FILE.cert.json.gz, and its case "
+        "beside it. It is checked first.",
+    ),
+]
+
+
 @dataclass(frozen=True)
 class SetRequest:
     operands: Operands
@@ -46,3 +58,8 @@ class SetRequest:
     plot: Plot = False
     memory: Memory = None
     json: Json = False
+
+
+@dataclass(frozen=True)
+class UnionRequest(SetRequest):
+    certify: CertifyUnion = None

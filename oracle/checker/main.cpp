@@ -15,6 +15,7 @@
 #include "oracle/checker/plane/claims.hpp"
 #include "oracle/checker/space/convex.hpp"
 #include "oracle/checker/space/solid.hpp"
+#include "oracle/checker/unions/unions.hpp"
 
 namespace {
 
@@ -163,6 +164,7 @@ void check_file(const std::string& file, const Options& options) {
         : is_solid_certificate(certificate)   ? check_solids(certificate, read_case, budget)
         : is_path_certificate(certificate)    ? check_paths(certificate, read_case, budget)
         : is_feature_certificate(certificate) ? check_features(certificate, read_case, budget)
+        : is_union_certificate(certificate)   ? check_unions(certificate, read_case, budget)
                                               : check(certificate, read_case, budget);
     std::cout << shown(file) << ": verified\n";
     for (const std::string& line : said) std::cout << "  " << shown(line) << "\n";

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
+from minkref.degeneracies import lint
 from minkref.fuzz.plane.families.random_pairs import random_pair
 from minkref.schemas import schema
 
@@ -112,3 +114,18 @@ def test_wrong_use_is_refused(minkref: Minkref, words: tuple[str, ...], told: st
 def test_nothing_is_left_of_a_set_without_itself(minkref: Minkref) -> None:
     value = minkref("difference", LEFT, LEFT, "--json").json
     assert (value["area"], value["components"], value["result"]) == ("0", 0, {"polygons": []})
+
+
+def test_a_union_is_certified(minkref: Minkref, tmp_path: Path) -> None:
+    """The document tells of the files; the checker follows them; a name is refused."""
+    file = tmp_path / "both.cert.json"
+    value = minkref("union", LEFT, RIGHT, "--certify", str(file), "--json").json
+    jsonschema.validate(value, schema("union"))
+    told = value["certificate"]
+    assert (told["output"], told["claims"], told["verified"]) == (str(file), 4, True)
+    assert minkref("check", str(file)).code == 0
+    case = Path(told["case"]).read_text(encoding="utf-8")
+    lint.validator("union-case-v1").validate(json.loads(case))
+    assert minkref("union", LEFT, RIGHT, "--json").json["certificate"] is None
+    refused = minkref("union", LEFT, "--certify", "made.json")
+    assert (refused.code, "FILE.cert.json" in refused.err) == (2, True)

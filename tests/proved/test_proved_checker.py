@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 import squares
+import touching
 import walls
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate
@@ -123,6 +124,11 @@ def test_components_and_holes(
 def test_paths_are_declined(check_value: Any) -> None:
     code, said = check_value(walls.certificate(), walls.CASE)
     assert (code, "no theorem about paths" in said) == (DECLINED, True)
+
+
+def test_unions_are_declined(check_value: Any) -> None:
+    code, said = check_value(touching.certificate(), touching.CASE)
+    assert (code, "no theorem about unions" in said) == (DECLINED, True)
 
 
 WHOLE = [{**squares.CLAIM, "polygons": squares.SUM}, POINT, SIGN]

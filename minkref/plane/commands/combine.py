@@ -9,17 +9,27 @@ from functools import partial
 from typing import Any
 
 from minkref import _core
+from minkref.certify.plane.union_certificate import UnionCertificate
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import print_lines
 from minkref.cli.plot_option import check_plot, print_plot
 from minkref.errors import Refusal, refusing
-from minkref.output.documents import Stopwatch, as_text, document, refuse_overwriting
+from minkref.output.documents import (
+    Stopwatch,
+    as_text,
+    document,
+    refuse_overwriting,
+    write_together,
+)
 from minkref.output.output_target import target_of
+from minkref.output.terminal import escaped
 from minkref.plane.commands.sum_fields import set_fields
 from minkref.plane.commands.written_set import FORMS, written_set
 from minkref.plane.operand import Operand, as_written
 from minkref.plane.operand_text import STANDARD_INPUT
-from minkref.verbs.set_request import SetRequest
+from minkref.verbs.certificate_output import CertificateFiles, Checked
+from minkref.verbs.proof_option import proof_document, proof_files, proof_rows
+from minkref.verbs.set_request import SetRequest, UnionRequest
 
 BETWEEN_POLYGONS = ("overlapping-rings", "crossing-rings", "overlapping-polygons")
 
@@ -31,19 +41,24 @@ def _run(operation: str, request: SetRequest) -> None:
         raise Refusal("standard input is one operand", "-", "name files for the others")
     if operation == "difference" and len(names) < 2:
         raise Refusal("there is one set only", names[0], "name the sets to take away from it")
+    certify = request.certify if isinstance(request, UnionRequest) else None
     target = target_of(request.output, request.form, FORMS, "wkt", request.json)
     check_plot(request.plot, request.json, target)
     with memory_wall(request.memory, f"the {operation}", " and ".join(names), SIMPLER):
         operands = [as_written(name) for name in names]
         if request.output is not None:
             refuse_overwriting(request.output, [operand.file for operand in operands])
+        files = proof_files(certify, [operand.file for operand in operands], request.output)
         sets = [_whole(operand) for operand in operands]
         began = time.perf_counter()
         found = refusing(
             ", ".join(names), lambda: _core.combined(operation, [one for one, _ in sets])
         )
         seconds = time.perf_counter() - began
-    region, components, holes = found
+        region, components, holes = found
+        proof = None if files is None else _proved(files, names, [one for one, _ in sets], region)
+    if proof is not None:
+        write_together(dict(proof[0].contents()))
     is_exact = None
     if target is not None:
         text, is_exact = written_set(region, target)
@@ -62,12 +77,26 @@ def _run(operation: str, request: SetRequest) -> None:
         compute_seconds=seconds,
         **set_fields(region, components, holes),
         result=json.loads(region.canonical_json()),
+        **({"certificate": proof_document(proof)} if operation == "union" else {}),
     )
     if request.json:
         sys.stdout.write(as_text(value))
         return
     _print(value)
     print_plot(request.plot, region)
+
+
+def _proved(
+    files: CertificateFiles,
+    names: list[str],
+    sets: list[_core.PolygonSet],
+    region: _core.PolygonSet,
+) -> tuple[Checked, UnionCertificate]:
+    """The proof of the union and its degeneracies, checked and not written yet."""
+    certificate = UnionCertificate(sets)
+    certificate.union(region)
+    certificate.degeneracies()
+    return files.checked(certificate, escaped(", ".join(names)), True), certificate
 
 
 def _whole(operand: Operand) -> tuple[_core.PolygonSet, bool]:
@@ -103,6 +132,7 @@ def _print(value: dict[str, Any]) -> None:
     ]
     if value["output"]:
         rows.append(("written", value["output"]))
+    rows += proof_rows(value)
     rows.append(("seconds", f"{value['seconds']:.3f}"))
     print_lines(rows, value)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
+from minkref.schemas.certificates import CertificateMade
 from minkref.schemas.plane.values import SetResult
 from minkref.schemas.values import Count, Head, Written
 from msgspec import Meta
@@ -29,6 +30,7 @@ class UnionDocument(CombinedSets):
     """The document of `minkref union --json`."""
 
     command: Literal["union"]
+    certificate: CertificateMade
 
 
 class IntersectionDocument(CombinedSets):

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Checks certificates of Minkowski sums: `python3 check.py FILE...`. The forms: sums sP + Q in the
-plane (certificate-v1; by a factor for each axis, axes-certificate-v1), of convex polyhedra
-(convex-certificate-v1) and of any (solid-certificate-v1), parts on paths (path-certificate-v1), and
-discs that touch a set (feature-certificate-v1).
+plane (certificate-v1; by a factor for each axis, axes-certificate-v1), of convex polyhedra (convex-
+certificate-v1), of any (solid-certificate-v1); parts on paths (path-...), discs that touch a set
+(feature-...), unions (union-...).
 
 The checker stands alone: this file and the standard library. Each part of it needs this one, the
 last one, and those that it names. The members, the demands of each rule and why they are enough:
-docs/certificates.md; of other forms certificates-convex.md, -solids.md, -paths.md, -features.md.
+docs/certificates.md; of other forms certificates-convex, -solids, -paths, -features, -unions.md.
 Signs are decided in integers and fractions. Anything unknown, unused or left over is malformed.
 
 Exit codes: 0 verified; 1 refuted; 2 malformed, or its case is missing; 4 out of budget.

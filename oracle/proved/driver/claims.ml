@@ -309,4 +309,5 @@ let check certificate read_case budget =
   | "solid-certificate-v1" -> fail Declined "there is no theorem about sums of any polyhedra yet"
   | "path-certificate-v1" -> fail Declined "there is no theorem about paths yet"
   | "feature-certificate-v1" -> fail Declined "there is no theorem about bridges yet"
+  | "union-certificate-v1" -> fail Declined "there is no theorem about unions yet"
   | _ -> fail Malformed "there is no such form of certificates"

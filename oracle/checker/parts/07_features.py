@@ -1,4 +1,4 @@
-# Part 6b: bridges of a disc that touches a set in the plane from outside. Needs part 2.
+# Part 7: bridges of a disc that touches a set in the plane from outside. Needs part 2.
 
 Named = tuple[str, int]
 
