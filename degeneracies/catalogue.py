@@ -12,12 +12,13 @@ from minkref.degeneracies.outline import CORPUS, Group, Outline
 from minkref.degeneracies.plane.outline import PLANE
 from minkref.degeneracies.solids.outline import SOLIDS
 from minkref.degeneracies.space.outline import SPACE
+from minkref.degeneracies.unions.outline import UNIONS
 
-OUTLINES: tuple[Outline, ...] = (PLANE, SPACE, SOLIDS, DISC, MOTION)
+OUTLINES: tuple[Outline, ...] = (PLANE, SPACE, SOLIDS, DISC, MOTION, UNIONS)
 GROUPS: tuple[Group, ...] = (*OUTLINES, INVALID, INVALID_MESH)
 GROUP_OF: dict[str, Group] = {name: group for group in GROUPS for name in group.families}
 
-FAMILIES, SPACE_FAMILIES, SOLID_FAMILIES, DISC_FAMILIES, PATH_FAMILIES = (
+FAMILIES, SPACE_FAMILIES, SOLID_FAMILIES, DISC_FAMILIES, PATH_FAMILIES, UNION_FAMILIES = (
     outline.families for outline in OUTLINES
 )
 # Families with cases in the large corpus, in the format case-v1.

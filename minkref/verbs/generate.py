@@ -51,6 +51,8 @@ minkref generate disc --count 2 -o discs
 
 minkref generate paths --count 2 -o paths && minkref check paths
 
+minkref generate unions --count 2 -o unions && minkref check unions
+
 minkref generate invalid --count 3 -o bad
 
 minkref verify cgal-reduced --suite corpus --corpus cases"""
@@ -76,7 +78,8 @@ Families = Annotated[
         help="Families (`minkref families`). all: the families in the plane with "
         "certificates; space: those of convex bodies in space; solids: of polyhedra of any "
         "shape, disc: of a polygon set and a disc, both without certificates; paths: of parts "
-        "on paths, and traps; invalid, invalid-mesh: input that must be refused.",
+        "on paths, and traps; unions: of sets to unite; invalid, invalid-mesh: input that must be "
+        "refused.",
         metavar="|".join(["FAMILY", *WORDS]),
     ),
 ]

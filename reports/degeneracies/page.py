@@ -27,6 +27,7 @@ from minkref.reports.degeneracies.pictures import Drawn, case_pictures
 from minkref.reports.degeneracies.space.solid_pictures import solid_pictures
 from minkref.reports.degeneracies.space.solid_row import SolidRow, solid_row
 from minkref.reports.degeneracies.space.space_pictures import space_case_pictures
+from minkref.reports.degeneracies.unions.cases import UnionRow, union_case_pictures, union_row
 from minkref.reports.pages import environment
 from minkref.space.scaling import read_scaling, text_of
 
@@ -70,11 +71,12 @@ class SpaceRow:
     why: str
 
 
-AnyRow = Row | SpaceRow | SolidRow | DiscRow | PathRow
+AnyRow = Row | SpaceRow | SolidRow | DiscRow | PathRow | UnionRow
 # Settings whose cases have a schema of their own: the row and the pictures of a case.
 SHOWN: dict[str, tuple[Callable[..., AnyRow], Callable[..., list[Drawn]]]] = {
     "disc-case-v1": (disc_row, disc_case_pictures),
     "path-case-v1": (path_row, path_case_pictures),
+    "union-case-v1": (union_row, union_case_pictures),
 }
 
 
@@ -106,6 +108,10 @@ class FamilyPage:
     @property
     def of_paths(self) -> list[PathRow]:
         return [row for row in self.rows if isinstance(row, PathRow)]
+
+    @property
+    def of_unions(self) -> list[UnionRow]:
+        return [row for row in self.rows if isinstance(row, UnionRow)]
 
     @property
     def is_generated(self) -> bool:

@@ -20,6 +20,7 @@ from minkref.degeneracies.catalogue import (
     PATH_FAMILIES,
     SOLID_FAMILIES,
     SPACE_FAMILIES,
+    UNION_FAMILIES,
     made_member,
 )
 from minkref.degeneracies.files import Made
@@ -55,6 +56,7 @@ GROUPS: dict[
     "solids": (SOLID_FAMILIES, turn(SOLID_FAMILIES, 1, 8), 1, made_member),
     "disc": (DISC_FAMILIES, turn(DISC_FAMILIES, 1, 6), 1, made_member),
     "paths": (PATH_FAMILIES, turn(PATH_FAMILIES, 1, 4), 1, made_member),
+    "unions": (UNION_FAMILIES, turn(UNION_FAMILIES, 1, 4), 1, made_member),
     "invalid": (
         INVALID_FAMILIES, [n for n in turn(INVALID_FAMILIES, 0, 5) if n not in LARGE], draws(2, 6),
         invalid_member,

@@ -1,0 +1,1 @@
+"""Degenerate sets to unite."""

@@ -1,0 +1,1 @@
+"""Cases of unions on the pages of degenerate cases."""
