@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import pkgutil
+import shutil
 import sys
 from importlib import import_module
 from pathlib import Path
@@ -16,7 +17,7 @@ from pathlib import Path
 from minkref.errors import Refusal, choice
 from minkref.fuzz.cgal.executables import BUILD_COMMAND, search_folders
 from minkref.fuzz.isolation.own_folders import adapters_folder
-from minkref.fuzz.libraries import installation
+from minkref.fuzz.libraries import installation, other_languages
 from minkref.fuzz.libraries.library import Adapter, Library
 
 HERE = Path(__file__).parent
@@ -68,8 +69,15 @@ def install(name: str, folder: Path | None = None) -> None:
         installation.install_package(OPENSCAD, OPENSCAD)
     elif adapter.kind == "cgal" and absence(name, folder) is not None:
         raise Refusal("it is built with the project", name, BUILD_COMMAND, "not-installed")
-    elif adapter.kind in ("python", "c++"):
+    elif adapter.home:
         installation.install_home(_home(adapter, folder), adapter.kind, adapter.program)
+
+
+def in_everything(name: str) -> bool:
+    """Whether `adapter install all` installs the adapter: toolchains such as Rust have to be asked
+    for, and so has a language whose tools are missing."""
+    language = other_languages.LANGUAGES.get(adapter_named(name).kind)
+    return language is None or not (language.asked or shutil.which(language.tool) is None)
 
 
 def command(name: str, folder: Path | None = None) -> list[str] | None:
@@ -82,6 +90,8 @@ def command(name: str, folder: Path | None = None) -> list[str] | None:
         start = [str(installation.interpreter(_home(adapter, folder))), *program]
     elif adapter.kind == "c++":
         start = [str(installation.binary(_home(adapter, folder)))]
+    elif adapter.kind in other_languages.LANGUAGES:
+        start = other_languages.start(adapter.kind, _home(adapter, folder))
     elif adapter.kind == "cgal":
         start = [str(_cgal_program(adapter))]
     else:

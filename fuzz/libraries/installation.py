@@ -19,6 +19,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from minkref.errors import Refusal
+from minkref.fuzz.libraries import other_languages
 
 HERE = Path(__file__).parent
 STAMP = "installed"
@@ -43,11 +44,14 @@ def binary(home: Path) -> Path:
 
 def state_of(home: Path, kind: str, program: str) -> str:
     """Returns an empty text if `home` is up to date, else `not installed` or `out of date`."""
-    start = interpreter(home) if kind == "python" else binary(home)
     stamp = home / STAMP
-    if not (stamp.is_file() and os.access(start, os.X_OK)):
+    if kind in other_languages.LANGUAGES:
+        there = (home / other_languages.LANGUAGES[kind].start).is_file()
+    else:
+        there = os.access(interpreter(home) if kind == "python" else binary(home), os.X_OK)
+    if not (stamp.is_file() and there):
         return "not installed"
-    return "" if stamp.read_text(encoding="utf-8") == _wanted(kind, program) else ("out of date")
+    return "" if stamp.read_text(encoding="utf-8") == _wanted(kind, program) else "out of date"
 
 
 def install_home(home: Path, kind: str, program: str) -> None:
@@ -61,6 +65,8 @@ def install_home(home: Path, kind: str, program: str) -> None:
             home.mkdir()
             if kind == "python":
                 _make_environment(home, program)
+            elif kind in other_languages.LANGUAGES:
+                other_languages.make(kind, home, HERE / program, PROTOCOL, _run)
             else:
                 _compile(home, program)
             part = home / f"{STAMP}.part"
@@ -105,6 +111,8 @@ def _wanted(kind: str, program: str) -> str:
     words = [kind]
     if kind == "python":
         words.append(sys.version)
+    elif kind in other_languages.LANGUAGES:
+        paths = other_languages.sources(kind, HERE / program, PROTOCOL)
     else:
         paths += [HERE / program, *(PROTOCOL / name for name in HEADERS)]
         words += FLAGS

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 @dataclass(frozen=True)
 class Adapter:
     """`kind` tells how to get the adapter: `python` (an environment of its own), `c++` (compiled),
-    `debian` (a system package), `cgal` (built with the project), `own` (always there). `program`:
+    `node`, `java`, `rust` (other_languages.py), `debian` (a system package), `cgal` (built with the
+    project), `own` (always there). `program`:
     its path from here, or an executable's name. `home` is the installation's folder, which adapters
     may share."""
 

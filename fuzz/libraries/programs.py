@@ -35,20 +35,27 @@ def why_none(finding: Finding) -> str:
 
 def library(target: str) -> str:
     """Returns the accused library's name; for an unknown library, the target's name."""
-    found = (each.title for each in LIBRARIES.values() if target.startswith(each.targets))
-    return next(found, target)
+    folder = _folder(target)
+    return LIBRARIES[folder].title if folder else target
 
 
 def _maker(target: str, union: bool = False) -> Maker | None:
-    for folder, library in LIBRARIES.items():
-        if union and not library.shows_unions:
-            continue
-        if library.has_program and target.startswith(library.targets):
-            module = import_module(f"minkref.fuzz.libraries.{folder}.program")
-            names = {adapter.name for adapter in library.adapters}
-            maker: Maker = module.program
-            return maker if target in names or _is_method(module, target) else None
-    return None
+    folder = _folder(target)
+    if folder is None:
+        return None
+    library = LIBRARIES[folder]
+    if not library.has_program or (union and not library.shows_unions):
+        return None
+    module = import_module(f"minkref.fuzz.libraries.{folder}.program")
+    names = {adapter.name for adapter in library.adapters}
+    maker: Maker = module.program
+    return maker if target in names or _is_method(module, target) else None
+
+
+def _folder(target: str) -> str | None:
+    """The folder of the library with the longest prefix of the target's name."""
+    fitting = [name for name, each in LIBRARIES.items() if target.startswith(each.targets)]
+    return max(fitting, key=lambda name: len(LIBRARIES[name].targets), default=None)
 
 
 def _is_method(module: object, target: str) -> bool:

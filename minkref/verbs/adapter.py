@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Annotated
 
@@ -24,6 +25,8 @@ INSTALL_EXAMPLES = """Examples:
 minkref adapter install clipper2 manifold3d
 
 minkref adapter install all"""
+
+AT_A_TIME = 3  # installations: they wait for a network most of the time
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -79,20 +82,33 @@ def install(
     ],
 ) -> None:
     """Install the libraries that these adapters need, each into a folder of its own (in
-    MINKREF_ADAPTERS, build/adapters, or ~/.cache/minkref/adapters)."""
-    wanted = list(catalogue.ADAPTERS) if names == ["all"] else names
+    MINKREF_ADAPTERS, build/adapters, or ~/.cache/minkref/adapters). `all` leaves out adapters in
+    Java and Rust, and those in JavaScript without npm."""
+    wanted = names
+    if names == ["all"]:
+        wanted = [name for name in catalogue.ADAPTERS if catalogue.in_everything(name)]
+        left_out = [name for name in catalogue.ADAPTERS if name not in wanted]
+        if left_out:
+            sys.stderr.write(f"left out, as `all` installs no toolchain: {', '.join(left_out)}\n")
     for name in wanted:
         catalogue.adapter_named(name)
     failed: list[Refusal] = []
-    for name in wanted:
-        try:
-            catalogue.install(name)
-        except Refusal as refusal:
+    with ThreadPoolExecutor(AT_A_TIME) as pool:
+        for name, refusal in zip(wanted, pool.map(_installed, wanted), strict=True):
+            if refusal is None:
+                sys.stdout.write(f"{name}: ready\n")
+                continue
             if len(wanted) == 1:
-                raise
+                raise refusal
             failed.append(refusal)
             sys.stderr.write(escaped(f"{name}: {refusal}") + "\n")
-            continue
-        sys.stdout.write(f"{name}: ready\n")
     if failed:
         raise failed[0]
+
+
+def _installed(name: str) -> Refusal | None:
+    try:
+        catalogue.install(name)
+    except Refusal as refusal:
+        return refusal
+    return None

@@ -1,8 +1,11 @@
-"""OpenSCAD: minkowski() in the plane and in space, the program `openscad` run for each call.
+"""OpenSCAD: minkowski() in the plane and in space, and offset() in the plane; the argument is sum
+or offset. The program `openscad` runs for each call.
 
 Results are exported as SVG in the plane, as OFF in space: all formats write six significant digits
 (5e-6 of a number). In the plane OpenSCAD computes on a grid of 2^-16 (Clipper), in space it merges
 points on a grid of 2^-20; hence the tolerance, four units of the coarser grid and twice the digits.
+offset() has $fn = 128: the polygon of an arc is off by 1 - cos(pi / 128) = 0.0003 of the radius,
+and its vertices lie on the grid.
 """
 
 from __future__ import annotations
@@ -10,6 +13,7 @@ from __future__ import annotations
 import os
 import re
 import subprocess
+import sys
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
@@ -92,8 +96,14 @@ def sum_of(sP: Set, Q: Set) -> dict[str, Any]:
     return read_off(run(f"minkowski(){{{scad_space(sP)} {scad_space(Q)}}}", "off"))
 
 
-if __name__ == "__main__":
-    hello = {
+def offset_of(P: Set, radius: float) -> dict[str, Any]:
+    return read_svg(
+        run(f"offset(r={float(radius)!r},$fn=128){{{scad_plane(P['polygons'])}}}", "svg")
+    )
+
+
+def main(mode: str) -> None:
+    hello: dict[str, Any] = {
         "name": "openscad",
         "version": version(),
         "language": "C++",
@@ -104,4 +114,15 @@ if __name__ == "__main__":
         "sum": "region",
         "capabilities": "plane space non-convex holes components non-uniform".split(),
     }
-    serve(hello, sum_of)
+    if mode == "sum":
+        serve(hello, sum_of)
+        return
+    hello["name"], hello["sum"] = "openscad-offset", "none"
+    hello["grid"] = {"unit": "1/65536", "largest": "30000"}  # of the unit, within 31 bits
+    hello["tolerance"] |= {"radius": "0.001"}
+    hello["capabilities"] = "plane non-convex holes components offset".split()
+    serve(hello, None, offset_of=offset_of)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

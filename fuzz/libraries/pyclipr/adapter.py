@@ -1,0 +1,52 @@
+"""Clipper2 by the Python package pyclipr: offsets of doubles by `scaleFactor`, with round joins.
+
+The package multiplies by the factor and rounds to integers. The factor is chosen for each call, a
+power of two, so that sizes have 30 bits: numbers on that grid are not rounded. Arcs: the tolerance
+is a thousandth of the radius. Four units besides, as for Clipper2.
+"""
+
+from __future__ import annotations
+
+import math
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+import pyclipr  # type: ignore[import-not-found,unused-ignore]
+from adapter_protocol import Set, Skipped, serve  # type: ignore[import-not-found,unused-ignore]
+
+BITS = 30
+HELLO = {
+    "name": "pyclipr-inflate",
+    "version": f"{version('pyclipr')} (Clipper2 {pyclipr.clipperVersion})",
+    "language": "C++",
+    "arithmetic": "integer-grid",
+    "numbers": "double",
+    "grid": {"bits": BITS - 2},
+    "tolerance": {"absolute": "0", "relative": "1/134217728", "radius": "0.001"},
+    "sum": "none",
+    "capabilities": ["plane", "non-convex", "holes", "components", "touching", "empty", "offset"],
+}
+
+
+def offset_of(P: Set, radius: float) -> dict[str, Any]:
+    rings = [ring for polygon in P["polygons"] for ring in (polygon["outer"], *polygon["holes"])]
+    if any(len(ring) < 3 for ring in rings):
+        raise Skipped("no points or segments")
+    if not rings:
+        return {"rings": []}
+    size = max(abs(number) for ring in rings for point in ring for number in point) + radius
+    if not math.isfinite(size):
+        raise Skipped("coordinates exceed the doubles")
+    factor = math.ldexp(1.0, BITS - math.frexp(size)[1])
+    one = pyclipr.ClipperOffset()
+    one.scaleFactor = factor
+    one.arcTolerance = radius * factor / 1000
+    one.addPaths(
+        [np.array(ring) for ring in rings], pyclipr.JoinType.Round, pyclipr.EndType.Polygon
+    )
+    return {"rings": [np.asarray(path)[:, :2].tolist() for path in one.execute(radius)]}
+
+
+if __name__ == "__main__":
+    serve(HELLO, None, offset_of=offset_of)
