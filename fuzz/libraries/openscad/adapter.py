@@ -119,7 +119,8 @@ def main(mode: str) -> None:
         return
     hello["name"], hello["sum"] = "openscad-offset", "none"
     hello["grid"] = {"unit": "1/65536", "largest": "30000"}  # of the unit, within 31 bits
-    hello["tolerance"] |= {"radius": "0.001"}
+    # Discs of few units get few vertices, so eight units.
+    hello["tolerance"] = {"absolute": "1/8192", "relative": "1e-5", "radius": "0.001"}
     hello["capabilities"] = "plane non-convex holes components offset".split()
     serve(hello, None, offset_of=offset_of)
 
