@@ -31,8 +31,8 @@ class BasicBoxTree {
 
   std::size_t size() const { return items_.size(); }
 
-  /// Calls report(i) for every box that overlaps `box`; stops early when report returns true, and
-  /// then returns true.
+  /// Calls report(i) for every box that overlaps `box`, which report may make smaller meanwhile;
+  /// stops early when report returns true, and then returns true.
   template <class Report>
   bool query(const Box& box, Report&& report) const {
     look_for_interrupt();

@@ -1,5 +1,6 @@
 #include "reference/plane/location.hpp"
 
+#include "reference/interrupt.hpp"
 #include "reference/number/float_environment.hpp"
 
 namespace minkref::inline plane {
@@ -23,6 +24,7 @@ namespace {
 /// Adds the ring's winding number around the point; returns whether the point lies on the ring.
 bool add_winding(const FilteredRing& ring, const FilteredPoint& point, int& winding) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
+    look_for_interrupt();
     if (add_winding(ring[i], ring[(i + 1) % ring.size()], point, winding)) return true;
   }
   return false;

@@ -9,6 +9,7 @@
 #include "reference/number/float_environment.hpp"
 #include "reference/number/message_number.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
+#include "reference/plane/left_rays.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/plane/polygon_set.hpp"
 
@@ -324,24 +325,81 @@ class Validator {
     return found;
   }
 
+  /// Rings do not cross, so one point of each tells what lies around the ring. From the least
+  /// points on, a ray to the left meets an edge first: what lies on its near side is known, and
+  /// must be the outside for an outer ring, the material of its own polygon for a hole. Rings that
+  /// touch another at their least point, or that fail, are compared with all others.
   void check_nesting() const {
+    if (rings_.size() == 1) return;
+    std::vector<Edge> edges;
+    std::vector<LeftRays::Edge> ends;
     for (std::size_t r = 0; r < rings_.size(); ++r) {
-      if (rings_[r].outer || within(r, outer_of(r))) continue;
+      for (std::size_t i = 0; i < size(r); ++i) {
+        edges.push_back({r, i});
+        ends.push_back({&start(edges.back()), &end(edges.back())});
+      }
+    }
+    LeftRays rays(std::move(ends));
+    std::vector<bool> unsettled(rings_.size(), false);
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+      const FilteredPoint& least =
+          *std::min_element(filtered_[r].begin(), filtered_[r].end(),
+                            [](const auto& a, const auto& b) { return compare_xy(a, b) < 0; });
+      const LeftRays::Hit hit =
+          rays.first(least, [&](std::uint32_t e) { return edges[e].ring != r; });
+      unsettled[r] = hit.touches || !is_surrounded(r, hit, edges);
+    }
+    if (std::find(unsettled.begin(), unsettled.end(), true) == unsettled.end()) return;
+    try {
+      check_nesting_of(unsettled);
+    } catch (const BadInput&) {
+      check_nesting_of(std::vector<bool>(rings_.size(), true));  // the first fault of the input
+      throw;
+    }
+  }
+
+  /// Whether the near side of the edge that was met is what must lie around the ring. Sets lie left
+  /// of their edges, so right of the ones that run down.
+  bool is_surrounded(std::size_t r, const LeftRays::Hit& hit,
+                     const std::vector<Edge>& edges) const {
+    const bool in_material =
+        hit.edge != no_entry && compare_y(end(edges[hit.edge]), start(edges[hit.edge])) < 0;
+    if (rings_[r].outer) return !in_material;
+    return in_material && rings_[edges[hit.edge].ring].polygon == rings_[r].polygon;
+  }
+
+  /// Looks at all others for each of these rings, in the order of the input.
+  void check_nesting_of(const std::vector<bool>& asked) const {
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+      if (!asked[r] || rings_[r].outer || within(r, outer_of(r))) continue;
       throw BadInput("hole-outside", "a hole does not lie inside its outer ring",
                      "give the hole to the polygon that it lies in",
                      place(r, {0}, outer_of(r), {}));
     }
-    for (const auto& [r, other] : rings_with_common_box()) {
-      if (rings_[r].outer && rings_[other].outer) {
-        check_apart(r, other);
-        check_apart(other, r);
-      } else if (!rings_[r].outer && !rings_[other].outer &&
-                 rings_[r].polygon == rings_[other].polygon) {
-        if (!within(r, other) && !within(other, r)) continue;
-        throw BadInput("overlapping-rings", "one hole lies inside another",
-                       "remove the inner one, or make it a polygon of its own",
-                       place(other, {0}, r, {0}));
-      }
+    const BoxTree tree(boxes_);
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+      std::vector<std::size_t> others;
+      tree.query(boxes_[r], [&](std::uint32_t other) {
+        // Holes and their outer ring: looked at already, and the most of the pairs.
+        if (other > r && rings_[r].outer == rings_[other].outer && (asked[r] || asked[other])) {
+          others.push_back(other);
+        }
+        return false;
+      });
+      std::sort(others.begin(), others.end());
+      for (const std::size_t other : others) check_pair(r, other);
+    }
+  }
+
+  void check_pair(std::size_t r, std::size_t other) const {
+    if (rings_[r].outer) {
+      check_apart(r, other);
+      check_apart(other, r);
+    } else if (rings_[r].polygon == rings_[other].polygon &&
+               (within(r, other) || within(other, r))) {
+      throw BadInput("overlapping-rings", "one hole lies inside another",
+                     "remove the inner one, or make it a polygon of its own",
+                     place(other, {0}, r, {0}));
     }
   }
 
@@ -359,17 +417,6 @@ class Validator {
   std::size_t outer_of(std::size_t r) const {
     while (!rings_[r].outer) --r;
     return r;
-  }
-
-  /// Returns pairs in ascending order, so that the reported fault does not depend on the search.
-  std::vector<std::pair<std::size_t, std::size_t>> rings_with_common_box() const {
-    std::vector<std::pair<std::size_t, std::size_t>> result;
-    BoxTree(boxes_).pairs([&](std::uint32_t i, std::uint32_t j) {
-      // Holes and their outer ring: looked at already, and the most of the pairs.
-      if (rings_[i].outer == rings_[j].outer) result.emplace_back(std::min(i, j), std::max(i, j));
-    });
-    std::sort(result.begin(), result.end());
-    return result;
   }
 
   const PolygonSet& set_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/interrupt.hpp"
+#include "reference/near/near_pairs.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/kernel/direction_order.hpp"
 
@@ -66,7 +67,14 @@ class SegmentContacts {
       directions_.push_back(Vector(vertices[s.to] - vertices[s.from]));
       boxes.push_back(kernel.box(vertices[s.from], vertices[s.to]));
     }
-    BoxTree(std::move(boxes)).pairs([this](std::uint32_t i, std::uint32_t j) { meet(i, j); });
+    std::size_t apart = 0;
+    const bool are_too_many = BoxTree(boxes).pairs([&](std::uint32_t i, std::uint32_t j) {
+      const std::size_t before = contacts_.size();
+      meet(i, j);
+      apart += contacts_.size() == before ? 1 : 0;
+      return apart > most_apart * segments_.size() + contacts_.size();
+    });
+    if (are_too_many) find_near_contacts();
   }
 
   const std::vector<Vector>& directions() const { return directions_; }
@@ -74,6 +82,32 @@ class SegmentContacts {
   const std::vector<Crossing>& crossings() const { return crossings_; }
 
  private:
+  /// For each segment: as many pairs have boxes that overlap in vain. Beyond it boxes are no help.
+  static constexpr std::size_t most_apart = 256;
+
+  /// All contacts anew, for segments whose boxes overlap far more often than the segments meet, as
+  /// in slanted combs. Leaves out only pairs that lie apart except for a shared end.
+  void find_near_contacts() {
+    contacts_.clear();
+    crossings_.clear();
+    std::vector<NearPoint> points;
+    points.reserve(vertices_.size());
+    for (const Vector& vertex : vertices_) {
+      look_for_interrupt();
+      const Box box = kernel_.box(vertex, vertex);
+      points.push_back(
+          {{box.xmin, box.ymin, 0}, above(std::max(box.xmax - box.xmin, box.ymax - box.ymin))});
+    }
+    std::vector<NearItem> items;
+    items.reserve(segments_.size());
+    for (const IndexedSegment& s : segments_) {
+      items.push_back({{s.from, s.to, s.to}, static_cast<std::uint32_t>(items.size())});
+    }
+    NearPairs(std::move(points), std::move(items)).pairs([this](std::uint32_t i, std::uint32_t j) {
+      meet(i, j);
+    });
+  }
+
   void meet(std::uint32_t i, std::uint32_t j) {
     const IndexedSegment a = segments_[i], b = segments_[j];
     const bool shared = a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;

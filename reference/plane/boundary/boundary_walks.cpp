@@ -1,14 +1,12 @@
 // Closed walks along a boundary, each walk's component of the interior, and the set's holes.
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <numeric>
 
-#include "reference/box_tree.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/no_entry.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
-#include "reference/plane/kernel/box.hpp"
+#include "reference/plane/left_rays.hpp"
 #include "reference/plane/point_predicates.hpp"
 
 namespace minkref::inline plane {
@@ -16,7 +14,9 @@ namespace {
 
 class WalkFinder {
  public:
-  explicit WalkFinder(const FilteredBoundary& graph) : graph_(graph) { order_rays(); }
+  explicit WalkFinder(const FilteredBoundary& graph) : graph_(graph), left_rays_(edges(graph)) {
+    order_rays();
+  }
 
   Walks find() {
     Walks result;
@@ -53,6 +53,14 @@ class WalkFinder {
     std::vector<std::uint32_t> least;  ///< its lexicographically least point
   };
 
+  static std::vector<LeftRays::Edge> edges(const FilteredBoundary& graph) {
+    std::vector<LeftRays::Edge> result;
+    result.reserve(graph.edges.size());
+    for (const auto& [from, to] : graph.edges) {
+      result.push_back({graph.points[from], graph.points[to]});
+    }
+    return result;
+  }
   const FilteredPoint& far_end(const Ray& ray) const {
     const auto& edge = graph_.edges[ray.edge];
     return point(ray.leaving ? edge.second : edge.first);
@@ -168,60 +176,18 @@ class WalkFinder {
     }
   }
 
-  /// The edge that a ray to the left, just above the point, meets first; edges at the point itself
-  /// do not count.
+  /// The component lies right of a downward edge.
   std::uint32_t nearest_to_the_left(std::uint32_t p) {
-    std::uint32_t nearest = no_entry;
-    const auto look_at = [&](std::uint32_t e) {
-      look_for_interrupt();
-      const auto [from, to] = graph_.edges[e];
-      if (from == p || to == p) return false;
-      // The component lies right of a downward edge.
-      if (compare_y(point(to), point(p)) > 0 || compare_y(point(p), point(from)) >= 0) return false;
-      if (orientation(point(to), point(from), point(p)) >= 0) return false;
-      if (nearest == no_entry || is_right_of(e, nearest)) nearest = e;
-      return false;
+    const auto runs_down = [&](std::uint32_t e) {
+      return compare_y(point(graph_.edges[e].second), point(graph_.edges[e].first)) < 0;
     };
-    if (++rays_asked_ < rays_before_a_tree) {
-      for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) look_at(e);
-      return nearest;
-    }
-    if (edge_tree_.size() == 0) edge_tree_ = BasicBoxTree<Box>(edge_boxes());
-    const Box at = box_of(p);
-    edge_tree_.query({-std::numeric_limits<double>::infinity(), at.ymin, at.xmax, at.ymax},
-                     look_at);
-    return nearest;
-  }
-
-  Box box_of(std::uint32_t p) const {
-    const double x = point(p).x(), y = point(p).y();
-    return {below(x), below(y), above(x), above(y)};
-  }
-  std::vector<Box> edge_boxes() const {
-    std::vector<Box> boxes;
-    boxes.reserve(graph_.edges.size());
-    for (const auto& [from, to] : graph_.edges) {
-      boxes.push_back(box_of(from));
-      boxes.back().add(box_of(to));
-    }
-    return boxes;
-  }
-
-  /// For two downward edges across a common height.
-  bool is_right_of(std::uint32_t g, std::uint32_t h) const {
-    const FilteredPoint &g0 = point(graph_.edges[g].second), &g1 = point(graph_.edges[g].first);
-    const FilteredPoint &h0 = point(graph_.edges[h].second), &h1 = point(graph_.edges[h].first);
-    if (graph_.edges[g].second == graph_.edges[h].second) return orientation(h0, h1, g1) < 0;
-    if (compare_y(g0, h0) >= 0) return orientation(h0, h1, g0) < 0;
-    return orientation(g0, g1, h0) > 0;
+    return left_rays_.first(point(p), runs_down).edge;
   }
 
   const FilteredBoundary& graph_;
   std::vector<std::uint32_t> first_ray_;
   std::vector<Ray> rays_;
-  static constexpr unsigned rays_before_a_tree = 17;  ///< fewer cost less than the tree
-  unsigned rays_asked_ = 0;
-  BasicBoxTree<Box> edge_tree_;
+  LeftRays left_rays_;
 };
 
 }  // namespace

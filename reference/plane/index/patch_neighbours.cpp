@@ -134,9 +134,35 @@ class NeighbourSearch {
         }
       }
     } else {
+      if (are_apart(a, b)) return;
       ++found_.meeting;
     }
     found_.kept.emplace_back(i, j);
+  }
+
+  /// slope s + value > 0 throughout the window, by far more than the errors of both.
+  bool is_positive(double slope, double value) const {
+    const double doubt = 256 * error_;
+    const auto positive_at = [&](double s) { return slope * s + value > doubt * (1 + s); };
+    return positive_at(subject_.from) &&
+           (subject_.to < infinity ? positive_at(subject_.to) : slope > doubt);
+  }
+
+  /// Whether edges of nearly one direction certainly never meet: `b` stays on one side of the line
+  /// of `a`, or before its start or behind its end. A turn as small as here moves the far end of
+  /// `b` by less than the doubt.
+  bool are_apart(const RoundedEdge& a, const RoundedEdge& b) const {
+    const double px = b.px - a.px, py = b.py - a.py, qx = b.qx - a.qx, qy = b.qy - a.qy;
+    const double side = px * a.dy - py * a.dx, side_value = qx * a.dy - qy * a.dx;
+    if (is_positive(side, side_value) || is_positive(-side, -side_value)) return true;
+    const double start = px * a.dx + py * a.dy, start_value = qx * a.dx + qy * a.dy;
+    const double length = a.dx * a.dx + a.dy * a.dy, step = b.dx * a.dx + b.dy * a.dy;
+    const double end = b.is_s ? start + step : start, end_value = start_value + (b.is_s ? 0 : step);
+    if (is_positive(-start, -start_value) && is_positive(-end, -end_value)) return true;
+    const auto beyond = [&](double slope, double value) {
+      return a.is_s ? is_positive(slope - length, value) : is_positive(slope, value - length);
+    };
+    return beyond(start, start_value) && beyond(end, end_value);
   }
 
   /// Whether the other edge's line may pass a cell of this edge: at (slope s + value) / c along the

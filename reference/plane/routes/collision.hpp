@@ -2,6 +2,7 @@
 // 2012, Sec. 3).
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "reference/plane/arrangement/box_tree.hpp"
@@ -37,10 +38,10 @@ class Collision {
     }
     // The boundaries do not meet: each polygon of one side lies wholly inside or outside the other.
     for (std::size_t r = 0; r < P_.rings.size(); ++r) {
-      if (P_.is_outer[r] && holds(edges_q_, P_.rings[r][0], x)) return true;
+      if (P_.is_outer[r] && holds(edges_q_, tree_q_, P_.rings[r][0], x)) return true;
     }
     for (std::size_t r = 0; r < Q_.rings.size(); ++r) {
-      if (Q_.is_outer[r] && holds(edges_p_, Q_.rings[r][0], x)) return true;
+      if (Q_.is_outer[r] && holds(edges_p_, tree_p_, Q_.rings[r][0], x)) return true;
     }
     return false;
   }
@@ -98,17 +99,22 @@ class Collision {
   /// Whether x - v lies inside the region with these edges: crossings of a ray to the left. On the
   /// boundary either answer is possible, but then the boundaries meet and the question is not
   /// asked.
-  bool holds(const std::vector<Edge>& edges, const Vector& v, const Query& x) const {
+  bool holds(const std::vector<Edge>& edges, const BoxTree& tree, const Vector& v,
+             const Query& x) const {
     bool inside = false;
     const Vector rightwards = unit_x();
-    for (const Edge& edge : edges) {
+    Box ray = reflected(kernel_.box(v, v), kernel_.box(x));
+    ray.xmin = -std::numeric_limits<double>::infinity();
+    tree.query(ray, [&](std::uint32_t e) {
+      const Edge& edge = edges[e];
       const Vector start(edge.start + v), end(edge.end + v);
       const bool start_above = kernel_.side(start, rightwards, x) < 0;
       const bool end_above = kernel_.side(end, rightwards, x) < 0;
-      if (start_above == end_above) continue;
+      if (start_above == end_above) return false;
       const int side = kernel_.side(start, edge.direction, x);
       if (end_above ? side < 0 : side > 0) inside = !inside;
-    }
+      return false;
+    });
     return inside;
   }
   static Vector unit_x() { return Vector(typename K::Coordinate(1), typename K::Coordinate(0)); }

@@ -1,0 +1,102 @@
+// Work grows nearly as its input where the answer does: turns of loops are counted, no time.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reference/interrupt.hpp"
+#include "reference/plane/index/scale_index.hpp"
+#include "reference/plane/sum.hpp"
+#include "tests/plane/shapes.hpp"
+
+namespace minkref::testing::of_growth {
+namespace {
+
+/// A plate with side * side holes, none like another, and twice as many teeth along one side.
+PolygonSet plate(int side) {
+  std::vector<Ring> holes;
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      const int x = 100 * i + (7 * i + 13 * j) % 19, y = 100 * j + (11 * i + 5 * j) % 23;
+      holes.push_back(rectangle(x + 10, y + 10, x + 60, y + 70));
+    }
+  }
+  Ring outline{{100 * side, 0}, {100 * side, 100 * side}, {0, 100 * side}};
+  for (int k = 0; k < 4 * side * side; ++k) {
+    outline.push_back({Rational(25 * k, side), k % 2 == 0 ? 0 : -5});
+  }
+  return region(outline, holes);
+}
+
+/// Square frames, each in the hole of the one before.
+PolygonSet frames(int count) {
+  PolygonSet set;
+  for (int k = 1; k <= count; ++k) {
+    set = together(set, region(rectangle(-10 * k, -10 * k, 10 * k, 10 * k),
+                               {rectangle(3 - 10 * k, 3 - 10 * k, 10 * k - 3, 10 * k - 3)}));
+  }
+  return set;
+}
+
+/// A comb, whose edges fall into few directions.
+PolygonSet comb(int teeth) {
+  Ring ring{{-20, -100}, {20 * teeth, -100}, {20 * teeth, 0}};
+  for (int k = teeth - 1; k >= 0; --k) {
+    const int left = 20 * k, top = 90 + k % 7;
+    ring.insert(ring.end(), {{left + 9, 0}, {left + 9, top}, {left, top}, {left, 0}});
+  }
+  ring.push_back({-20, 0});
+  return region(ring);
+}
+
+template <class Work>
+double turns(const Work& work) {
+  std::uint64_t looks = 0;
+  const Interruptible counting([&] { ++looks; });
+  work();
+  return static_cast<double>(looks);
+}
+
+/// Four times the input: an exponent of 1.25 at most.
+template <class Small, class Large>
+void expect_growth(const Small& small, const Large& large) {
+  const double before = turns(small), after = turns(large);
+  EXPECT_GT(before, 20);
+  EXPECT_LT(after, std::pow(4, 1.25) * before) << before << " turns of 64 before";
+}
+
+const PolygonSet octagon =
+    region({{3, -7}, {7, -3}, {7, 3}, {3, 7}, {-3, 7}, {-7, 3}, {-7, -3}, {-3, -7}});
+
+TEST(Growth, ValidationAsksAFewEdgesForEachHole) {
+  const PolygonSet small = plate(16), large = plate(32);
+  expect_growth([&] { validate(small); }, [&] { validate(large); });
+}
+
+TEST(Growth, ValidationListsNoPairsOfNestedRings) {
+  const PolygonSet small = frames(64), large = frames(256);
+  expect_growth([&] { validate(small); }, [&] { validate(large); });
+}
+
+TEST(Growth, CanonicalFormsFindThePlaceOfEachHoleByATree) {
+  const PolygonSet small = plate(16), large = plate(32);
+  expect_growth([&] { (void)canonicalize(small); }, [&] { (void)canonicalize(large); });
+}
+
+TEST(Growth, SumsAskWhetherAPointIsHeldByATree) {
+  const PolygonSet small = plate(16), large = plate(32);
+  const auto sum = [](const PolygonSet& P) { (void)minkowski_sum(P, octagon, 1); };
+  expect_growth([&] { sum(small); }, [&] { sum(large); });
+}
+
+TEST(Growth, AnIndexKeepsNoParallelEdgesThatNeverMeet) {
+  const auto kept = [](int teeth) {
+    const ScaleWindow window{Rational(1, 2), Rational(2)};
+    const auto counts = ScaleIndex(comb(teeth), octagon, window).counts();
+    return static_cast<double>(counts.meeting_pairs);
+  };
+  const double before = kept(20), after = kept(80);
+  EXPECT_LT(after, std::pow(4, 1.25) * before) << before << " pairs before";
+}
+
+}  // namespace
+}  // namespace minkref::testing::of_growth
