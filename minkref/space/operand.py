@@ -13,9 +13,9 @@ from minkref.file_text import LONGEST, bytes_of_file
 from minkref.model_catalogue import shipped_polyhedra
 from minkref.output.terminal import escaped
 from minkref.plane.operand import LONGEST_NAME, is_regular, is_utf8, read_operand
-from minkref.space.ball import is_ball
 from minkref.plane.repair_offer import offering_repair
 from minkref.repair.solid import repaired_solid
+from minkref.space.ball import is_ball
 
 FORMATS = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
 

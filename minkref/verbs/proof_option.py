@@ -8,8 +8,7 @@ from typing import Any
 
 from minkref.errors import Refusal
 from minkref.output.terminal import counted
-from minkref.verbs.certificate_output import CHECKED, CertificateFiles, Checked
-from minkref.verbs.certify_answer import Claiming
+from minkref.verbs.certificate_output import CHECKED, CertificateFiles, Checked, Claiming
 
 OPTION = "--certify"
 

@@ -16,7 +16,7 @@ from minkref.motion.commands.path_proof import proved
 from minkref.motion.commands.path_rows import contact_document, space_contact_document
 from minkref.motion.path_text import ExactPoint
 from minkref.motion.scale_ranges import range_values
-from minkref.verbs.certificate_output import CertificateFiles, Checked, proof_document, proof_files
+from minkref.verbs.certificate_output import CertificateFiles, Checked
 from minkref.verbs.hold import HoldInPlane, HoldInSpace
 from minkref.verbs.proof_option import proof_document, proof_files
 

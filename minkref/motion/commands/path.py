@@ -18,7 +18,6 @@ from minkref.motion.commands.path_rows import (
     space_contact_document,
 )
 from minkref.motion.scale_ranges import range_values
-from minkref.verbs.certificate_output import proof_document, proof_files
 from minkref.verbs.path import PathInPlane, PathInSpace
 from minkref.verbs.proof_option import proof_document, proof_files
 
