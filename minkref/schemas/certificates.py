@@ -80,21 +80,3 @@ class CheckDocument(Head):
 
     command: Literal["check"]
     files: list[CheckedFile]
-
-
-class Certificate(TypedDict):
-    output: str
-    case: str
-    bytes: Count
-    claims: PositiveCount
-    verified: bool
-
-
-CertificateMade = Annotated[
-    Certificate | None,
-    Meta(
-        description="With --certify: the proof that was written, its case, its size not "
-        "compressed, the number of its claims, and whether the checker verified it (false where "
-        "its budget did not suffice); null without."
-    ),
-]
