@@ -143,6 +143,42 @@ std::string word_of(Location location) {
   return location == Location::inside ? "inside" : "outside";
 }
 
+/// Sizes, kinds, and the set under a scaling or a translation.
+static void bind_measures(nb::class_<Set>&& bound) {
+  bound
+      .def("bounding_box", bounding_box,
+           "xmin, ymin, xmax, ymax: the nearest doubles. Raises as arrays(); ValueError for the "
+           "empty set.")
+      .def_prop_ro(
+          "area", [](const Set& set) { return quantity(area(set.value)); },
+          nb::sig("def area(self) -> fractions.Fraction"), "The exact area. Linear.")
+      .def(
+          "scaled",
+          [](const Set& set, const std::string& factor) {
+            const auto axes = axes_of(factor);
+            return Set{axes ? scaled(set.value, *axes) : scaled(set.value, parse_rational(factor))};
+          },
+          "factor"_a, Released(),
+          "About the origin; by \"SX,SY\" with a factor above 0 for each axis.")
+      .def(
+          "translated",
+          [](const Set& set, const std::string& x, const std::string& y) {
+            return Set{translated(set.value, {parse_rational(x), parse_rational(y)})};
+          },
+          "x"_a, "y"_a, Released())
+      .def_prop_ro("vertices", [](const Set& set) { return set.value.vertices(); })
+      .def_prop_ro("ring_count", [](const Set& set) { return set.value.rings(); })
+      .def_prop_ro(
+          "is_region", [](const Set& set) { return set.value.is_region(); },
+          "Neither empty nor a point nor a segment.")
+      .def_prop_ro(
+          "is_convex", [](const Set& set) { return is_convex(set.value); },
+          "One convex polygon without holes; straight vertices may be there.")
+      .def_prop_ro("is_empty", [](const Set& set) { return set.value.empty(); })
+      .def_prop_ro("is_point", [](const Set& set) { return set.value.is_point(); })
+      .def_prop_ro("is_segment", [](const Set& set) { return set.value.is_segment(); });
+}
+
 void bind_polygon_set(nb::module_& module) {
   unchanging(nb::class_<Set>(
                  module, "PolygonSet",
@@ -217,38 +253,8 @@ void bind_polygon_set(nb::module_& module) {
            "As rings(), each an array of NumPy of shape (n, 2), of the nearest doubles. Raises "
            "LimitExceeded for a coordinate beyond their range.")
       .def("approximate_rings", drawn_rings,
-           "As rings(), points as pairs of the nearest doubles. Raises as arrays().")
-      .def("bounding_box", bounding_box,
-           "xmin, ymin, xmax, ymax: the nearest doubles. Raises as arrays(); ValueError for the "
-           "empty set.")
-      .def_prop_ro(
-          "area", [](const Set& set) { return quantity(area(set.value)); },
-          nb::sig("def area(self) -> fractions.Fraction"), "The exact area. Linear.")
-      .def(
-          "scaled",
-          [](const Set& set, const std::string& factor) {
-            const auto axes = axes_of(factor);
-            return Set{axes ? scaled(set.value, *axes) : scaled(set.value, parse_rational(factor))};
-          },
-          "factor"_a, Released(),
-          "About the origin; by \"SX,SY\" with a factor above 0 for each axis.")
-      .def(
-          "translated",
-          [](const Set& set, const std::string& x, const std::string& y) {
-            return Set{translated(set.value, {parse_rational(x), parse_rational(y)})};
-          },
-          "x"_a, "y"_a, Released())
-      .def_prop_ro("vertices", [](const Set& set) { return set.value.vertices(); })
-      .def_prop_ro("ring_count", [](const Set& set) { return set.value.rings(); })
-      .def_prop_ro(
-          "is_region", [](const Set& set) { return set.value.is_region(); },
-          "Neither empty nor a point nor a segment.")
-      .def_prop_ro(
-          "is_convex", [](const Set& set) { return is_convex(set.value); },
-          "One convex polygon without holes; straight vertices may be there.")
-      .def_prop_ro("is_empty", [](const Set& set) { return set.value.empty(); })
-      .def_prop_ro("is_point", [](const Set& set) { return set.value.is_point(); })
-      .def_prop_ro("is_segment", [](const Set& set) { return set.value.is_segment(); });
+           "As rings(), points as pairs of the nearest doubles. Raises as arrays().");
+  bind_measures(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));
   bind_operators(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));
 }
 

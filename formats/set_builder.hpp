@@ -61,7 +61,7 @@ class SetBuilder {
   /// The same with every ring turned as its role demands.
   Reading finish();
 
-  /// Of each ring of the finished set, whether it is open.
+  /// Whether each ring of the finished set is open.
   std::vector<bool> take_open() { return std::move(open_); }
 
   Input& input() const { return input_; }

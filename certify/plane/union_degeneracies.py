@@ -40,7 +40,7 @@ class Edge:
 
 @dataclass
 class Meeting:
-    """What meets at a point: vertices, and edges that have it inside."""
+    """Features that meet at a point: vertices, and edges that have it inside."""
 
     vertices: set[Name] = field(default_factory=set)
     edges: set[Name] = field(default_factory=set)

@@ -65,7 +65,7 @@ def _has_seam(facts: UnionFacts) -> bool:
 
 
 def _misleads_doubles(facts: UnionFacts) -> bool:
-    """Of a turn that is none, doubles often see one: here they miss, or turn round, one that is."""
+    """Doubles often see a turn where there is none: here they miss, or turn round, one that is."""
     return any(sign for _, _, sign in facts.edges.wrong_in_doubles())
 
 

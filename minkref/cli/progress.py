@@ -34,7 +34,7 @@ class Steps:
             self._line.advance(self._task, count)
 
     def in_words(self) -> str:
-        """What is being done, and how much of it is done."""
+        """The work being done, and how much of it is done."""
         return f"{self._doing}, {self._count:,} of {self._total:,}"
 
 

@@ -1,4 +1,4 @@
-"""What is common to the readers of drawings: tolerance, layer, warnings, numbers, refusals."""
+"""Shared by the readers of drawings: tolerance, layer, warnings, numbers, refusals."""
 
 from __future__ import annotations
 

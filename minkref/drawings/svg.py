@@ -30,7 +30,7 @@ DEEPEST = 200
 
 @dataclass(frozen=True)
 class Context:
-    """What an element takes over from those around it."""
+    """All that an element takes over from those around it."""
 
     map: Affine = Affine()  # noqa: RUF009 a value
     rule: str = "nonzero"
@@ -120,7 +120,7 @@ def _fault(error: ValueError, reading: Reading, where: str, mend: str) -> Refusa
 
 
 def _filled(subpaths: list[list[Point]], rule: str) -> _core.PolygonSet:
-    """What subpaths fill; each is closed."""
+    """The set that subpaths fill; each is closed."""
     text = set_json((points, ()) for points in subpaths if len(points) > 2)
     return _core.filled(_core.PolygonSet.from_json(text), rule)[0]
 

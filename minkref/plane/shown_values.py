@@ -1,4 +1,4 @@
-"""What Python shows of sums and indexes: texts, and in a notebook pictures."""
+"""Sums and indexes as Python shows them: texts, and in a notebook pictures."""
 
 from __future__ import annotations
 

@@ -174,7 +174,7 @@ def _insert(
 
 
 def drop_copies(mesh: Mesh, note: Note) -> None:
-    """Drop a face that is there twice. Of two copies that run opposite ways both are dropped if
+    """Drop a face that is there twice. Two copies that run opposite ways are both dropped if
     the edges around have an even number of faces without them, as where two bodies abut."""
     stays = [True] * len(mesh.faces)
     first: dict[tuple[int, ...], int] = {}

@@ -1,4 +1,4 @@
-"""What Python shows of convex sums."""
+"""Convex sums as Python shows them."""
 
 from __future__ import annotations
 

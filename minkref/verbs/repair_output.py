@@ -1,4 +1,4 @@
-"""What `minkref repair` answers: the changes, and the operand written."""
+"""The answer of `minkref repair`: the changes, and the operand written."""
 
 from __future__ import annotations
 

@@ -224,7 +224,7 @@ def _notes(
     chosen: Sequence[TargetEntry],
     declared: Mapping[str, Declaration],
 ) -> list[str]:
-    """What was not asked, and what could not be made small."""
+    """The parts that were not asked, and what could not be made small."""
     names = [entry.name for entry in chosen]
     own = {name: declared[name] for name in names if ALL_TARGETS.declares_itself(name)}
     notes = [*not_asked(done, own), *resting_notes(done, names, cases.count)]

@@ -68,7 +68,7 @@ LeftRays::Hit LeftRays::first(const FilteredPoint& point,
     if (!passes_left_of(e, point)) return false;
     if (hit.edge != no_entry && !is_right_of(e, hit.edge)) return false;
     hit.edge = e;
-    // What is nearer reaches farther to the right than this edge's leftmost point.
+    // A nearer edge reaches farther to the right than this one's leftmost point.
     ray.xmax = std::max(-edges_[e].from->x(), -edges_[e].to->x());
     return false;
   };

@@ -1,4 +1,4 @@
-"""What Python shows of values: a text of one line each, pictures in a notebook; areas and volumes
+"""Values as Python shows them: a text of one line each, pictures in a notebook; areas and volumes
 are attributes, exact, and may still be called."""
 
 from __future__ import annotations

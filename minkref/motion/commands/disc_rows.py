@@ -27,7 +27,7 @@ CAUSES = {
 
 
 def question_of(request: Any, second: str) -> RadiusQuestion:
-    """What a request asks of radii. Refuses a disc as the second operand."""
+    """Returns the question of a request about radii. Refuses a disc as the second operand."""
     check_words(contact=(request.contact, CONTACTS))
     if is_disc(second):
         mend = "give the disc first, then a set of polygons"

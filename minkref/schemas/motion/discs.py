@@ -81,7 +81,7 @@ class AskedRadius(TypedDict):
 
 
 class AnyDisc(TypedDict):
-    """What the three commands tell of a disc."""
+    """All that the three commands tell of a disc."""
 
     part: Annotated[str, Meta(description="The disc as named.")]
     contact: ContactRule
@@ -161,7 +161,7 @@ class ClearBound(TypedDict):
 
 
 class AnyClear(TypedDict):
-    """What is told of a part that keeps a distance."""
+    """All that is told of a part that keeps a distance."""
 
     part: Annotated[str, Meta(description="The part as named; it is scaled.")]
     contact: ContactRule

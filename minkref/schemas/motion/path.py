@@ -30,7 +30,7 @@ SpacePathRoute = Literal["pieces", "contacts"]
 
 
 class AnyPath(LastingHead, Window, Written, OnPath):
-    """What `path` tells in the plane and in space."""
+    """All that `path` tells in the plane and in space."""
 
     part: Annotated[str, Meta(description="The part as named; it is scaled.")]
     obstacles: str

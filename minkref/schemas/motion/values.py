@@ -18,7 +18,7 @@ class EndScale(TypedDict):
 
 
 class AnyFit(Head):
-    """What `fit` and `trap` tell of a part."""
+    """All that `fit` and `trap` tell of a part."""
 
     part: Annotated[str, Meta(description="The part as named; it is scaled.")]
     contact: ContactRule
@@ -75,7 +75,7 @@ class Proof(TypedDict):
 
 
 class PlaneFit(AnyFit):
-    """What `fit` and `trap` tell in the plane."""
+    """All that `fit` and `trap` tell in the plane."""
 
     output: Annotated[str | None, Meta(description="The file that was written.")]
     bounds: Annotated[list[FitBound], Meta(description="The ends of ranges.")]

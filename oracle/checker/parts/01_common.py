@@ -39,7 +39,7 @@ GZIP = b"\x1f\x8b"
 Json = Any
 Vertex = tuple[Fraction, ...]  # x, y; or x0, x1, y0, y1: the point (x0 + s x1, y0 + s y1)
 Reader = Callable[[Path, float], bytes]  # of a file, and of a larger one a byte more than so many
-# What follows a certificate of a form, and the member that holds the argument; parts add theirs.
+# The function that follows a form, and the member that holds the argument; parts add theirs.
 FORMS: dict[Any, tuple[str, Callable[..., list[str]]]] = {}
 
 

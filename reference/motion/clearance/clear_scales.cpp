@@ -43,7 +43,7 @@ RootRange range_of(const CutRange& cuts) {
   return range;
 }
 
-/// What is left of `within`, both sorted by their beginnings.
+/// The rest of `within`, both sorted by their beginnings.
 std::vector<RootRange> without(const std::vector<ScaleRange>& within,
                                const std::vector<CutRange>& taken) {
   std::vector<RootRange> left;
@@ -111,7 +111,7 @@ class Answer {
   }
 
  private:
-  /// Of several features the first along the path; none at an end of the window.
+  /// The first feature along the path; none at an end of the window.
   void add_bound(const RootNumber& scale, bool blocks, ClearScales& result) const {
     std::optional<ClearBound> best;
     for (const NearRange& range : near_) {

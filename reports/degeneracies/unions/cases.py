@@ -82,7 +82,7 @@ def _near(region: _core.PolygonSet) -> Rings:
 
 @dataclass(frozen=True)
 class _Frame:
-    """What is drawn: the left and the top end, and pixels for a unit of each axis. Slivers are
+    """The drawn part: the left and the top end, and pixels for a unit of each axis. Slivers are
     stretched across."""
 
     left: float
