@@ -1,9 +1,13 @@
 #include "formats/containment.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <optional>
 #include <string>
 
 #include "reference/interrupt.hpp"
+#include "reference/plane/left_rays.hpp"
+#include "reference/plane/location.hpp"
 
 namespace minkref {
 namespace {
@@ -62,6 +66,74 @@ Point first_contact(const Point& a, const Point& b, const Ring& ring) {
   return found;
 }
 
+/// Fewer outer rings are all looked at.
+constexpr std::size_t fewest_for_rays = 32;
+
+/// Outer rings around holes, by the edge that a ray from each ring's least point meets first. None
+/// where rings touch there, or are nested as no valid set has them.
+class OutersByRays {
+ public:
+  OutersByRays(const std::vector<const Ring*>& outers, const std::vector<const Ring*>& holes)
+      : outers_(outers.size()) {
+    for (const std::vector<const Ring*>* rings : {&outers, &holes}) {
+      for (const Ring* ring : *rings) {
+        look_for_interrupt();
+        rings_.push_back(filtered_ring(*ring));
+        runs_left_.push_back(sign(doubled_area(*ring)) > 0);
+      }
+    }
+  }
+
+  /// For each hole the number of its outer ring.
+  std::vector<std::optional<std::size_t>> found() {
+    std::vector<LeftRays::Edge> ends;
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+      const FilteredRing& ring = rings_[r];
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        ends.push_back({&ring[i], &ring[(i + 1) % ring.size()]});
+        ring_of_.push_back(r);
+      }
+    }
+    LeftRays rays(ends);
+    around_.resize(rings_.size());
+    for (const std::size_t r : from_the_left()) {
+      const auto of_others = [&](std::uint32_t e) { return ring_of_[e] != r; };
+      const LeftRays::Hit hit = rays.first(least(r), of_others);
+      if (hit.touches || hit.edge == no_entry) continue;
+      const std::size_t met = ring_of_[hit.edge];
+      const bool runs_down = compare_y(*ends[hit.edge].to, *ends[hit.edge].from) < 0;
+      if (runs_down != runs_left_[met]) {
+        around_[r] = around_[met];
+      } else if (met < outers_) {
+        around_[r] = met;
+      }
+    }
+    return {around_.begin() + static_cast<std::ptrdiff_t>(outers_), around_.end()};
+  }
+
+ private:
+  const FilteredPoint& least(std::size_t r) const {
+    return *std::min_element(rings_[r].begin(), rings_[r].end(),
+                             [](const auto& a, const auto& b) { return compare_xy(a, b) < 0; });
+  }
+  std::vector<std::size_t> from_the_left() const {
+    std::vector<const FilteredPoint*> points;
+    for (std::size_t r = 0; r < rings_.size(); ++r) points.push_back(&least(r));
+    std::vector<std::size_t> order(rings_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return compare_xy(*points[a], *points[b]) < 0;
+    });
+    return order;
+  }
+
+  std::size_t outers_;
+  std::vector<FilteredRing> rings_;
+  std::vector<bool> runs_left_;  ///< counter-clockwise, whatever the ring is
+  std::vector<std::size_t> ring_of_;
+  std::vector<std::optional<std::size_t>> around_;  ///< the outer ring whose set is around a ring
+};
+
 }  // namespace
 
 bool lies_inside(const Ring& inner, const Ring& outer, std::size_t& steps) {
@@ -101,7 +173,13 @@ std::vector<std::size_t> containing_outers(const std::vector<const Ring*>& outer
     }
     return lies_inside(inner, *outers[outer], steps);
   };
+  std::vector<std::optional<std::size_t>> by_rays(holes.size());
+  if (outers.size() >= fewest_for_rays) by_rays = OutersByRays(outers, holes).found();
   for (std::size_t h = 0; h < holes.size(); ++h) {
+    if (by_rays[h]) {
+      found.push_back(*by_rays[h]);
+      continue;
+    }
     const RationalBox box = rational_box_of(*holes[h]);
     std::optional<std::size_t> smallest;
     for (std::size_t o = 0; o < outers.size(); ++o) {

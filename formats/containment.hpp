@@ -15,8 +15,9 @@ namespace minkref {
 bool lies_inside(const Ring& inner, const Ring& outer, std::size_t& steps);
 
 /// The index of the smallest outer ring around each hole. A lone outer ring takes all holes,
-/// untested (`validate` tests them). `outers` and `holes` must have three vertices each, or more.
-/// Throws BadInput ("hole-outside", at `places[hole]`), LimitExceeded ("too-much-work").
+/// and one of many each hole that rays give it, untested (`validate` tests them). `outers` and
+/// `holes` must have three vertices each, or more. Throws BadInput ("hole-outside", at
+/// `places[hole]`), LimitExceeded ("too-much-work").
 std::vector<std::size_t> containing_outers(const std::vector<const Ring*>& outers,
                                            const std::vector<const Ring*>& holes,
                                            const std::vector<Place>& places, const Input& input);

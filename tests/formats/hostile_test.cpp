@@ -175,18 +175,32 @@ TEST(Hostile, JsonValuesHaveALimit) {
   EXPECT_EQ(code_of(text + "]", Format::json, limits), "too-many-values");
 }
 
-TEST(Hostile, ManyRingsWithoutNestingStayWithinTheLimitOfSteps) {
-  // Concentric rings: each hole lies in all outer rings around it.
-  std::string text = "400\n";
-  for (int i = 1; i <= 400; ++i) {
+/// Concentric rings: each hole lies in all outer rings around it.
+std::string rings_in_rings(int count) {
+  std::string text = std::to_string(count) + "\n";
+  for (int i = 1; i <= count; ++i) {
     const std::string r = std::to_string(10 * i);
     text += std::string("4 ") + (i % 2 == 0 ? "out" : "in") + "\n-" + r + " -" + r + "\n" + r +
             " -" + r + "\n" + r + " " + r + "\n-" + r + " " + r + "\n";
   }
-  EXPECT_EQ(read_valid_text(text, Format::poly, "").set.polygons.size(), 200U);
+  return text;
+}
+
+TEST(Hostile, AFewRingsWithoutNestingStayWithinTheLimitOfSteps) {
   ReadLimits limits;
-  limits.containment_steps = 10'000;
-  EXPECT_EQ(code_of(text, Format::poly, limits), "too-much-work");
+  limits.containment_steps = 1'000;
+  EXPECT_EQ(code_of(rings_in_rings(60), Format::poly, limits), "too-much-work");
+}
+
+TEST(Hostile, RaysGiveManyRingsTheirOuterOnes) {
+  ReadLimits limits;
+  limits.containment_steps = 1'000;
+  for (const int count : {64, 400, 4'000}) {
+    const std::size_t outers = static_cast<std::size_t>(count) / 2;
+    const PolygonSet set = read_valid_text(rings_in_rings(count), Format::poly, "", limits).set;
+    ASSERT_EQ(set.polygons.size(), outers);
+    for (const Polygon& polygon : set.polygons) EXPECT_EQ(polygon.holes.size(), 1U);
+  }
 }
 
 TEST(Hostile, AnUnclosedCommentOrGarbageIsRefused) {
