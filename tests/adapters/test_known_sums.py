@@ -1,5 +1,4 @@
-"""Each installed adapter on known sums, unions and offsets; those not installed are skipped by
-name."""
+"""Each installed adapter on known sums, unions, offsets, features; others are skipped by name."""
 
 from __future__ import annotations
 
@@ -171,7 +170,7 @@ def test_known_unions(adapter: Any) -> None:
     """Without `load`, and one after the other."""
     hello = adapter.hello()
     if "union" not in hello["capabilities"]:
-        assert hello["sum"] != "none" or "offset" in hello["capabilities"]
+        assert hello["sum"] != "none" or {"offset", "features"} & set(hello["capabilities"])
         assert adapter.ask("union", dimension=2, sets=[])["status"] == "skipped"
         return
     for name, (sets, needs, expected) in UNIONS.items():
@@ -207,6 +206,27 @@ def test_known_offsets(adapter: Any) -> None:
     answer = adapter.ask("offset", dimension=2, P=5, radius=said(1, hello))
     assert answer["status"] in ("errored", "skipped", "gave-up")
     assert adapter.stop() == 0
+
+
+def test_known_features(adapter: Any) -> None:
+    """The frame's hole has four corners and is filled at once."""
+    hello = adapter.hello()
+    words = {"P": said(FRAME, hello), "radius": said(1, hello)}
+    answer = adapter.ask("features", dimension=2, **words)
+    if "features" not in hello["capabilities"]:
+        assert answer["status"] == "skipped"
+        return
+    assert answer["status"] == "result", answer
+    bars = [(number(birth), number(death)) for birth, death in answer["bars"]]
+    assert bars == [(0, pytest.approx(1.5))] * 4
+    assert answer.get("holes", 1) == 1
+    assert adapter.stop() == 0
+
+
+def number(radius: Any) -> float:
+    if isinstance(radius, dict):
+        return float(Fraction(radius["square"])) ** 0.5
+    return float(Fraction(radius[0] if isinstance(radius, list) else radius))
 
 
 def test_lines_that_are_no_requests(adapter: Any) -> None:
