@@ -1917,7 +1917,8 @@ class DiscProof:
         before, v = self.last[n], self.at[n]
         demand(self.times[v] == 1, "rings touch at a vertex")
         turn = cross(self.along(before), self.along(n))
-        right = turn > 0 or (turn == 0 and all(self.height(n, p) > 0 for p in centres))
+        on = turn == 0 and dot(self.along(before), self.along(n)) > 0
+        right = turn > 0 or (on and all(self.height(n, p) > 0 for p in centres))
         demand(right, "P is not convex at a vertex")
         for p in centres:
             way = less(p, v)

@@ -78,6 +78,17 @@ def test_more_of_the_set_is_seen(check_value: CheckValue, outer: Any, why: str) 
     assert code == 1 and why in said, said
 
 
+def test_a_spike_is_not_in_the_set(check_value: CheckValue) -> None:
+    """A ring that goes out and back: the disc touches its tip only, not the set."""
+    ring = [["0", "0"], ["4", "0"], ["4", "4"], ["2", "4"], ["2", "6"], ["2", "4"], ["0", "4"]]
+    case = {"P": polygons(ring, [["0", "8"], ["4", "8"], ["4", "9"], ["0", "9"]])}
+    touch = {"claim": "touch", "centre": ["2", "7"], "features": [["vertex", 4], ["edge", 7]]}
+    head = {"path": "case.json", "sha256": bridges.digest_of_case(case)}
+    value = {**bridges.certificate(), "case": head, "square": "1", "claims": [touch]}
+    code, said = check_value(value, case)
+    assert code == 1 and "convex" in said, said
+
+
 def test_changes_verify_nothing_false(tmp_path: Path) -> None:
     """A box may change and still have the centre inside; whatever is verified is so."""
     given = [(bridges.certificate(), bridges.CASE), *filter(None, map(produced, range(6)))]

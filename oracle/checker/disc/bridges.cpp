@@ -102,8 +102,9 @@ class Discs {
     const std::uint32_t before = last_[n];
     demand(times_.at({v.x, v.y}) == 1, "rings touch at a vertex");
     const int turn = sgn(cross(along(before), along(n)));
+    const bool goes_on = turn == 0 && dot(along(before), along(n)) > 0;
     for (const Point& p : centres) {
-      demand(turn > 0 || (turn == 0 && height(n, p) > 0), "P is not convex at a vertex");
+      demand(turn > 0 || (goes_on && height(n, p) > 0), "P is not convex at a vertex");
       const bool is_ahead = dot(minus(p, v), along(n)) > 0 || dot(minus(p, v), along(before)) < 0;
       demand(!is_ahead, "a centre is nearer to an edge than to its vertex");
     }
