@@ -1,1 +1,1 @@
-"""Certificates of discs that touch a set from outside, and of its bridges."""
+"""Certificates: discs touching a set from outside, bridges."""

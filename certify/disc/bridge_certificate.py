@@ -1,5 +1,4 @@
-"""The producer of certificates for bridges (docs/certificates-features.md). The producer is not
-trusted: the checker is."""
+"""Produces certificates for bridges (docs/certificates-features.md). Only checkers are trusted."""
 
 from __future__ import annotations
 
@@ -24,9 +23,9 @@ Named = tuple[str, int]
 
 
 class BridgeCertificate:
-    """Claims about discs of one radius outside of P: bridges, and discs that touch more features.
-    Exact. `declined`: why bridges have no claim: their disc nearly touches a third feature, or they
-    end where rings touch. O(n) for each bridge."""
+    """Claims about equal discs outside P: bridges, and discs touching more features. Exact.
+    `declined` counts reasons against claims: a disc nearly touches a third feature, rings touch at
+    an end. O(n) for each bridge."""
 
     def __init__(self, P: _core.PolygonSet, radius: Fraction) -> None:
         """`radius`: half of alpha. Validates P."""
@@ -44,7 +43,7 @@ class BridgeCertificate:
         self._size = max((abs(c) for spot in self._spots for c in spot), default=1.0) or 1.0
 
     def bridges(self, features: _core.Features) -> int:
-        """Claims the bridges at the radius, and returns the number of claims."""
+        """Claims all bridges; returns how many claims exist."""
         for _, _, _, _, rows in features.at(str(2 * self.radius)):
             for _, left, _, right, centre in rows:
                 try:
@@ -55,8 +54,8 @@ class BridgeCertificate:
         return len(self.claims)
 
     def touches(self) -> int:
-        """Claims the events of the disc at the radius that have rational places with denominators
-        up to DENOMINATORS, and returns the number of claims."""
+        """Claims events at this radius whose place is rational, denominators up to DENOMINATORS;
+        returns how many claims exist."""
         events = _core.diagram_events(self.P)
         for _, square, _, _, near, features in events.rows(0, len(events)):
             if square is None or Fraction(square) != self.radius**2:
@@ -133,7 +132,7 @@ class BridgeCertificate:
         return way[0] / far, way[1] / far
 
     def _room(self, left: Named, right: Named, centre: Spot, radius: float) -> float:
-        """How far the centre may move: to the radius from other edges, and in front of its own."""
+        """How far the centre may move, by all edges."""
         own: set[int] = set()
         room = math.inf
         for kind, n in (left, right):
@@ -146,8 +145,7 @@ class BridgeCertificate:
         return room
 
     def _beyond(self, n: int, p: Spot, is_edge: bool, is_first: bool) -> Iterable[float]:
-        """How far a point is from the perpendiculars at the ends of an edge: inside of both, or
-        outside of one."""
+        """How far a point lies inside both end perpendiculars, or outside one."""
         a, b = self._spots[n], self._spots[self._next[n]]
         dx, dy = b[0] - a[0], b[1] - a[1]
         long = math.hypot(dx, dy)
@@ -164,11 +162,11 @@ class BridgeCertificate:
         return math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy)
 
     def case(self) -> str:
-        """The text of the case file."""
+        """The case file's text."""
         return f'{{"P":{self.P.to_json()}}}\n'
 
     def text(self, case: str, title: str = "", producer: str = "") -> str:
-        """The certificate; `case`: the path of the case's file, from its own."""
+        """The certificate; `case`: its case file's relative path."""
         plain = json.dumps({"P": plain_polygons(self.P)}, sort_keys=True, separators=(",", ":"))
         head = {
             "certificate": FORM,

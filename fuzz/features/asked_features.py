@@ -1,5 +1,4 @@
-"""A case of the verb `features`: a set in the plane, and a radius of the growing disc at which
-bridges are asked for."""
+"""Cases of verb `features`: a plane set, plus a disc radius for bridges."""
 
 from __future__ import annotations
 
@@ -41,8 +40,8 @@ class AskedFeatures(SetAndRadius):
 
     @cached_property
     def second_opinion(self) -> str | None:
-        """The first difference between the reference and the judge that tries all triples; None if
-        they agree, or if the set has no region."""
+        """The first difference between reference and triples judge; None without difference, or
+        without region."""
         if not self.set.is_region:
             return None
         judge = Judge(self.shape)
@@ -58,5 +57,5 @@ class AskedFeatures(SetAndRadius):
 
 
 def named_features(name: CaseName, value: dict[str, Any], where: str) -> AskedFeatures:
-    """Returns the case that a JSON value describes. Refuses other values."""
+    """Reads a case from JSON. Refuses other values."""
     return AskedFeatures(name, *read_set_and_radius(value, FEATURES, where))

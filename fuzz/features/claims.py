@@ -1,4 +1,4 @@
-"""Bars and bridges as an answer has them: radii, chords, numbers of components and holes."""
+"""Bars and bridges as answers write them: radii, chords, counts."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Chord = tuple[Exact, Exact]
 
 @dataclass(frozen=True)
 class Claim:
-    """A radius from `low` to `high`; with `square` the root of a number."""
+    """A radius from `low` to `high`; with `square`, its exact square."""
 
     low: Fraction
     high: Fraction
@@ -29,7 +29,7 @@ class Claim:
 
     @classmethod
     def of(cls, value: Any) -> Claim | None:
-        """Of a text, two texts, or the square's text; None is infinity."""
+        """Reads text, two texts, or square; None is infinity."""
         if value is None:
             return None
         if isinstance(value, dict):
@@ -39,7 +39,7 @@ class Claim:
         return cls(Fraction(low), Fraction(high))
 
     def is_near(self, truth: ExactRadius, half: Fraction) -> bool:
-        """Whether the radius, or one of the enclosure, differs by at most `half`."""
+        """Whether some enclosed radius differs by at most `half`."""
         if self.square is not None and not half:
             return truth.compare_square(self.square) == 0
         low, high = max(self.low - half, Fraction(0)), self.high + half
@@ -69,7 +69,7 @@ class ClaimedBar:
 
 @dataclass(frozen=True)
 class ClaimedFeatures:
-    """An answer's JSON text, as `features_text` writes it."""
+    """An answer's JSON, written by `features_text`."""
 
     text: str
 
@@ -97,7 +97,7 @@ class ClaimedFeatures:
 
 
 def features_text(value: dict[str, Any], declaration: Declaration) -> str:
-    """The answer's members in texts, bars and bridges sorted. Raises Unreadable."""
+    """Writes members as text, bars and bridges sorted. Raises Unreadable."""
     bars = list_in(value, "bars")
     if len(bars) > MOST_VERTICES:
         raise Unreadable(f"{len(bars):,} bars, more than {MOST_VERTICES:,}")

@@ -1,4 +1,4 @@
-"""Radii at which features change, as the reference knows them, and numbers compared with them."""
+"""Exact radii where features change, compared with numbers."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from math import isqrt
 
 @dataclass(frozen=True)
 class ExactRadius:
-    """A radius between `low` and `high`; its square, if rational, else a polynomial with that root,
-    the lowest coefficient first."""
+    """A radius between `low` and `high`; its rational square, else a polynomial with that root,
+    lowest coefficient first."""
 
     low: Fraction
     high: Fraction
@@ -18,8 +18,8 @@ class ExactRadius:
     polynomial: tuple[Fraction, ...] = ()
 
     def compare_square(self, number: Fraction) -> int:
-        """The sign of the squared radius less the number. Exact, as long as the polynomial has one
-        root between the bounds' squares; else 0 between them."""
+        """The sign of squared radius minus number. Exact if the polynomial has one root between
+        both squared bounds; else 0 there."""
         if self.square is not None:
             return (self.square > number) - (self.square < number)
         low, high = self.low**2, self.high**2
@@ -32,7 +32,7 @@ class ExactRadius:
 
     @property
     def text(self) -> str:
-        """The number, the root of its square, or the double next to it."""
+        """Number, square root, or nearby double."""
         if self.square is None:
             return f"about {float(self.low)!r}"
         root = Fraction(isqrt(self.square.numerator), isqrt(self.square.denominator))

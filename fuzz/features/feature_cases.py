@@ -1,4 +1,4 @@
-"""Sets whose features are asked for: kinds with many ties in turn, then with small shifts."""
+"""Drawn sets: kinds with many ties in turn, then shifted a little."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ PATIENCE = 400
 
 
 def pinched(dice: Dice) -> Shape:
-    """Boxes of which each touches the next at a corner, and a frame around or none."""
+    """Boxes, each touching the next at a corner, perhaps framed."""
     x = y = 0
     found: Shape = []
     for _ in range(dice.randint(2, 4)):

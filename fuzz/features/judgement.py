@@ -1,4 +1,4 @@
-"""The verdict on a target's features of a set."""
+"""Verdicts on features found by targets."""
 
 from __future__ import annotations
 
@@ -31,10 +31,9 @@ Found = tuple[Reason, Witness]
 
 
 def judge_features(case: AskedFeatures, name: str, answer: Answer) -> list[Outcome]:
-    """Bars pair with those of the set, but for bars no longer than twice the tolerance; bridges,
-    components and holes count where no event has a radius within it. A wrong answer is proved by
-    two judges that share nothing; if they differ, the target is undecided, and an outcome names the
-    referee."""
+    """Pairs told bars with true bars; bars up to twice the tolerance may stay alone. Bridges,
+    components, holes count unless an event radius lies within tolerance. Two independent judges
+    prove each fault; if they differ, the target is undecided, and an outcome names the referee."""
     try:
         outcome = _judged(case, name, answer)
         if outcome.verdict is not Verdict.WRONG or answer.features is None:
@@ -50,8 +49,8 @@ def judge_features(case: AskedFeatures, name: str, answer: Answer) -> list[Outco
 
 
 def doubt_about(case: AskedFeatures) -> str | None:
-    """Names a difference between both judges; None if they agree, or without a comparison: one
-    small case among PROVED, chosen by name, gets one."""
+    """Names a difference between both judges; None without. Compares one small case among PROVED,
+    chosen by name."""
     if zlib.crc32(case.name.text.encode()) % PROVED or not case.has_second_opinion:
         return None
     return case.second_opinion
@@ -82,13 +81,13 @@ class _Comparison:
     answer: Answer
 
     def half(self, radius: float) -> Fraction:
-        """The tolerance of a radius."""
+        """A radius's tolerance."""
         declaration, far = self.answer.declaration, Fraction(radius)
         half = declaration.tolerance(self.case.magnitude + far)
         return max(half, far * DOUBLE) if declaration.numbers == "double" else half
 
     def bars(self) -> Found | None:
-        """The first bar without a partner."""
+        """Finds a bar without partner."""
         true, told = self.case.truth.bars, self.told.bars
         partners = [[k for k, one in enumerate(told) if self._fits(bar, one)] for bar in true]
         lost = unpaired((k for k, bar in enumerate(true) if self._counts(bar)), partners)
@@ -149,7 +148,7 @@ class _Comparison:
         return self.half(float(radius)) + ROUNDED * (self.case.magnitude + radius)
 
     def at_radius(self) -> Found | None:
-        """Components, holes and bridges, unless an event has about this radius."""
+        """Compares components, holes, bridges, unless an event radius is near."""
         case, value = self.case, self.told.value
         if not value.keys() & {"components", "holes", "bridges"}:
             return None

@@ -1,4 +1,4 @@
-"""Bars of two lists paired one to one."""
+"""Pairs bars one to one."""
 
 from __future__ import annotations
 
@@ -6,10 +6,9 @@ from collections.abc import Iterable, Sequence
 
 
 def unpaired(required: Iterable[int], partners: Sequence[Sequence[int]]) -> int | None:
-    """Pairs each required member of one list with a partner of its own; returns a member for which
-    none is left, or None. `partners`: numbers in the second list, by number in the first. If the
-    required members of each list can be paired alone, they can all be paired together (Mendelsohn
-    and Dulmage)."""
+    """Gives each required member its own partner; returns a member left without, or None.
+    `partners`: second numbers, by first number. Required members on both sides can be paired
+    together if either side can alone (Mendelsohn and Dulmage)."""
     owner: dict[int, int] = {}
     own: dict[int, int] = {}
     for start in required:
@@ -21,7 +20,7 @@ def unpaired(required: Iterable[int], partners: Sequence[Sequence[int]]) -> int 
 def _augment(
     start: int, partners: Sequence[Sequence[int]], owner: dict[int, int], own: dict[int, int]
 ) -> bool:
-    """Finds a way that alternates between new and old pairs, and turns it over."""
+    """Finds a path, new and old pairs alternating, then swaps them."""
     came_from: dict[int, int] = {}
     waiting = [start]
     for member in waiting:

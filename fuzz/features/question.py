@@ -16,7 +16,7 @@ from minkref.fuzz.setting import ShrinkableQuestion
 
 
 class Features(ShrinkableQuestion):
-    """Sets in the plane whose bays, corridors and holes are asked for by size."""
+    """Plane sets, asked for bays, corridors, holes by size."""
 
     cases = AskedFeatures
     asking = FeaturesAsking

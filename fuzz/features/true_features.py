@@ -1,4 +1,4 @@
-"""Features of a set by the reference: exact bars with their places, bridges at a radius."""
+"""Reference features: exact bars with places, bridges at a radius."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ class TrueBar:
 
 @dataclass(frozen=True)
 class TrueBridge:
-    """In doubles next to exact places. `centre`: of the disc that touches the set at both ends."""
+    """Doubles next to exact places. `centre`: the touching disc's."""
 
     ends: NearChord
     centre: Spot
 
 
 class TrueFeatures:
-    """The reference's features of one set."""
+    """Reference features, found once."""
 
     def __init__(self, P: _core.PolygonSet) -> None:
         self.found = _core.features(P)
@@ -63,7 +63,7 @@ class TrueFeatures:
         return self.found.nodes()
 
     def place(self, node: int) -> Spot | None:
-        """A place of a tree node, near it; None for the outside's root."""
+        """A node's place, nearly; None for the outside's root."""
         _, _, _, _, groups, end, _ = self._nodes[node]
         if end is not None:
             return float(Fraction(end[0])), float(Fraction(end[1]))
@@ -80,7 +80,7 @@ class TrueFeatures:
         ]
 
     def answer(self, radius: Fraction) -> str:
-        """All of it in the form of an answer (docs/adapter-protocol.md)."""
+        """Writes everything as answers do (docs/adapter-protocol.md)."""
         shape = self.found.regions(str(radius**2))
         bars = [[_told(bar.birth), _told(bar.death)] for bar in self.bars]
         chords = [

@@ -1,4 +1,4 @@
-"""A case of the verb `offset`: a set in the plane, and the radius of the disc that it grows by.
+"""Cases of verb `offset`: a plane set, plus a disc radius.
 
 The radius is a rational number above 0. Erosion, by a radius below 0, and open lines are no cases.
 """

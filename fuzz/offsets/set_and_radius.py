@@ -1,4 +1,4 @@
-"""A case that asks about a set in the plane and the radius of a disc."""
+"""Cases asking about a plane set and a disc radius."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A witness about concave features: what a set has of them, and an answer."""
+"""Witnesses about concave features: true count beside told count."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from typing import Any
 
 @dataclass(frozen=True)
 class FeatureClaim:
-    """`kind`: bar; bridge, at the case's radius; shape, of which `what` counts components or holes;
-    set, refused. `in_set` and `in_answer`: how many there are. `nearest`: the set's bar most like
-    an invented one. `begins_at`, `ends_at`: places of a bar's birth and death, near them."""
+    """`kind`: bar; bridge, at the case's radius; shape, where `what` counts components or holes;
+    set, refused. `in_set`, `in_answer`: true and told count. `nearest`: a true bar, most like an
+    invented bar. `begins_at`, `ends_at`: near places where bars begin and end."""
 
     kind: str
     what: str

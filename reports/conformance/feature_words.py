@@ -1,4 +1,4 @@
-"""Concave features in a report: the question, and what the witness shows."""
+"""Concave features in reports: question, witness in words."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def features_set(literal: str) -> str:
 
 
 def features_lines(value: dict[str, Any]) -> list[str]:
-    """An answer, a line for each bar and bridge."""
+    """Lines for bars, bridges, counts."""
     bars = [f"bar from {_radius(birth)} to {_radius(death)}" for birth, death in value["bars"]]
     chords = [f"bridge {_near(a)} to {_near(b)}" for a, b in value.get("bridges", [])]
     counts = [f"{value[word]} {word}" for word in ("components", "holes") if word in value]

@@ -1,5 +1,4 @@
-"""Claims of certificates of bridges (docs/certificates-features.md) in doubles, from distances of
-all edges; and certificates of drawn sets."""
+"""Checks bridge certificates (docs/certificates-features.md) in doubles; draws some."""
 
 from __future__ import annotations
 
@@ -19,7 +18,7 @@ Value = dict[str, Any]
 
 
 def drawn_certificate(seed: int, number: int) -> BridgeCertificate | None:
-    """The claims about a drawn set, at a radius of an event or beside it; None without a claim."""
+    """Draws claims at event radii or beside; None without claim."""
     _, shape = drawn_set(seed, number)
     P = set_of(shape)
     found = _core.features(P)
@@ -34,7 +33,7 @@ def drawn_certificate(seed: int, number: int) -> BridgeCertificate | None:
 
 
 def is_true(certificate: Value, case: Value) -> bool:
-    """Named features are as far from the box or centre as the radius, and no edge is nearer."""
+    """Whether named features lie at radius distance, other edges not nearer."""
     rings = [
         [_spot(point) for point in ring]
         for polygon in case["P"]["polygons"]

@@ -1,4 +1,4 @@
-"""Features by the judge that tries all triples of vertices and edges (oracle/features)."""
+"""Features by all triples (oracle/features)."""
 
 from __future__ import annotations
 

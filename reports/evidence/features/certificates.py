@@ -1,4 +1,4 @@
-"""Certificates of bridges: both checkers verify each, and no change of a claim that is not so."""
+"""Bridge certificates: both checkers verify all, changed claims only if true."""
 
 from __future__ import annotations
 

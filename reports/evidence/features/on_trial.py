@@ -1,5 +1,4 @@
-"""Features of others on trial: our route, the judge by triples and diagrams are never accused, each
-seeded fault is found."""
+"""Puts features on trial: right targets are never accused, seeded faults found."""
 
 from __future__ import annotations
 
