@@ -34,7 +34,7 @@ using RadiusRow = std::tuple<std::optional<std::string>, std::vector<std::string
                              std::pair<double, double>, int>;
 /// The radius, the contact.
 using LargestDiscRow = std::pair<RadiusRow, std::optional<DiscContactRow>>;
-/// The limits of the radius: the largest discs at the two places, the radius of a neck, the necks.
+/// The radius's limit, the largest discs at the two places, the radius of a neck, the necks.
 using PassageRow =
     std::tuple<std::string, std::optional<LargestDiscRow>, std::optional<LargestDiscRow>,
                std::optional<RadiusRow>, std::vector<DiagramRow>>;
@@ -43,7 +43,7 @@ Point point_of(const ExactPoint& text) {
   return {parse_rational(text.first), parse_rational(text.second)};
 }
 
-/// A question about radii: the clearance to keep, and perhaps whether a disc is small enough.
+/// A question about radii: the clearance to keep, and perhaps a disc to compare.
 struct Asked {
   Rational clearance;
   std::optional<Rational> squared_radius;

@@ -18,15 +18,14 @@ Bounds = tuple[float, float]
 @dataclass(frozen=True)
 class RootScale:
     """A scale, rational or the root of a quadratic polynomial: `expression`, exact, as `1/2 +
-    3/4*sqrt(5)`; `bounds`, two doubles next to each other around it, or equal ones for a
-    double."""
+    3/4*sqrt(5)`; `bounds`, neighbouring doubles around it, equal for a double."""
 
     expression: str
     bounds: Bounds
 
     @property
     def rational(self) -> Fraction | None:
-        """The number, if it is rational."""
+        """Returns a rational scale, else None."""
         return None if "sqrt" in self.expression else Fraction(self.expression)
 
 
@@ -67,9 +66,8 @@ class ClearScales:
     bounds: tuple[ClearBound, ...]
 
     def holds(self, scale: Fraction) -> bool:
-        """Tell whether a scale is one of them that is no end with a root: by doubles around ends,
-        which tell all scales but those strictly between two neighbouring doubles. Raises ValueError
-        for these."""
+        """Tell whether ranges include a scale, by doubles around ends. Raises ValueError strictly
+        between an irrational end's two doubles."""
         return any(
             _beyond(scale, one.low, one.low_in)
             and (one.high is None or _beyond(-scale, _negative(one.high), one.high_in))

@@ -22,9 +22,9 @@ NamedFeature = Callable[[bool, int, int], Feature]
 
 @dataclass(frozen=True)
 class DiscRadius:
-    """The square root of a number, less a clearance. `bounds`: two doubles next to each other
-    around it, or equal ones for a double; `squared_distance`: the number, where it is known to be
-    rational; `polynomial`: has the number as a root, the lowest coefficient first."""
+    """A square root less a clearance. `bounds`: neighbouring doubles around it, equal for a double;
+    `squared_distance`: the radicand, if known as rational; `polynomial`: with the radicand as a
+    root, lowest coefficient first."""
 
     bounds: Bounds
     squared_distance: Fraction | None
@@ -45,13 +45,12 @@ class DiscContact:
 
 @dataclass(frozen=True)
 class DiscRadii:
-    """Radii of a disc, one range: above `low` (None: above 0) and below `high` (None: no end), and
-    these themselves if `low_in` and `high_in`; `is_empty`: none at all. `cause`, of the greatest
-    radius, or of a trap's least one: "contact" at a place; "neck" on the way; "room", the largest
-    disc of a container; "apart", no way; "meets", no radius since a place or the path is not
-    free; "free", nothing. `contact`: at `high`, or where the path meets the obstacles first.
-    `events`: the necks on a best way in order, or the places of the largest disc, with the features
-    that bound the disc. `holds`: whether the radius that was asked for is one of them."""
+    """A range of radii: above `low` (None: 0), below `high` (None: no end), ends included if
+    `low_in`, `high_in`; `is_empty`: no radius. `cause` names the greatest radius's limit, or a
+    trap's least one: "contact", "neck", "room" (a container's largest disc), "apart" (no way),
+    "meets" (a place or path is not free), "free" (nothing). `contact`: at `high`, or where a path
+    first meets the obstacles. `events`: necks along a best way, or places of the largest disc, with
+    bounding features. `holds`: the answer for a requested radius."""
 
     is_empty: bool
     cause: str

@@ -1,4 +1,4 @@
-"""Judges of how large a disc may be, and of distances of moving parts, by all pairs."""
+"""A judge of moving discs and distances between moving parts, by all pairs."""
 
 from .moving import squared_distance_on_path
 from .rooms import Rooms

@@ -11,8 +11,8 @@ from .segments import Point, Ring, edges_of, is_inside, squared_to_segment
 
 
 class Rooms:
-    """A set, and a grid of points outside of it or inside of it, with their distances from the
-    boundary in doubles: 0 on the wrong side."""
+    """A set with a grid outside or inside: distances from the boundary in doubles, 0 on the wrong
+    side."""
 
     def __init__(self, rings: Sequence[Ring], inside: bool, cells: int) -> None:
         self.rings = rings
@@ -71,8 +71,7 @@ class Rooms:
         return 0.0
 
     def candidates(self) -> set[Fraction]:
-        """Return the squares of half of all least distances of two features: of two vertices, and
-        of a vertex and the inside of an edge."""
+        """Return squared half distances between two vertices, and between a vertex and an edge."""
         corners = {p for ring in self.rings for p in ring}
         found = {((p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2) / 4 for p in corners for q in corners}
         for ring in self.rings:

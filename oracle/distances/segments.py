@@ -1,4 +1,4 @@
-"""Squared distances of segments in fractions."""
+"""Squared distances between segments, as fractions."""
 
 from __future__ import annotations
 
@@ -57,8 +57,7 @@ def squared_between(first: Segment, second: Segment) -> Fraction:
 
 
 def is_inside(rings: Sequence[Ring], p: Point) -> bool:
-    """Tell whether a point is strictly inside of a set: its winding number is not 0, and it is on
-    no edge."""
+    """Tell whether a point lies strictly inside: winding number not 0, and on no edge."""
     winding = 0
     for ring in rings:
         for a, b in edges_of(ring):

@@ -99,7 +99,7 @@ def _set_of(ring: Ring) -> PolygonSet:
 
 
 def _place_on(dice: random.Random, rings: list[list[Place]], inside: bool) -> Place:
-    """A place on one side of the boundary, unless it is hard to find; half of them have room."""
+    """Draw a place, preferably on one side of the boundary; half have room."""
     drawn = [_place(dice, rings) for _ in range(TRIES)]
     on_side = [place for place in drawn if is_inside(rings, place) == inside] or drawn
     if dice.random() < 0.5:

@@ -27,7 +27,7 @@ CAUSES = {
 
 
 def question_of(request: Any, second: str) -> RadiusQuestion:
-    """Returns the question of a request about radii. Refuses a disc as the second operand."""
+    """Read a request's question. Refuses a disc as the second operand."""
     check_words(contact=(request.contact, CONTACTS))
     if is_disc(second):
         mend = "give the disc first, then a set of polygons"
@@ -39,7 +39,7 @@ def question_of(request: Any, second: str) -> RadiusQuestion:
 def radii_document(
     name: str, watch: Stopwatch, request: Any, found: DiscRadii, **fields: Any
 ) -> Row:
-    """The document of an answer, with what it was asked."""
+    """Make an answer's document, with its question."""
     clearance = request.clearance
     return document(
         name,
@@ -134,7 +134,7 @@ def _range_text(radii: Row, clearance: str | None) -> str:
 
 
 def _radius_text(radius: Row, clearance: str | None) -> str:
-    """An expression, or as many digits as are certain of a long one."""
+    """Write an expression, or a long one's certain digits."""
     square, less = radius["squared_distance"], Fraction(clearance or 0)
     if square is None or len(square) > LONGEST:
         return _near(radius)
@@ -149,7 +149,7 @@ def _near(radius: Row) -> str:
 
 
 def _causes(value: Row) -> list[tuple[str, str]]:
-    """Radii in digits, and what touches at their ends."""
+    """Write radii in digits, and features touching at their ends."""
     radii, touches = value["radii"], value["touches"]
     rows = []
     if value["cause"] in CAUSES:

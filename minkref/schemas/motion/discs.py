@@ -58,7 +58,7 @@ class DiscRange(DiscRangeEnds):
 
 
 class DiscTouches(TypedDict):
-    """Where the disc's centre is, which feature it touches, and where."""
+    """The centre's place, the touched feature, the touching point."""
 
     at: Place
     obstacle: Feature
@@ -74,14 +74,14 @@ class DiscPlace(TypedDict):
 
 
 class AskedRadius(TypedDict):
-    """With `disc:R`: whether the radius is one of them."""
+    """The answer for one radius, with `disc:R`."""
 
     radius: RadiusOrRoot
     holds: bool
 
 
 class AnyDisc(TypedDict):
-    """All that the three commands tell of a disc."""
+    """Fields that the three commands share."""
 
     part: Annotated[str, Meta(description="The disc as named.")]
     contact: ContactRule
@@ -90,7 +90,7 @@ class AnyDisc(TypedDict):
     cause: Annotated[
         Cause,
         Meta(
-            description="What ends the radii: a contact at a place or on the path, a neck on the "
+            description="The end of the radii: a contact at a place or on the path, a neck on the "
             "way, the container's room; or why there is none: places apart, a place that is not "
             "free, nothing in the way."
         ),
@@ -119,7 +119,7 @@ class DiscFitDocument(AnyDisc, Head):
     command: Literal["fit"]
     container: str
     question: Literal["at", "anywhere", "between"]
-    places: Annotated[list[Point], Meta(description="Those that were asked for.", max_length=2)]
+    places: Annotated[list[Point], Meta(description="As asked for.", max_length=2)]
     warnings: list[str]
 
 
@@ -161,7 +161,7 @@ class ClearBound(TypedDict):
 
 
 class AnyClear(TypedDict):
-    """All that is told of a part that keeps a distance."""
+    """Fields for a part that keeps a distance."""
 
     part: Annotated[str, Meta(description="The part as named; it is scaled.")]
     contact: ContactRule

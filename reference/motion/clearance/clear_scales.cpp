@@ -111,7 +111,7 @@ class Answer {
   }
 
  private:
-  /// The first feature along the path; none at an end of the window.
+  /// Takes the first features along the path; none at an end of the window.
   void add_bound(const RootNumber& scale, bool blocks, ClearScales& result) const {
     std::optional<ClearBound> best;
     for (const NearRange& range : near_) {
