@@ -26,6 +26,22 @@ def squared_distance_on_path(
     )
 
 
+def squared_distance_inside(
+    part: Sequence[Ring], container: Sequence[Ring], place: Point, scale: Fraction
+) -> Fraction:
+    """Return the squared distance of place + scale part from a container's boundary, 0 unless the
+    part lies inside."""
+    placed = [[(place[0] + scale * x, place[1] + scale * y) for x, y in ring] for ring in part]
+    if not is_inside(container, placed[0][0]):
+        return Fraction(0)
+    if any(is_inside(placed, ring[0]) for ring in container):
+        return Fraction(0)
+    walls = [edge for ring in container for edge in edges_of(ring)]
+    return min(
+        squared_between(edge, wall) for ring in placed for edge in edges_of(ring) for wall in walls
+    )
+
+
 def _one_holds_other(part: Sequence[Ring], obstacles: Sequence[Ring], at: Point) -> bool:
     """Tell whether a ring of either set has a vertex inside of the other one, at a place."""
     placed = [[(at[0] + x, at[1] + y) for x, y in ring] for ring in part]

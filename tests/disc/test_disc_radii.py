@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import minkref
 import pytest
-from minkref.fuzz.judges.motion.disc_comparison import clearance_faults, disc_faults
+from minkref.fuzz.judges.motion.disc_comparison import clearance_faults, disc_faults, fit_faults
 from minkref.fuzz.judges.motion.disc_draws import disc_case
 from minkref.fuzz.motion.path_cases import path_case
 
@@ -37,7 +37,10 @@ def test_clearances_before_a_judge_of_all_pairs() -> None:
         for index in range(6)
         for fault in clearance_faults(path_case(SEED, index), tally, index)
     ]
-    assert faults == [] and tally["ends with a root"] > 0
+    faults += [
+        fault for index in range(4) for fault in fit_faults(disc_case(SEED, index), tally, index)
+    ]
+    assert faults == [] and tally["ends with a root"] > 0 and tally["ends of fits"] > 0
 
 
 def test_a_slot_of_one_width_is_the_neck_and_is_named_once() -> None:

@@ -11,8 +11,13 @@ from typing import Any
 
 import minkref
 from minkref.fuzz.judges.motion.disc_draws import DiscCase, rings_of
-from minkref.fuzz.motion.path_cases import PathCase, Place, texts
-from minkref.oracle.distances import Rooms, path_distance, squared_distance_on_path
+from minkref.fuzz.motion.path_cases import PathCase, Place, path_case, texts
+from minkref.oracle.distances import (
+    Rooms,
+    path_distance,
+    squared_distance_inside,
+    squared_distance_on_path,
+)
 
 CELLS = 40
 SLACK = 1e-9  # of the grid's doubles
@@ -113,11 +118,29 @@ def clearance_faults(case: PathCase, tally: Counter[str], index: int) -> Iterato
         tally["ends with a root"] += sum(each.scale.rational is None for each in found.bounds)
         for scale in _scales(found):
             square = squared_distance_on_path(part, obstacles, case.path, scale)
-            limit = clearance**2
-            is_clear = square > limit or (square == limit and contact == "allowed")
             tally["scales"] += 1
-            if found.holds(scale) != is_clear:
+            if found.holds(scale) != _is_clear(square, clearance, contact):
                 yield f"{case.name}, {contact}, clearance {clearance}: wrong at {scale}"
+
+
+def fit_faults(case: DiscCase, tally: Counter[str], index: int) -> Iterator[str]:
+    """Compares the scales at which a part fits into a container and keeps a distance."""
+    clearance = CLEARANCES[index % len(CLEARANCES)] / 2
+    drawn = path_case(index, 1).part
+    part, place = rings_of(drawn), case.inside[0]
+    for contact in CONTACTS:
+        found = minkref.clear_fit(drawn, case.set, texts([place])[0], str(clearance), contact)
+        tally["fits"] += 1
+        tally["ends of fits"] += len(found.bounds)
+        for scale in _scales(found):
+            square = squared_distance_inside(part, case.rings, place, scale)
+            tally["scales of fits"] += 1
+            if found.holds(scale) != _is_clear(square, clearance, contact):
+                yield f"{case.name}, fit, {contact}, clearance {clearance}: wrong at {scale}"
+
+
+def _is_clear(square: Fraction, clearance: Fraction, contact: str) -> bool:
+    return square > clearance**2 or (square == clearance**2 and contact == "allowed")
 
 
 def _scales(found: Any) -> list[Fraction]:

@@ -32,7 +32,8 @@ struct DiscPassage {
 /// docs/paths.md.
 class DiscRooms {
  public:
-  /// The obstacles: a valid polygon set, a point or a segment. Errors and cost as for DiscIndex.
+  /// The obstacles: a valid polygon set, a point or a segment, which must outlive the rooms. Errors
+  /// and cost as for DiscIndex.
   explicit DiscRooms(const PolygonSet& obstacles, const BuildOptions& options = {});
 
   const DiscIndex& index() const { return index_; }

@@ -13,7 +13,7 @@ from typing import Any
 import minkref
 from minkref import _core
 from minkref.fuzz.judges.disc.offset_cgal import OffsetJudge
-from minkref.fuzz.judges.motion.disc_comparison import clearance_faults, disc_faults
+from minkref.fuzz.judges.motion.disc_comparison import clearance_faults, disc_faults, fit_faults
 from minkref.fuzz.judges.motion.disc_draws import disc_case, rings_of
 from minkref.fuzz.motion.path_cases import path_case
 from minkref.plane.operand import read_operand
@@ -25,6 +25,7 @@ MINUTES = Minutes(0.1, 0.5, 6)
 SEED = 3180
 CASES = Counts(12, 60, 500)
 CLEARANCES = Counts(6, 30, 200)
+FITS = Counts(2, 20, 200)
 MODEL = "glyph1204"
 RUNS = 5  # the shortest counts
 HALVINGS = Counts(1, 4, 20)  # of a bracket as wide as the radius; 20 lead to a millionth of it
@@ -37,7 +38,8 @@ def run(findings: Findings, size: Size) -> None:
     cases, clearances = size.of(CASES), size.of(CLEARANCES)
     tally: Counter[str] = Counter()
     faults: list[str] = []
-    tasks = [("disc", k) for k in range(cases)] + [("clear", k) for k in range(clearances)]
+    counts = {"disc": cases, "clear": clearances, "fit": size.of(FITS)}
+    tasks = [(kind, index) for kind, count in counts.items() for index in range(count)]
     for found in in_processes(judge, tasks, 50, "discs and clearances"):
         tally.update(found["tally"])
         faults += found["faults"]
@@ -59,7 +61,8 @@ def _told(tally: Counter[str]) -> str:
         f"{tally['traps']:,} places among obstacles ({tally['traps, neck']:,} traps with a neck, "
         f"{tally['traps, apart']:,} closed): squared radii exact; {tally['clearances']:,} paths "
         f"of parts with a clearance, {tally['ends']:,} ends ({tally['ends with a root']:,} with "
-        f"roots), {tally['scales']:,} scales decided at and beside them"
+        f"roots), {tally['scales']:,} scales decided at and beside them; {tally['fits']:,} fits "
+        f"with a clearance, {tally['scales of fits']:,} scales"
     )
 
 
@@ -67,11 +70,12 @@ def judge(task: tuple[str, int]) -> dict[str, Any]:
     """One case."""
     kind, index = task
     tally: Counter[str] = Counter()
-    found = (
-        disc_faults(disc_case(SEED, index), tally)
-        if kind == "disc"
-        else clearance_faults(path_case(SEED, index), tally, index)
-    )
+    if kind == "disc":
+        found = disc_faults(disc_case(SEED, index), tally)
+    elif kind == "clear":
+        found = clearance_faults(path_case(SEED, index), tally, index)
+    else:
+        found = fit_faults(disc_case(SEED, index), tally, index)
     return {"faults": list(found), "tally": tally}
 
 
