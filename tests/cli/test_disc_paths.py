@@ -65,12 +65,20 @@ def test_a_part_with_a_clearance(minkref: Minkref, tmp_path: Path) -> None:
     assert json.loads(file.read_text())["seconds"] is None
 
 
+def test_the_picture_shows_the_track_and_the_contact(minkref: Minkref, tmp_path: Path) -> None:
+    file = tmp_path / "way.svg"
+    assert "written" in minkref("path", "disc", ROOM, WAY, "-o", str(file)).out
+    drawn = file.read_text()
+    assert 'class="track"' in drawn and 'class="touch"' in drawn and "sqrt(5)" in drawn
+    told = minkref("path", "disc", ROOM, "POINT(4 8)", "-o", str(file)).out
+    assert "a place is not free" in told and 'class="track"' not in file.read_text()
+
+
 @pytest.mark.parametrize(
     ("words", "says"),
     [
         (("path", ROOM, "disc", WAY), "the disc is the part"),
         (("path", "disc", ROOM, WAY, "--clearance", "0"), "the clearance is not above 0"),
-        (("path", "disc", ROOM, WAY, "-o", "a.svg"), "no picture"),
         (("path", "disc:0", ROOM, WAY), "the radius is zero"),
         (("fit", "disc", POCKET), "one question"),
         (("fit", SQUARE, POCKET, "--anywhere", "--clearance", "1"), "fitted at a place"),

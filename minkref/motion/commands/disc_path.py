@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from minkref.cli.memory import SIMPLER, memory_wall
-from minkref.errors import Refusal, refusing
-from minkref.motion.commands.disc_rows import give_radii, question_of, radii_document
+from minkref.errors import refusing
+from minkref.motion.commands.disc_rows import give_radii, question_of, radii_document, range_text
 from minkref.motion.disc_radii import on_path
 from minkref.motion.path_text import read_path
 from minkref.output.documents import Stopwatch, as_text, lasting, refuse_overwriting
@@ -17,9 +17,7 @@ def run(request: PathOfDisc) -> None:
     watch = Stopwatch()
     question = question_of(request, request.obstacles)
     output = request.output
-    if output is not None and output.suffix.lower() == ".svg":
-        raise Refusal("no picture is drawn of a disc's path", str(output), "name a .json file")
-    target = target_of(output, None, ("json",), "json", request.json, has_format=False)
+    target = target_of(output, None, ("json", "svg"), "json", request.json, has_format=False)
     with memory_wall(request.memory, "the path", request.obstacles, SIMPLER):
         operand, way = read_operand(request.obstacles), read_path(request.path)
         if output is not None:
@@ -37,7 +35,12 @@ def run(request: PathOfDisc) -> None:
         output=None if output is None else str(output),
     )
     if target is not None:
-        target.write(as_text(lasting(value)))
+        text = as_text(lasting(value))
+        if target.form == "svg":
+            from minkref.motion.commands.disc_picture import disc_path_picture
+
+            text = disc_path_picture(operand, way.points, found, range_text(value))
+        target.write(text)
         if target.is_standard_output:
             return
     told = f"{way.name}, vertices {len(way.points):,}, contact {request.contact}"
