@@ -155,11 +155,14 @@ class Search {
   }
 
   std::vector<NearRange> find() {
+    std::size_t limit = first_limit;
     for (std::uint32_t place = 0; place < path_.all.size(); ++place) {
       for (std::uint32_t obstacle = 0; obstacle < obstacles_.all.size(); ++obstacle) {
         look_for_interrupt();
         look_at(place, obstacle);
-        if (candidates_.size() > most_candidates) join_certain();
+        if (candidates_.size() < limit) continue;
+        join_certain();
+        limit = std::max(first_limit, 2 * candidates_.size());
       }
     }
     join_certain();
@@ -178,7 +181,7 @@ class Search {
   }
 
  private:
-  static constexpr std::size_t most_candidates = 1U << 18;
+  static constexpr std::size_t first_limit = 1U << 18;  ///< of candidates kept
   using Kind = Candidate::Kind;
 
   void look_at(std::uint32_t place, std::uint32_t obstacle) {
