@@ -110,7 +110,7 @@ Set from_state(const std::pair<std::string, bool>& state) {
   return {set_of(state.first, no_limits()).value, state.second};
 }
 
-void bind_operators(nb::class_<Set>&& bound) {
+void bind_questions(nb::class_<Set>&& bound) {
   bound
       .def(
           "__add__",
@@ -133,7 +133,19 @@ void bind_operators(nb::class_<Set>&& bound) {
       .def(
           "locate",
           [](const Set& set, const nb::object& point) { return word_of(location(set, point)); },
-          "point"_a, "Where a point (x, y) lies: inside, boundary or outside. Exact. O(n).");
+          "point"_a, "Where a point (x, y) lies: inside, boundary or outside. Exact. O(n).")
+      .def_prop_ro(
+          "written_rings",
+          [](const Set& set) {
+            std::vector<std::pair<std::size_t, std::vector<std::size_t>>> rings;
+            for (const RingOrigin& origin : set.origins) {
+              std::vector<std::size_t> lines(origin.lines.begin(), origin.lines.end());
+              rings.emplace_back(origin.ring, std::move(lines));
+            }
+            return rings;
+          },
+          "The number of each ring in the file, with the line of each vertex in the file's order; "
+          "empty for sets of no file.");
 }
 
 }  // namespace
@@ -233,18 +245,6 @@ void bind_polygon_set(nb::module_& module) {
           "source"_a = "", Released(), "Raises BadInput unless the set is regular closed.")
       .def_ro("warnings", &Set::warnings,
               "What the reader of the file or text put right; empty for all other sets.")
-      .def_prop_ro(
-          "written_rings",
-          [](const Set& set) {
-            std::vector<std::pair<std::size_t, std::vector<std::size_t>>> rings;
-            for (const RingOrigin& origin : set.origins) {
-              std::vector<std::size_t> lines(origin.lines.begin(), origin.lines.end());
-              rings.emplace_back(origin.ring, std::move(lines));
-            }
-            return rings;
-          },
-          "Of each ring its number in the file, and the line of each vertex, in the file's order; "
-          "empty for sets of no file.")
       .def("rings", exact_rings,
            nb::sig("def rings(self) -> list[list[list[tuple[fractions.Fraction, "
                    "fractions.Fraction]]]]"),
@@ -255,7 +255,7 @@ void bind_polygon_set(nb::module_& module) {
       .def("approximate_rings", drawn_rings,
            "As rings(), points as pairs of the nearest doubles. Raises as arrays().");
   bind_measures(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));
-  bind_operators(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));
+  bind_questions(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));
 }
 
 }  // namespace minkref::python

@@ -66,7 +66,7 @@ class PolyReader {
                     fresh.place());
     }
     indices(fresh);
-    // No ring of fewer than three vertices (if faults are kept) holds anything.
+    // A ring of fewer than three vertices, kept with its faults, holds nothing.
     if (fresh.points.size() < 3) return set_.polygon(std::move(fresh), {});
     (hole ? holes_ : outers_).push_back(std::move(fresh));
   }

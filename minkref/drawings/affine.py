@@ -33,7 +33,7 @@ class Affine:
         return self.a * x + self.c * y + self.e, self.b * x + self.d * y + self.f
 
     def __matmul__(self, first: Affine) -> Affine:
-        """Return the map that applies `first` before this one."""
+        """Return this map after `first`."""
         e, f = self((first.e, first.f))
         return Affine(
             self.a * first.a + self.c * first.b, self.b * first.a + self.d * first.b,
@@ -42,7 +42,7 @@ class Affine:
 
     @property
     def stretch(self) -> Fraction:
-        """At least the largest factor by which a length grows."""
+        """An upper bound for growth of lengths."""
         return above_root(self.a**2 + self.b**2 + self.c**2 + self.d**2)
 
 
@@ -52,8 +52,8 @@ def rotation(degrees: Fraction) -> Affine:
 
 
 def transform(text: str, number: Callable[[str], Fraction], warn: Callable[[str], None]) -> Affine:
-    """Read a list of transforms. Raises ValueError for other text. Angles that are no multiples of
-    90 degrees, and skews, are rounded to 40 bits; `warn` is told."""
+    """Read a list of transforms. Raises ValueError for other text. Rounds skews, and
+    rotations by other angles than multiples of 90 degrees, to 40 bits, and warns."""
     found = Affine()
     at = 0
     while at < len(text.rstrip()):

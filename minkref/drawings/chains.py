@@ -1,4 +1,4 @@
-"""Polylines that are joined at their ends, as rings."""
+"""Rings from polylines joined at the ends."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from minkref.repair.weld import welded
 
 
 def rings_of(chains: Sequence[list[Point]], reading: Reading) -> list[list[Point]]:
-    """Join polylines at equal ends, or at ends nearer than the weld, which then are at the first
-    one. Where four or more ends meet, the order of the file decides. Refuses an end that meets an
-    even number of others. Linear."""
+    """Join polylines at equal ends; ends nearer than the weld move to the first end. The order of
+    the file decides between four or more ends. Refuses a point with an odd number of ends.
+    Linear."""
     moves = {}
     if reading.weld is not None:
         moves = welded((end for chain in chains for end in (chain[0], chain[-1])), reading.weld)
@@ -24,8 +24,8 @@ def rings_of(chains: Sequence[list[Point]], reading: Reading) -> list[list[Point
     for k, chain in enumerate(chains):
         ends.setdefault(chain[0], []).append(k)
         ends.setdefault(chain[-1], []).append(k)
-    for end, at in ends.items():
-        if len(at) % 2:
+    for end, meeting in ends.items():
+        if len(meeting) % 2:
             raise reading.refusal(
                 f"a line ends at ({end[0]}, {end[1]}), and no other begins there",
                 "close the gap, or let `minkref repair` join ends nearer than a distance: --weld T",

@@ -1,7 +1,7 @@
 """Arcs and Bézier curves as polylines within a tolerance.
 
-Corners lie on the curve to a hundredth of the tolerance: they are rounded to decimals, so that all
-formats hold them, and so that exact work on them stays fast. Given ends stay as they are.
+Corners lie on the curve to a hundredth of the tolerance: short decimals fit all formats, and keep
+exact work fast. Given ends keep their coordinates.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def above_root(square: Fraction) -> Fraction:
 
 
 def unit_of(tolerance: Fraction) -> Fraction:
-    """Return the largest power of ten that is at most a hundredth of the tolerance."""
+    """Return the largest power of ten up to a hundredth of the tolerance."""
     unit = Fraction(1)
     while unit * 100 > tolerance:
         unit /= 10
@@ -61,7 +61,7 @@ def turned(degrees: Fraction) -> tuple[Fraction, Fraction]:
 
 
 def arc_by_bulge(p: Point, q: Point, bulge: Fraction, tolerance: Fraction) -> Iterator[Point]:
-    """Yield corners of the arc from p to q, without p: `bulge` is the tangent of a quarter of its
+    """Yield corners of the arc from p to q, without p: `bulge`: tangent of a quarter of the
     angle, positive to the left."""
     if bulge == 0 or p == q:
         yield q

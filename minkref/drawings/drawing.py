@@ -27,10 +27,10 @@ def read_drawing(
     layer: str | None = None,
     weld: Fraction | None = None,
 ) -> tuple[_core.PolygonSet, list[str]]:
-    """Read the set of a DXF or SVG file, not validated, with warnings. Coordinates are the decimals
-    of the file. Curves become polylines within `tolerance`, and are refused without; `layer`: the
-    only one read; `weld`: ends of lines nearer than this are joined. Refuses geometry that is not
-    read. Rings of a DXF file nest: a ring in an odd number of others is a hole."""
+    """Read the set of a DXF or SVG file, not validated, with warnings. Coordinates keep the file's
+    decimals. Curves become polylines within `tolerance`; refuses curves without. `layer`: read this
+    layer alone; `weld`: join line ends nearer than this. Refuses unknown geometry. Rings from DXF
+    nest: an odd number of surrounding rings makes a hole."""
     source = escaped(str(path))
     data = bytes_of_file(path, source, "name a file that you may read")
     if len(data) > LONGEST:

@@ -27,7 +27,7 @@ Corner = tuple[Fraction, Fraction, Fraction]  # x, y, and the bulge towards the 
 
 
 def read_dxf(data: bytes, reading: Reading) -> list[list[list[Point]]]:
-    """Return the polygons of the model space. Refuses geometry that is not read, open chains."""
+    """Return the polygons of the model space. Refuses other geometry, open chains."""
     found = sections(data, reading)
     _tell_units(found.get("HEADER", []), reading)
     rings: list[list[Point]] = []

@@ -11,7 +11,7 @@ BINARY = b"AutoCAD Binary DXF"
 
 @dataclass
 class Entity:
-    """`values`: of each group code, in order; `line`: where the entity begins."""
+    """`values`: group codes with values, in order; `line`: the first line."""
 
     kind: str
     line: int
@@ -24,13 +24,13 @@ class Entity:
         return [value for each, value in self.values if each == code]
 
     def flags(self, code: int) -> int:
-        """Read a set of bits; 0 for other words."""
+        """Read flags; 0 for any other word."""
         text = self.first(code, "0").strip()
         return int(text) if text.lstrip("-").isdigit() else 0
 
 
 def sections(data: bytes, reading: Reading) -> dict[str, list[Entity]]:
-    """Split a file into sections of entities; variables of the header are entities too. Refuses
+    """Split a file into sections with entities; header variables count as entities too. Refuses
     binary files, and other texts."""
     if data.startswith(BINARY):
         raise reading.refusal(

@@ -1,4 +1,4 @@
-"""Rings without roles as polygons: a ring in an odd number of others is a hole."""
+"""Rings without roles as polygons: an odd number of surrounding rings makes a hole."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ Box = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
 def nested(rings: Sequence[Ring]) -> list[list[Ring]]:
-    """Give each hole to the smallest ring around it that is none. Exact for rings that touch at
-    points; others are told by one point, and refused by the validation. O(rings times vertices)."""
+    """Give each hole to the smallest outer ring around. Exact for rings touching at points; one
+    point decides for crossing rings, and validation refuses them. O(rings times vertices)."""
     boxes = [_box(ring) for ring in rings]
     around = [
         [
@@ -49,7 +49,7 @@ def _holds(outer: Box, inner: Box) -> bool:
 
 
 def _is_in(inner: Ring, outer: Ring) -> bool:
-    """Tell by the first vertex, or middle of an edge, that is not on the other ring."""
+    """Decide by the first vertex, or midpoint of an edge, off the other ring."""
     following = [*inner[1:], inner[0]]
     middles = [
         ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in zip(inner, following, strict=True)

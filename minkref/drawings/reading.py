@@ -1,4 +1,4 @@
-"""Shared by the readers of drawings: tolerance, layer, warnings, numbers, refusals."""
+"""The tolerance, layer, warnings, numbers and refusals of all readers of drawings."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ LONGEST = 200  # characters of a number
 
 @dataclass
 class Reading:
-    """A file under reading. `weld`: ends of lines nearer than this are joined; `layers`: all names
-    that occur; `left_out`: kinds of entities that are no part of a set."""
+    """A file under reading. `weld`: join line ends nearer than this; `layers`: all names
+    met; `left_out`: counts by skipped kind."""
 
     source: str
     tolerance: Fraction | None = None
@@ -53,7 +53,7 @@ class Reading:
         return self.tolerance
 
     def takes(self, layer: str) -> bool:
-        """Tell whether entities of a layer are read."""
+        """Tell whether to read a layer's entities."""
         self.layers[layer] = None
         return self.layer is None or self.layer == layer
 

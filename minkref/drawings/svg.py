@@ -30,7 +30,7 @@ DEEPEST = 200
 
 @dataclass(frozen=True)
 class Context:
-    """All that an element takes over from those around it."""
+    """Properties inherited from parent elements."""
 
     map: Affine = Affine()  # noqa: RUF009 a value
     rule: str = "nonzero"
@@ -38,8 +38,8 @@ class Context:
 
 
 def read_svg(data: bytes, reading: Reading) -> _core.PolygonSet:
-    """Return the union of what the shapes fill, in user units, y as written. Refuses other text,
-    and geometry that is not read."""
+    """Return the union of all filled shapes, in user units, y as written. Refuses other text and
+    unknown geometry."""
     try:
         root = ElementTree.fromstring(data)
     except ElementTree.ParseError as error:
@@ -68,7 +68,7 @@ def _tell_units(root: ElementTree.Element, reading: Reading) -> None:
 def _shapes(
     element: ElementTree.Element, around: Context, reading: Reading, depth: int
 ) -> Iterator[tuple[list[list[Point]], str]]:
-    """Yield the subpaths of each shape, with its fill rule."""
+    """Yield subpaths and fill rule for each shape."""
     name = _name(element)
     if not name or name in NOT_DRAWN or element.get("display") == "none":
         return
@@ -120,7 +120,7 @@ def _fault(error: ValueError, reading: Reading, where: str, mend: str) -> Refusa
 
 
 def _filled(subpaths: list[list[Point]], rule: str) -> _core.PolygonSet:
-    """The set that subpaths fill; each is closed."""
+    """Fill closed subpaths by a rule."""
     text = set_json((points, ()) for points in subpaths if len(points) > 2)
     return _core.filled(_core.PolygonSet.from_json(text), rule)[0]
 
@@ -133,7 +133,7 @@ class _Shape:
         self._map, self._reading, self._where = to_user, reading, where
 
     def subpaths(self) -> list[list[Point]]:
-        """Return the corners of each subpath, before its transform."""
+        """Return corners for each subpath, before the transform."""
         try:
             if self._name == "path":
                 text = self._element.get("d", "")
@@ -146,7 +146,7 @@ class _Shape:
             raise _fault(error, self._reading, self._where, mend) from error
 
     def _tolerance(self) -> Fraction:
-        """The tolerance before the transform, which stretches it."""
+        """The tolerance before the transform stretches lengths."""
         return self._reading.curve_tolerance() / self._map.stretch
 
     def _corners(self) -> list[Point]:

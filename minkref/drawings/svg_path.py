@@ -31,7 +31,7 @@ class PathReader:
         self._point: Point = (Fraction(0), Fraction(0))
 
     def subpaths(self) -> list[list[Point]]:
-        """Return the corners of each subpath, the first not repeated where it is closed. Raises
+        """Return corners for each subpath, without repeating the first. Raises
         ValueError for other text."""
         letter = ""
         while self._text[self._at :].strip(" \t\r\n\f,"):
@@ -105,9 +105,8 @@ class PathReader:
 
 
 def arc(p: Point, q: Point, numbers: list[Fraction], tolerance: Fraction) -> list[Point]:
-    """Corners of an elliptical arc, without its start. The map to a circle is exact for axes that
-    are turned by multiples of 90 degrees; the radius of the circle is met to a double's precision,
-    both ends exactly."""
+    """Corners of an elliptical arc, without the start. The map to a circle stays exact for axes
+    turned by multiples of 90 degrees; both ends stay exact, the radius has double precision."""
     rx, ry, angle, is_large, is_left = abs(numbers[0]), abs(numbers[1]), *numbers[2:5]
     if rx == 0 or ry == 0 or p == q:
         return [q]

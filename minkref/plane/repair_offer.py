@@ -22,8 +22,8 @@ MENDED = (
 def offering_repair(
     file: Path, codes: Collection[str], is_mended: Callable[[], bool] = lambda: True
 ) -> Iterator[None]:
-    """Within it, a refusal with one of the codes names the command that mends the file, if it is
-    one, and if `is_mended`."""
+    """Add the mending command to refusals with one of `codes`, if a file exists and `is_mended`
+    agrees."""
     try:
         yield
     except Refusal as refusal:

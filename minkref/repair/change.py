@@ -1,9 +1,9 @@
-"""A change that a repair makes: its kind, its place, its exact size."""
+"""A change made by a repair: kind, place, exact size."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -43,7 +43,7 @@ KINDS = tuple(TOLD)
 @dataclass(frozen=True)
 class Change:
     """Rings and faces, and the vertices of a ring or of the polyhedron, are counted from 0 as in
-    the file; None for those that the repair itself has made. `squared_distance`: of the move, gap
+    the file; None for parts made by the repair. `squared_distance`: of the move, gap
     or spike; `area`, or in space `squared_area`: of the part concerned."""
 
     kind: str
@@ -74,12 +74,9 @@ class Change:
                 found[name] = value
         return found
 
-    def renumbered(self, **fields: Any) -> Change:
-        return replace(self, **fields)
-
 
 def told(change: dict[str, Any]) -> str:
-    """Write a change, from its document, as one line."""
+    """Write a change document as a line."""
     where = [
         f"{word} {change[name]}"
         for name, word in (("line", "line"), ("ring", "ring"), ("face", "face"))

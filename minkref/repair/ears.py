@@ -11,8 +11,8 @@ Flat = tuple[int, int]
 def ears(
     points: Sequence[IntegerVector], face: Sequence[int], normal: IntegerVector
 ) -> list[list[int]] | None:
-    """Cut off ears, of those that there are the first one, seen along the longest axis of the
-    normal; None if the ring crosses itself there. Exact. O(n^3) at worst, for faces of few
+    """Cut off the first ear again and again, seen along the longest axis of the normal; None if the
+    projected ring crosses itself. Exact. O(n^3) at worst, for faces of few
     vertices."""
     axis = max(range(3), key=lambda k: abs(normal[k]))
     i, j = (axis + 1) % 3, (axis + 2) % 3

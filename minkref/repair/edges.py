@@ -1,4 +1,4 @@
-"""Faces about their edges: which of them go on into each other."""
+"""Faces around edges, paired into sheets."""
 
 from __future__ import annotations
 
@@ -52,8 +52,8 @@ def refuse_open(mesh: Mesh, sides: Sides, source: str) -> None:
 
 
 def agree(mesh: Mesh, sides: Sides, note: Note) -> list[int]:
-    """Turn faces so that the two at an edge run along it opposite ways: the fewer ones of each
-    part that hangs together over such edges. Return the part of each face."""
+    """Turn faces until both faces at an edge run along opposite ways: the minority within each
+    part connected over such edges. Return the part of each face."""
     part = [-1] * len(mesh.faces)
     parts = 0
     for start in range(len(mesh.faces)):
@@ -91,8 +91,8 @@ def _other_of_two(faces: list[int], k: int) -> list[int]:
 
 
 def separate(mesh: Mesh, note: Note) -> None:
-    """Give each sheet vertices of its own. At an edge of more than two faces those two go on into
-    each other that have the material between them. Leaves faces that do not alternate."""
+    """Give each sheet its own vertices. At an edge of more than two faces, pair faces with material
+    between them. Leaves faces unpaired that do not alternate."""
     sides = sides_of(mesh)
     corner: dict[tuple[int, int], int] = {}  # of a face and a vertex
     for k, face in enumerate(mesh.faces):
@@ -154,7 +154,7 @@ def _around(mesh: Mesh, u: int, v: int, faces: list[int]) -> list[int]:
         face = mesh.faces[k]
         sign = 1 if (u, v) in edges_of(face) else -1
         inward = cross(mesh.normal(face), axis)  # left of an edge from u to v, seen from outside
-        arms[k] = tuple(sign * x for x in inward)
+        arms[k] = (sign * inward[0], sign * inward[1], sign * inward[2])
     first = arms[faces[0]]
     side = cross(axis, first)
 

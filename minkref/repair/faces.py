@@ -1,4 +1,4 @@
-"""Faces by themselves: vertices made one, faces without area, faces in no plane, copies."""
+"""Single faces: equal vertices, zero area, missing planes, copies."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ Note = Callable[[Change], None]
 
 @dataclass
 class Mesh:
-    """Vertices and faces. `numbers`: of the faces in the file; None for faces that the repair has
-    made. `integers`: the vertices over a common denominator, for signs."""
+    """Vertices and faces. `numbers`: numbers of faces in the file, None for faces made by the
+    repair. `integers`: vertices over a common denominator, for signs."""
 
     points: list[Vector]
     faces: list[list[int]]
@@ -174,8 +174,8 @@ def _insert(
 
 
 def drop_copies(mesh: Mesh, note: Note) -> None:
-    """Drop a face that is there twice. Two copies that run opposite ways are both dropped if
-    the edges around have an even number of faces without them, as where two bodies abut."""
+    """Drop second copies of faces. Drop both copies if they run opposite ways and every edge around
+    has an even number of further faces: two bodies abut."""
     stays = [True] * len(mesh.faces)
     first: dict[tuple[int, ...], int] = {}
     for k, face in enumerate(mesh.faces):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 class Groups:
-    """Union-find; a group is named by its least member."""
+    """Union-find; the least member names a group."""
 
     def __init__(self, count: int) -> None:
         self._parent = list(range(count))

@@ -14,13 +14,12 @@ from minkref.repair.regions import Region, Rings, combined, fault, filled, near_
 from minkref.repair.rings import Note, Ring, cleaned, doubled_area, run_as
 from minkref.repair.weld import squared_distance, welded
 
-RULES = ("nonzero", "evenodd", "positive")
 MOST_ROUNDS = 50  # welding moves edges, which may then cross; each round has fewer vertices
 
 
 @dataclass(frozen=True)
 class Piece:
-    """The set of a polygon. `rings`: the numbers of its rings in the file."""
+    """The set of a polygon. `ring`: number of the outer ring in the file."""
 
     region: Region
     ring: int | None
@@ -29,10 +28,10 @@ class Piece:
 def repaired(
     read: _core.PolygonSet, is_open: Sequence[int], rule: str, weld: Fraction | None
 ) -> tuple[_core.PolygonSet, list[Change]]:
-    """Repair a set as read, and list the changes in order. `is_open`: of each ring, if known. A
-    polygon is what its outer ring encloses by the rule, without what its holes enclose; the set is
-    the union. Polygons that need no change keep their rings. Exact. Refuses if welding does not
-    come to an end."""
+    """Repair a set as read, and list the changes in order. `is_open`: 1 for each open ring, if
+    known. A polygon means everything that the outer ring encloses by the rule, minus everything
+    that holes enclose; the set means the union. Polygons without faults keep their rings. Exact.
+    Refuses endless welding."""
     if read.is_point or read.is_segment:
         return read, []
     changes: list[Change] = []
@@ -74,8 +73,11 @@ def _welded(polygons: list[list[Ring]], weld: Fraction, note: Note) -> list[list
         for k, point in enumerate(ring.points):
             if (to := moves.get(point)) is not None:
                 apart = squared_distance(point, to)
-                place = ring.place(ring.indices[k])
-                note(Change("welded", **place, point=point, to=to, squared_distance=apart))
+                note(
+                    ring.change(
+                        "welded", ring.indices[k], point=point, to=to, squared_distance=apart
+                    )
+                )
                 ring.points[k] = (to[0], to[1])
     return polygons
 
@@ -90,7 +92,7 @@ def _mended(polygons: list[list[Ring]], rule: str, note: Note) -> _core.PolygonS
             for ring in clean:
                 if ring is not None:  # a hole of nothing
                     area = abs(filled(ring.points, rule)[0].area)
-                    note(Change("hole-outside", **ring.place(), area=area))
+                    note(ring.change("hole-outside", area=area))
     written = [[ring.points for ring in polygon] for polygon in kept]
     if fault(written) is None:
         return Region(written).set
@@ -99,7 +101,7 @@ def _mended(polygons: list[list[Ring]], rule: str, note: Note) -> _core.PolygonS
 
 
 def _piece(polygon: list[Ring], rule: str, note: Note) -> Piece | None:
-    """The set of a polygon; None if it is empty."""
+    """The set of a polygon; None for an empty set."""
     written: Rings = [ring.points for ring in polygon]
     if fault([written]) is None:
         return Piece(Region([written]), polygon[0].number)
@@ -113,7 +115,7 @@ def _piece(polygon: list[Ring], rule: str, note: Note) -> Piece | None:
         outer = combined("difference", [outer, *(hole for _, hole in holes)])
     if outer.polygons:
         return Piece(outer, polygon[0].number)
-    note(Change("no-area", **polygon[0].place(), area=Fraction(0)))
+    note(polygon[0].change("no-area", area=Fraction(0)))
     return None
 
 
@@ -127,11 +129,11 @@ def _enclosed(ring: Ring, rule: str, note: Note) -> Region:
     region, is_touching = filled(points, rule)
     at = found.vertices[0] if found.vertices else 0
     if not region.polygons:
-        note(Change("no-area", **ring.place(), point=points[at], area=Fraction(0)))
+        note(ring.change("no-area", point=points[at], area=Fraction(0)))
         return region
     indices = ring.indices[::-1] if is_reversed else ring.indices
     kind = "self-touching" if is_touching else "self-crossing"
-    note(Change(kind, **ring.place(indices[at]), point=points[at], area=region.area))
+    note(ring.change(kind, indices[at], point=points[at], area=region.area))
     return region
 
 
@@ -142,7 +144,7 @@ def _tell_holes(
     for hole, region in holes:
         outside = combined("difference", [region, outer])
         if outside.polygons:
-            note(Change("hole-outside", **hole.place(), area=outside.area))
+            note(hole.change("hole-outside", area=outside.area))
         elif _share_edge(outer, region):
             note(_between("shared-edge", hole, ring, Fraction(0)))
     for i, j in near_pairs([region.box for _, region in holes]):
@@ -154,7 +156,7 @@ def _tell_holes(
 
 
 def _between(kind: str, ring: Ring, other: Ring, area: Fraction) -> Change:
-    return Change(kind, **ring.place(), other_ring=other.number, area=area)
+    return ring.change(kind, other_ring=other.number, area=area)
 
 
 def _share_edge(outer: Region, hole: Region) -> bool:
@@ -164,7 +166,7 @@ def _share_edge(outer: Region, hole: Region) -> bool:
 
 
 def _united(pieces: list[Piece], note: Note) -> _core.PolygonSet:
-    """Unite the pieces that overlap or share edges; the others stay as they are."""
+    """Unite pieces that overlap or share edges; keep all others."""
     if fault([rings for piece in pieces for rings in piece.region.polygons]) is None:
         return Region([rings for piece in pieces for rings in piece.region.polygons]).set
     groups = Groups(len(pieces))

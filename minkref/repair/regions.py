@@ -48,7 +48,7 @@ def area_of(found: _core.PolygonSet) -> Fraction:
 
 
 def fault(polygons: Sequence[Rings]) -> _core.BadInput | None:
-    """Return the first fault of a set, or None if it is an operand. O(n log n) on usual input."""
+    """Return the first fault, None for an operand. O(n log n) on usual input."""
     try:
         _core.PolygonSet.from_json(set_text(polygons)).validate()
     except _core.BadInput as error:
@@ -73,7 +73,7 @@ def shared_area(a: Region, b: Region) -> Fraction:
 
 
 def near_pairs(boxes: Sequence[Box]) -> Iterator[tuple[int, int]]:
-    """Yield the pairs of closed boxes that meet, ascending. Linear in the pairs that meet in x."""
+    """Yield pairs of touching closed boxes, ascending. Linear, plus pairs that overlap along x."""
     order = sorted(range(len(boxes)), key=lambda k: boxes[k][0])
     active: list[int] = []
     found: list[tuple[int, int]] = []

@@ -1,10 +1,11 @@
-"""A ring by itself: points that enclose nothing, and the way it runs."""
+"""A single ring: closing, spikes, direction."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Any
 
 from minkref.repair.change import Change
 from minkref.repair.weld import squared_distance
@@ -14,8 +15,8 @@ Point = tuple[Fraction, Fraction]
 
 @dataclass
 class Ring:
-    """Points with their numbers in the file. `number`: the ring's, or None for a ring that the
-    repair has made; `lines`: of the points in the file, where known."""
+    """Points with their numbers in the file. `number`: the ring's number, None for a ring made
+    by the repair; `lines`: line of each point in the file, if known."""
 
     number: int | None
     points: list[Point]
@@ -26,13 +27,13 @@ class Ring:
     def __post_init__(self) -> None:
         self.indices = self.indices or list(range(len(self.points)))
 
-    def place(self, index: int | None = None) -> dict[str, int | None]:
-        """Name the ring, and the vertex with this number in the file, in a change."""
+    def change(self, kind: str, index: int | None = None, **sizes: Any) -> Change:
+        """A change at the ring, or at the vertex with this number in the file."""
         if self.number is None:
-            return {}
+            return Change(kind, **sizes)
         at = index or 0
         line = self.lines[at] if at < len(self.lines) and self.lines[at] else None
-        return {"ring": self.number, "vertex": index, "line": line}
+        return Change(kind, ring=self.number, vertex=index, line=line, **sizes)
 
 
 Note = Callable[[Change], None]
@@ -45,16 +46,16 @@ def doubled_area(points: list[Point]) -> Fraction:
 
 
 def cleaned(ring: Ring, note: Note) -> Ring | None:
-    """Close a ring, drop repeated points and cut off spikes, points at which it turns back along
-    its own edge, until there are none; None if fewer than three points are left. Encloses the same.
+    """Close a ring, drop repeated points and cut off all spikes, points at which a ring turns
+    back along an edge; None if fewer than three points remain. Encloses the same.
     Linear."""
     if ring.is_open:
         ends = squared_distance(ring.points[0], ring.points[-1])
-        note(Change("closed", **ring.place(len(ring.points) - 1), squared_distance=ends))
+        note(ring.change("closed", len(ring.points) - 1, squared_distance=ends))
     kept = _without_spikes(ring, note)
     if len(kept) < 3:
         point = ring.points[0] if ring.points else None
-        note(Change("no-area", **ring.place(), point=point, area=Fraction(0)))
+        note(ring.change("no-area", point=point, area=Fraction(0)))
         return None
     return Ring(
         ring.number,
@@ -65,7 +66,7 @@ def cleaned(ring: Ring, note: Note) -> Ring | None:
 
 
 def _without_spikes(ring: Ring, note: Note) -> list[int]:
-    """The positions of the points that stay, in order."""
+    """Return positions of remaining points, ascending."""
     points, count = ring.points, len(ring.points)
     before = [(k - 1) % count for k in range(count)]
     after = [(k + 1) % count for k in range(count)]
@@ -79,14 +80,14 @@ def _without_spikes(ring: Ring, note: Note) -> list[int]:
         a, b = before[at], after[at]
         if points[at] == points[b]:
             gone = max(at, b)
-            change = Change("repeated-point", **ring.place(ring.indices[gone]), point=points[gone])
+            change = ring.change("repeated-point", ring.indices[gone], point=points[gone])
         elif left > 2 and _turns_back(points[a], points[at], points[b]):
             gone = at
             reach = min(
                 squared_distance(points[at], points[a]), squared_distance(points[at], points[b])
             )
-            change = Change(
-                "spike", **ring.place(ring.indices[at]), point=points[at], squared_distance=reach
+            change = ring.change(
+                "spike", ring.indices[at], point=points[at], squared_distance=reach
             )
         else:
             continue
@@ -109,5 +110,5 @@ def run_as(ring: Ring, is_hole: bool, note: Note) -> Ring:
     area = doubled_area(ring.points)
     if area == 0 or (area < 0) == is_hole:
         return ring
-    note(Change("turned", **ring.place(), area=abs(area) / 2))
+    note(ring.change("turned", area=abs(area) / 2))
     return Ring(ring.number, ring.points[::-1], lines=ring.lines, indices=ring.indices[::-1])

@@ -1,4 +1,4 @@
-"""Shells: which surround which, and which way each has to face."""
+"""Nested shells, and the way each shell has to face."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ Exact = tuple[Fraction, Fraction, Fraction]
 
 
 def shells_of(mesh: Mesh, part: Sequence[int]) -> list[list[int]]:
-    """The faces of each shell: parts closed by themselves; parts that end at edges of more than
-    two faces are taken together."""
+    """Group faces into shells: closed parts; parts ending at edges with more than two faces go
+    together."""
     loose: dict[tuple[int, int], set[int]] = {}
     net: dict[tuple[int, int, int], int] = {}
     for k, face in enumerate(mesh.faces):
@@ -40,7 +40,7 @@ def shells_of(mesh: Mesh, part: Sequence[int]) -> list[list[int]]:
 def face_outwards(mesh: Mesh, shells: list[list[int]], rule: str, note: Note) -> None:
     """Turn or drop shells, from the outermost inwards, so that the material is where the rule says:
     where the shells wind around a point (nonzero), so often that the number is odd (evenodd), or
-    positive. A shell that the rule makes bound nothing is dropped. The shells must not cross.
+    positive. Drops shells that bound nothing by the rule. The shells must not cross.
     O(shells times faces)."""
     shells = [shell for shell in shells if shell]
     triangles = [[t for k in shell for t in _fan(mesh, mesh.faces[k])] for shell in shells]
@@ -72,8 +72,8 @@ def face_outwards(mesh: Mesh, shells: list[list[int]], rule: str, note: Note) ->
 
 
 def _wanted(outer: int, sign: int, rule: str) -> int:
-    """The sign of a shell, 0 for none, with `outer` the sum of those around it, which are as
-    wanted: 0 or 1."""
+    """The sign of a shell after the repair, 0 for a dropped shell. `outer`: the winding number just
+    outside, 0 or 1."""
     inner = outer + sign
     is_material = (
         inner > 0 if rule == "positive" else inner % 2 == 1 if rule == "evenodd" else inner != 0

@@ -26,8 +26,8 @@ def repaired_solid(
     read: _core.Polyhedron, rule: str, weld: Fraction | None, source: str
 ) -> tuple[_core.Polyhedron, list[Change]]:
     """Repair a polyhedron as read, and list the changes in order. A polyhedron without faults, or
-    of fewer than two faces, stays as it is. Exact. Refuses open surfaces, with their boundary, and
-    surfaces that are no polyhedron after all steps, as one that crosses itself."""
+    with fewer than two faces, stays unchanged. Exact. Refuses open surfaces, naming the boundary,
+    and surfaces with remaining faults, like self-crossings."""
     points = [tuple(Fraction(x) for x in point) for point in read.points()]
     moves = moves_of(points, weld)
     if read.faces < 2 or (not moves and _is_valid(read)):

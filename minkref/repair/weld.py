@@ -14,7 +14,7 @@ def squared_distance(a: Vector, b: Vector) -> Fraction:
 
 
 def welded(points: Iterable[Vector], distance: Fraction) -> dict[Vector, Vector]:
-    """Map each point that moves to the place that it moves to. In the order given, a point nearer
+    """Map each moved point to the new place. In the order given, a point nearer
     than `distance` to a place kept before moves to the nearest such place, of equally near ones to
     the first; any other point is kept. Kept places are at least `distance` apart, so that welding
     again changes nothing. Exact. Linear: few kept places lie near a point."""

@@ -46,7 +46,7 @@ class RepairKind(TypedDict):
 
 
 class RepairChange(RepairKind, total=False):
-    """One change: what it is, where, and how large."""
+    """One change: kind, place, size."""
 
     ring: PlaceNumber
     other_ring: PlaceNumber

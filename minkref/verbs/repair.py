@@ -30,11 +30,11 @@ minkref repair scan.ply --json"""
 
 TOLD = """\
 Make an operand of a file with faults, exactly, and list every change with its place and size.
-Nothing else is changed; a file without faults is written as it is, and a repaired file needs no
-repair. In the plane: open rings, spikes, repeated points, rings that cross or touch themselves,
-holes outside, polygons that overlap. In space: equal vertices, faces without area, in no plane or
-twice, shells inside out, bodies that touch along an edge. Without -o the changes are only listed.
-docs/repair.md has the order and what each change does."""
+Nothing else changes; a file without faults stays unchanged, and a repaired file needs no repair.
+In the plane: open rings, spikes, repeated points, rings that cross or touch themselves, holes
+outside, polygons that overlap; curves of drawings. In space: equal vertices, faces without area, in
+no plane or twice, shells inside out, bodies that touch along an edge. Without -o the changes are
+only listed. docs/repair.md has the order and what each change does."""
 
 
 def read_distance(text: str, option: str) -> Fraction:

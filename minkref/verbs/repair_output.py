@@ -1,39 +1,37 @@
-"""The answer of `minkref repair`: the changes, and the operand written."""
+"""Output of `minkref repair`: the changes, and the operand."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from minkref import _core
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import give, measure, print_lines, written_row
-from minkref.drawings.drawing import is_drawing, read_drawing
+from minkref.drawings.drawing import is_drawing
 from minkref.errors import Refusal, choice, refusing
 from minkref.file_text import bytes_of_file
 from minkref.output.documents import Stopwatch, document, refuse_overwriting, write_together
 from minkref.output.output_target import Target, target_of
 from minkref.output.terminal import escaped
-from minkref.plane.operand import as_faulty
 from minkref.repair.change import Change, told
-from minkref.repair.plane import RULES, repaired
-from minkref.repair.solid import repaired_solid
-from minkref.space.operand import is_polyhedron, read_surface
+from minkref.repair.rules import RULES
+from minkref.space.operand import is_polyhedron
 from minkref.verbs.repair import RepairRequest
 
-PLANE_FORMS = ("wkt", "geojson", "poly", "json")
-SPACE_FORMS = ("off", "obj", "stl", "ply", "json")
+PLANE = "minkref.plane.commands.repair"
+SPACE = "minkref.space.commands.repair"
 MOST_TOLD = 40  # changes in the text
 
 
 @dataclass(frozen=True)
 class Repaired:
-    """A repaired operand. `file`: its own, where it has one; `write`, `is_exact`: its text in a
-    format, and whether the text holds the very set."""
+    """A repaired operand. `file`: the source, if any; `write`, `is_exact`: text in a format, and
+    whether the text holds the very set."""
 
     file: Path | None
     dimension: int
@@ -46,17 +44,26 @@ class Repaired:
 
 
 def run(request: RepairRequest) -> None:
+    """Repair, with the setting's own function."""
+    module = SPACE if is_polyhedron(request.file) else PLANE
+    import_module(module).run(request)
+
+
+def answer(
+    request: RepairRequest,
+    forms: Sequence[str],
+    default: str,
+    repair: Callable[[RepairRequest], Repaired],
+) -> None:
+    """Repair, write, and print all changes. `forms`: writable formats."""
     watch = Stopwatch()
     if request.rule not in RULES:
         what = f"there is no rule {request.rule[:40]!r}"
         raise Refusal(what, "--rule", choice(request.rule, RULES))
-    in_space = is_polyhedron(request.file)
-    forms = SPACE_FORMS if in_space else PLANE_FORMS
-    target = target_of(
-        request.output, request.form, forms, "json" if in_space else "wkt", request.json
-    )
+    target = target_of(request.output, request.form, forms, default, request.json)
+    _refuse_for_drawings(request)
     with memory_wall(request.memory, "the repair", request.file, SIMPLER):
-        found = (_in_space if in_space else _in_plane)(request)
+        found = repair(request)
         if target is not None and found.file is not None:
             refuse_overwriting(target.path, [found.file])
         if target is not None and _write(target, found):
@@ -77,31 +84,8 @@ def run(request: RepairRequest) -> None:
     give(value, request.json, _print)
 
 
-def _in_plane(request: RepairRequest) -> Repaired:
-    _refuse_for_drawings(request)
-
-    def drawing(path: Path) -> tuple[_core.PolygonSet, list[str]]:
-        return read_drawing(path, request.tolerance, request.layer, request.weld)
-
-    operand, is_open = as_faulty(request.file, drawing)
-    source = escaped(operand.source)
-    found, changes = repaired(operand.set, is_open, request.rule, request.weld)
-    if operand.set.is_region or not operand.set.is_empty:
-        refusing(source, lambda: found.validate(source))
-    return Repaired(
-        operand.file if operand.file.is_file() else None,
-        2,
-        changes,
-        operand.warnings,
-        {"area": found.area(), "volume": None, "vertices": found.vertices, "faces": None},
-        lambda form: _core.write(found, form),
-        lambda form: _core.writes_exactly(found, form),
-        lambda text, form: _core.read_text(text, form).validate(),
-    )
-
-
 def _refuse_for_drawings(request: RepairRequest) -> None:
-    """Refuse options of drawings for other operands."""
+    """Refuse drawing options beside another operand."""
     given = [
         option
         for option, value in (("--tolerance", request.tolerance), ("--layer", request.layer))
@@ -111,24 +95,6 @@ def _refuse_for_drawings(request: RepairRequest) -> None:
         them = "it" if len(given) == 1 else "them"
         what = "the operand is no drawing (.dxf, .svg)"
         raise Refusal(what, ", ".join(given), f"leave {them} out")
-
-
-def _in_space(request: RepairRequest) -> Repaired:
-    _refuse_for_drawings(request)
-    path, surface, warnings = read_surface(request.file)
-    source = escaped(str(path))
-    found, changes = repaired_solid(surface, request.rule, request.weld, source)
-    volume = Fraction(found.sextuple_volume()) / 6
-    return Repaired(
-        path,
-        3,
-        changes,
-        warnings,
-        {"area": None, "volume": str(volume), "vertices": found.vertices, "faces": found.faces},
-        lambda form: _core.write_mesh(found, form),
-        lambda form: _core.writes_mesh_exactly(found, form),
-        lambda text, form: _core.read_mesh_text(text.encode(), form)[0].validate_summand(),
-    )
 
 
 def _write(target: Target, found: Repaired) -> bool:

@@ -1,4 +1,4 @@
-"""The text of a set for a file, in each format of the plane."""
+"""Texts of plane sets for files, for each format."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Damaged sets in the plane: valid ones, to which one or two kinds of damage are done."""
+"""Damaged sets in the plane: valid sets with one or two kinds of damage."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ RULES = ("nonzero", "evenodd", "positive")
 
 @dataclass
 class Damaged:
-    """`polygons`: what is written. `expected`: kinds of changes that have to be listed; `is_open`:
-    rings, by polygon and number, that are written without the repeated point."""
+    """`polygons`: what is written. `expected`: kinds of changes to be listed; `is_open`:
+    rings, by polygon and number, written without a repeated point."""
 
     name: str
     polygons: list[Polygon]
@@ -33,7 +33,7 @@ class Damaged:
 
 
 def valid(dice: random.Random) -> list[Polygon]:
-    """One to three polygons side by side, a third of them with a hole."""
+    """Draw one to three polygons side by side, a third with a hole."""
     polygons = []
     for k in range(dice.randint(1, 3)):
         middle = (Fraction(40 * k), Fraction(dice.randint(-9, 9), 2))
@@ -134,7 +134,7 @@ def _copy(dice: random.Random, found: Damaged) -> None:
 
 
 def _touch(dice: random.Random, found: Damaged) -> None:
-    """Two lobes that meet at a corner, in one ring."""
+    """Add a ring with two lobes meeting at a corner."""
     x, y = Fraction(dice.randint(-9, 9)), Fraction(120)
     steps = [(0, 0), (4, 0), (4, 3), (0, 0), (-2, 5), (-4, 1)]
     found.polygons.append([[(x + a, y + b) for a, b in steps]])

@@ -1,5 +1,5 @@
-"""The judge of repairs in the plane: what rings describe and what a repair made of them, compared
-everywhere, in Fractions, by vertical strips; nothing of the program decides."""
+"""Judge repairs in the plane: compare the set described by written rings with the repaired set
+everywhere, in Fractions, by vertical strips, without the program's help."""
 
 from __future__ import annotations
 
@@ -110,8 +110,8 @@ def welded(polygons: Sequence[Sequence[Ring]], distance: Fraction) -> list[list[
 def untold(
     written: Sequence[Sequence[Ring]], repaired: Sequence[Sequence[Ring]], named: set[int]
 ) -> list[int]:
-    """Return the rings, counted through all polygons, that no change names and that are no ring of
-    the repaired set, whatever point they begin at."""
+    """Return rings, counted through all polygons, without a change and without an equal ring,
+    from any first point, after the repair."""
     kept = {_from_least(ring) for rings in repaired for ring in rings}
     every = [ring for rings in written for ring in rings]
     return [k for k, ring in enumerate(every) if k not in named and _from_least(ring) not in kept]

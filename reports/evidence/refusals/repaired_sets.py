@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from fractions import Fraction
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -52,7 +53,7 @@ def other_set(case: Damaged, found: Repair) -> str:
     return difference(written, rings_of(found), case.rule)
 
 
-def rings_of(found: Repair) -> list[list[list[tuple[object, object]]]]:
+def rings_of(found: Repair) -> list[list[list[tuple[Fraction, Fraction]]]]:
     return PolygonSet.from_json(found.output).rings()
 
 

@@ -1,5 +1,5 @@
-"""Damaged polyhedra, each kind in turn: the repaired solid is the one that was damaged, or what the
-kind makes of it, by its volume and at points; rays are cast in Fractions."""
+"""Damaged polyhedra, each kind in turn: the repaired solid has the volume and the points of the
+solid before the damage, by rays cast in Fractions."""
 
 from __future__ import annotations
 
@@ -240,7 +240,7 @@ def _det(a: tuple[Fraction, ...], b: tuple[Fraction, ...], c: tuple[Fraction, ..
 
 
 def _winding(triangles: list[tuple[tuple[Fraction, ...], ...]], at: tuple[Fraction, ...]) -> int:
-    """By a ray of a direction that meets no edge of these solids."""
+    """Cast a ray; the direction misses all edges."""
     way = (Fraction(101, 977), Fraction(89, 991), Fraction(1))
     total = 0
     for triangle in triangles:

@@ -1,4 +1,4 @@
-"""`minkref repair` twice, the second time of what it has written: the command, in this process."""
+"""Run `minkref repair` twice within this process, the second time on the repaired file."""
 
 from __future__ import annotations
 

@@ -1,0 +1,41 @@
+"""`minkref repair` in the plane."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from minkref import _core
+from minkref.drawings.drawing import read_drawing
+from minkref.errors import refusing
+from minkref.output.terminal import escaped
+from minkref.plane.operand import as_faulty
+from minkref.repair.plane import repaired
+from minkref.verbs.repair import RepairRequest
+from minkref.verbs.repair_output import Repaired, answer
+
+FORMS = ("wkt", "geojson", "poly", "json")
+
+
+def run(request: RepairRequest) -> None:
+    answer(request, FORMS, "wkt", _repair)
+
+
+def _repair(request: RepairRequest) -> Repaired:
+    def drawing(path: Path) -> tuple[_core.PolygonSet, list[str]]:
+        return read_drawing(path, request.tolerance, request.layer, request.weld)
+
+    operand, is_open = as_faulty(request.file, drawing)
+    source = escaped(operand.source)
+    found, changes = repaired(operand.set, is_open, request.rule, request.weld)
+    if operand.set.is_region or not operand.set.is_empty:
+        refusing(source, lambda: found.validate(source))
+    return Repaired(
+        operand.file if operand.file.is_file() else None,
+        2,
+        changes,
+        operand.warnings,
+        {"area": found.area(), "volume": None, "vertices": found.vertices, "faces": None},
+        lambda form: _core.write(found, form),
+        lambda form: _core.writes_exactly(found, form),
+        lambda text, form: _core.read_text(text, form).validate(),
+    )

@@ -1,0 +1,3 @@
+"""The rules of `--rule`."""
+
+RULES = ("nonzero", "evenodd", "positive")
