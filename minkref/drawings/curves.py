@@ -15,6 +15,14 @@ Point = tuple[Fraction, Fraction]
 REACH = Fraction(49, 50)  # of the tolerance; the rest is for rounding
 BITS = 40  # of what is rounded: tangents of angles that have no rational one
 DEEPEST = 24  # halvings of a curve
+MOST_CORNERS = 100_000  # of a curve
+
+
+class TooFine(ValueError):
+    """A curve that would need more than MOST_CORNERS."""
+
+    def __init__(self) -> None:
+        super().__init__(f"a curve needs more than {MOST_CORNERS:,} corners for this tolerance")
 
 
 def squared(ax: Fraction, ay: Fraction) -> Fraction:
@@ -74,6 +82,8 @@ def arc_by_bulge(p: Point, q: Point, bulge: Fraction, tolerance: Fraction) -> It
     unit, reach = unit_of(tolerance), tolerance * REACH
     least = above_root(above_root(square * bulge**4 / (4 * reach**2)))
     count = max(1, math.ceil(least))
+    if 2 * count > MOST_CORNERS:
+        raise TooFine
     middle = _rotated(p, center, bulge)
     for start in (p, middle):
         for k in range(1, count):
@@ -95,9 +105,9 @@ def arc_by_angles(
     exact at multiples of 90 degrees, else to BITS bits."""
     whole, tolerance = tolerance, tolerance * REACH
     span = (last - first) % 360 or Fraction(360)
-    step = 2 * math.degrees(math.acos(max(0.0, 1 - float(min(tolerance / radius, Fraction(1))))))
-    count = max(2, math.ceil(float(span) / max(step, 1e-6)))
-    while True:
+    # A chord of an angle d is within radius d² / 8; a degree has less than 7/400.
+    count = max(2, math.ceil(span * above_root(radius / (8 * tolerance)) * Fraction(7, 400)))
+    while count <= MOST_CORNERS:
         points = []
         for k in range(count + 1):
             c, s = turned(first + span * k / count)
@@ -109,6 +119,7 @@ def arc_by_angles(
             unit = unit_of(whole)
             return [points[0], *(rounded(p, unit) for p in points[1:-1]), points[-1]]
         count += 1 + count // 50
+    raise TooFine
 
 
 def circle(center: Point, radius: Fraction, tolerance: Fraction) -> list[Point]:
@@ -122,9 +133,12 @@ def bezier(points: Sequence[Point], tolerance: Fraction) -> Iterator[Point]:
     """Yield corners of a Bézier curve of any degree, without its first point. A piece is a segment
     once its control points are within the tolerance of it, and the curve is among them."""
     unit, reach = unit_of(tolerance), tolerance * REACH
-    pieces = [(list(points), 0)]
+    pieces, count = [(list(points), 0)], 0
     while pieces:
         piece, depth = pieces.pop()
+        count += 1
+        if count > 2 * MOST_CORNERS:
+            raise TooFine
         inner = piece[1:-1]
         if depth == DEEPEST or all(_is_near(p, piece[0], piece[-1], reach) for p in inner):
             yield rounded(piece[-1], unit) if pieces else piece[-1]

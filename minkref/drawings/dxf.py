@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from minkref.drawings.chains import rings_of
-from minkref.drawings.curves import Point, arc_by_angles, arc_by_bulge, circle
+from minkref.drawings.curves import Point, TooFine, arc_by_angles, arc_by_bulge, circle
 from minkref.drawings.dxf_tags import Entity, sections
 from minkref.drawings.nesting import nested
 from minkref.drawings.reading import Reading
@@ -45,7 +45,10 @@ def read_dxf(data: bytes, reading: Reading) -> list[list[list[Point]]]:
                 f"line {entity.line}",
             )
         elif reading.takes(entity.first(8, "0")):
-            is_closed, points = _DrawnEntity(entity, vertices, reading).points()
+            try:
+                is_closed, points = _DrawnEntity(entity, vertices, reading).points()
+            except TooFine as error:
+                raise reading.too_fine(error, f"line {entity.line}") from error
             (rings if is_closed else chains).append(points)
     reading.check_layer()
     rings += rings_of([chain for chain in chains if len(chain) > 1], reading)

@@ -26,7 +26,7 @@ class Entity:
     def flags(self, code: int) -> int:
         """Read flags; 0 for any other word."""
         text = self.first(code, "0").strip()
-        return int(text) if text.lstrip("-").isdigit() else 0
+        return int(text) if text.lstrip("-").isdecimal() else 0
 
 
 def sections(data: bytes, reading: Reading) -> dict[str, list[Entity]]:
@@ -45,7 +45,7 @@ def sections(data: bytes, reading: Reading) -> dict[str, list[Entity]]:
     section: list[Entity] | None = None
     for k in range(0, len(lines) - 1, 2):
         word, value = lines[k].strip(), lines[k + 1].strip()
-        if not word.lstrip("-").isdigit():
+        if not word.lstrip("-").isdecimal():
             mend = "give a DXF file: a line with a code, then a line with its value, and so on"
             raise reading.refusal(
                 f"there is {word[:40]!r} for a group code", mend, "syntax", f"line {k + 1}"

@@ -7,6 +7,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from minkref.drawings.curves import TooFine
 from minkref.errors import Refusal, choice
 from minkref.exact import read_number
 
@@ -59,6 +60,10 @@ class Reading:
 
     def refusal(self, what: str, mend: str, code: str, where: str = "") -> Refusal:
         return Refusal(what, f"{self.source}, {where}" if where else self.source, mend, code)
+
+    def too_fine(self, error: TooFine, where: str) -> Refusal:
+        mend = "give a larger tolerance, or correct the radius"
+        return self.refusal(str(error), mend, "too-many-vertices", where)
 
     def check_layer(self) -> None:
         """Refuse a layer that the drawing does not have."""

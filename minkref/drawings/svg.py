@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 
 from minkref import _core
 from minkref.drawings.affine import Affine, transform
-from minkref.drawings.curves import Point, circle
+from minkref.drawings.curves import Point, TooFine, circle
 from minkref.drawings.reading import Reading
 from minkref.drawings.svg_path import PathReader, arc
 from minkref.errors import Refusal
@@ -108,7 +108,7 @@ def _inside(
     rule = found[1] if found else element.get("fill-rule", around.rule)
     layer = around.layer
     if element.get(f"{INKSCAPE}groupmode") == "layer":
-        layer = element.get(f"{INKSCAPE}label") or element.get("id", "")
+        layer = element.get(f"{INKSCAPE}label", "") or element.get("id", "")
         reading.layers[layer] = None
     return Context(around.map @ own, "evenodd" if rule == "evenodd" else "nonzero", layer)
 
@@ -141,6 +141,8 @@ class _Shape:
             if self._name in ("polygon", "polyline"):
                 return [self._corners()]
             return [self._rect() if self._name == "rect" else self._ellipse()]
+        except TooFine as error:
+            raise self._reading.too_fine(error, self._where) from error
         except ValueError as error:
             mend = "write the shape as SVG has it"
             raise _fault(error, self._reading, self._where, mend) from error

@@ -113,10 +113,12 @@ def arc(p: Point, q: Point, numbers: list[Fraction], tolerance: Fraction) -> lis
     from_circle = rotation(angle) @ Affine(d=ry / rx)
     to_circle = Affine(d=rx / ry) @ rotation(-angle)
     a, b = to_circle(p), to_circle(q)
-    half = math.sqrt(squared(b[0] - a[0], b[1] - a[1])) / (2 * float(rx))
+    square = squared(b[0] - a[0], b[1] - a[1]) / (4 * rx * rx)
     bulge = Fraction(1)  # for ends too far apart, as SVG has it: a half circle
-    if half < 1:
-        bulge = Fraction((1 - math.sqrt(1 - half * half)) / half).limit_denominator(1 << 50)
+    if square < 1:
+        bulge = Fraction(math.sqrt(square) / (1 + math.sqrt(1 - square)))
+        if is_large and bulge == 0:
+            raise ValueError("the ends of a large arc are too near for its radii")
         bulge = 1 / bulge if is_large else bulge
     found = arc_by_bulge(a, b, bulge if is_left else -bulge, tolerance / from_circle.stretch)
     corners = [from_circle(point) for point in found]

@@ -32,8 +32,6 @@ def repaired(
     known. A polygon means everything that the outer ring encloses by the rule, minus everything
     that holes enclose; the set means the union. Polygons without faults keep their rings. Exact.
     Refuses endless welding."""
-    if read.is_point or read.is_segment:
-        return read, []
     changes: list[Change] = []
     polygons = _as_read(read, is_open)
     for _ in range(MOST_ROUNDS):

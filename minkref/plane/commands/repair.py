@@ -6,9 +6,10 @@ from pathlib import Path
 
 from minkref import _core
 from minkref.drawings.drawing import read_drawing
-from minkref.errors import refusing
+from minkref.errors import Refusal, refusing
 from minkref.output.terminal import escaped
-from minkref.plane.operand import as_faulty
+from minkref.plane.operand import Operand, as_faulty, as_written
+from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.repair.plane import repaired
 from minkref.verbs.repair import RepairRequest
 from minkref.verbs.repair_output import Repaired, answer
@@ -20,13 +21,27 @@ def run(request: RepairRequest) -> None:
     answer(request, FORMS, "wkt", _repair)
 
 
+def _is_thin(operand: Operand) -> bool:
+    """Tell whether the operand is a point or a segment, not a polygon with as few points."""
+    given = operand.set
+    if given.ring_count != 1 or not (given.is_point or given.is_segment):
+        return False
+    try:
+        return operand.name == STANDARD_INPUT or as_written(operand.name) is not None
+    except Refusal:
+        return False
+
+
 def _repair(request: RepairRequest) -> Repaired:
     def drawing(path: Path) -> tuple[_core.PolygonSet, list[str]]:
         return read_drawing(path, request.tolerance, request.layer, request.weld)
 
     operand, is_open = as_faulty(request.file, drawing)
     source = escaped(operand.source)
-    found, changes = repaired(operand.set, is_open, request.rule, request.weld)
+    if _is_thin(operand):
+        found, changes = operand.set, []
+    else:
+        found, changes = repaired(operand.set, is_open, request.rule, request.weld)
     if operand.set.is_region or not operand.set.is_empty:
         refusing(source, lambda: found.validate(source))
     return Repaired(

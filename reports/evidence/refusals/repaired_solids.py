@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import random
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -239,7 +239,9 @@ def _det(a: tuple[Fraction, ...], b: tuple[Fraction, ...], c: tuple[Fraction, ..
     )
 
 
-def _winding(triangles: list[tuple[tuple[Fraction, ...], ...]], at: tuple[Fraction, ...]) -> int:
+def _winding(
+    triangles: Sequence[tuple[tuple[Fraction, ...], ...]], at: tuple[Fraction, ...]
+) -> int:
     """Cast a ray; the direction misses all edges."""
     way = (Fraction(101, 977), Fraction(89, 991), Fraction(1))
     total = 0
