@@ -1,0 +1,72 @@
+"""Seeded sums of solids of any shape and balls, before the definition at exact points."""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import minkref
+from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.judges.space.ball_distance import BallDistance
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
+from minkref.fuzz.space.general_pairs import general_pair
+
+SHARES = tuple(Fraction(text) for text in ("1/2", "1/4", "1/8", "1/16"))  # tolerance by radius
+
+
+@dataclass
+class BallTrial:
+    """`places`: how many points lay in the inner set, between both sets, and outside."""
+
+    name: str
+    points: int = 0
+    places: list[int] = field(default_factory=lambda: [0, 0, 0])
+    faults: list[str] = field(default_factory=list)
+
+
+def ball_trial(seed: int, index: int, points: int) -> BallTrial:
+    """Sums the first solid of a pair and a ball of a random radius, half of them roots, and asks
+    for points near the surface of the sum, of both sets and by distances. Exact."""
+    pair = general_pair(seed, index)
+    dice = random.Random(f"minkref balls {seed} {index}")
+    solid = pair.P
+    size = max(max(c) - min(c) for c in zip(*solid.vertices, strict=True))
+    square = (size * Fraction(dice.randrange(2, 30), 40)) ** 2
+    if dice.random() < 0.5:
+        square *= Fraction(dice.randrange(3, 9), 5)
+    R = Fraction(math.isqrt(int(square * 4**40))) / 2**40  # below the radius by 2^-40 at most
+    T = dice.choice(SHARES) * R
+    found = minkref.ball_sum(
+        core_polyhedron(solid), minkref.Ball(squared_radius=square), T.limit_denominator(1000)
+    )
+    T = T.limit_denominator(1000)
+    distance, trial = BallDistance(solid), BallTrial(pair.name)
+    for _ in range(points):
+        x = _near(dice, solid.vertices, R, T)
+        at, inner, outer = distance.squared(x), x in found.inner, x in found.outer
+        laws = {
+            "inner within the sum": at <= square or not inner,
+            "the sum within outer": outer or at > square,
+            "inner as near as promised": inner or at > max(R - T, Fraction(0)) ** 2,
+            "outer as near as promised": not outer or at <= (R + Fraction(1, 2**40) + T) ** 2,
+        }
+        trial.faults += [f"{pair.name}: {law} at {x}" for law, holds in laws.items() if not holds]
+        trial.points += 1
+        trial.places[0 if inner else 1 if outer else 2] += 1
+    low, high = found.volume
+    if not low <= high:
+        trial.faults.append(f"{pair.name}: volumes {low} and {high}")
+    return trial
+
+
+def _near(dice: random.Random, vertices: tuple[Point, ...], R: Fraction, T: Fraction) -> Point:
+    """A point about R away from a point between two vertices."""
+    a, b = dice.choice(vertices), dice.choice(vertices)
+    share = Fraction(dice.randrange(9), 8)
+    way = [Fraction(dice.randrange(-64, 65), 64) for _ in range(3)]
+    length = Fraction(math.sqrt(float(sum(w * w for w in way))) or 1.0).limit_denominator(512)
+    far = R + T * Fraction(dice.randrange(-12, 13), 8)
+    x, y, z = (p + share * (q - p) + far * w / length for p, q, w in zip(a, b, way, strict=True))
+    return x, y, z
