@@ -20,6 +20,7 @@ SIMPLEX = minkref.Polyhedron(
     [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
 )
 BODY = minkref.ConvexPolyhedron(SIMPLEX)
+BALL = minkref.Ball(1)
 sum_, decide, at = minkref.minkowski_sum, minkref.decide, SQUARE.translated
 CALLS: dict[str, tuple[Callable[[Any], Any], tuple[type, ...]]] = {
     "minkowski_sum P": (lambda x: sum_(x, SQUARE), (minkref.PolygonSet,)),
@@ -34,6 +35,11 @@ CALLS: dict[str, tuple[Callable[[Any], Any], tuple[type, ...]]] = {
     "convolution compatible": (lambda x: minkref.convolution(SQUARE, SQUARE, compatible=x), (str,)),
     "tight_passages P": (lambda x: minkref.tight_passages(x, SQUARE), (minkref.PolygonSet,)),
     "tight_passages scale": (lambda x: minkref.tight_passages(SQUARE, SQUARE, x), NUMBERS),
+    "ball_sum P": (lambda x: minkref.ball_sum(x, BALL, 1), SURFACES),
+    "ball_sum ball": (lambda x: minkref.ball_sum(SIMPLEX, x, 1), ()),
+    "ball_sum tolerance": (lambda x: minkref.ball_sum(SIMPLEX, BALL, x), NUMBERS),
+    "ball_sum scaling": (lambda x: minkref.ball_sum(SIMPLEX, BALL, 1, x), NUMBERS),
+    "ball_sum threads": (lambda x: minkref.ball_sum(SIMPLEX, BALL, 1, threads=x), (int,)),
     "decide Q": (lambda x: decide(SQUARE, x, 1, "0", "0"), (minkref.PolygonSet,)),
     "decide scale": (lambda x: decide(SQUARE, SQUARE, x, "0", "0"), NUMBERS),
     "decide x": (lambda x: decide(SQUARE, SQUARE, 1, x, "0"), NUMBERS),
