@@ -113,8 +113,8 @@ def test_another_file(library: Path, capsys: pytest.CaptureFixture[str]) -> None
     [
         ("pair = 3", "minkref.toml, pair", "did you mean pairs?"),
         ("call_seconds = 3", "minkref.toml, call_seconds", "did you mean call-seconds?"),
-        ("case = ['comb:1:2']", "minkref.toml, case", "the settings are baseline"),
-        ("schema = true", "minkref.toml, schema", "the settings are baseline"),
+        ("case = ['comb:1:2']", "minkref.toml, case", "the settings are annotations"),
+        ("schema = true", "minkref.toml, schema", "the settings are annotations"),
         ("pairs = '3'", "minkref.toml, pairs", '"3" is not an integer'),
         ("pairs = true", "minkref.toml, pairs", "true is not an integer"),
         ("derived = 1", "minkref.toml, derived", "1 is not true or false"),
