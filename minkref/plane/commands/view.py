@@ -41,7 +41,8 @@ def run(request: ViewInPlane) -> None:
     target = page_target(output, request.json)
     refuse_others(request.erode, route, ROUTES[:2])
     refuse_overwriting_index(output, index)
-    named = first, second = read_operand(P), read_operand(Q)
+    lines = not request.erode and route != PAPER_UPDATE
+    named = first, second = read_operand(P, lines), read_operand(Q, lines)
     if request.erode:
         eroding = eroding_pair(first, second)
         first, second = eroding.P, eroding.Q
@@ -67,7 +68,7 @@ def run(request: ViewInPlane) -> None:
             data["paper"] = paper_run(first, second, window, program, exact.sum)
         if request.erode:
             data["erode"] = True
-        text = page(first.name, second.name, data)
+        text = page(named[0].name, named[1].name, data)
     count = target.write_pieces([text])
     if target.is_standard_output:
         return

@@ -67,13 +67,29 @@ function tellSituation() {
     const corners = rings.reduce((sum, ring) => sum + ring.vertices.length, 0);
     const holes = new Set(rings.filter((ring) => ring.isHole).map((ring) => ring.hole)).size;
     const components = new Set(rings.map((ring) => ring.component)).size;
-    box.append(`${several(corners, "vertex", "vertices")}, ${several(components, "component")}, ${several(holes, "hole")}`);
+    box.append(`${several(corners, "vertex", "vertices")}, ${told(components, holes)}`);
   }
+}
+
+/** Components and holes of the sum, or of the erosion inside of it. @param {number} components @param {number} holes */
+function told(components, holes) {
+  const [own, inner] = data.erode ? [holes, Math.max(components - 1, 0)] : [components, holes];
+  return `${several(own, "component")}, ${several(inner, "hole")}`;
+}
+
+/** Words of an erosion: the sum of the outside is what surrounds it. */
+function nameErosion() {
+  element("key-sum").textContent = "outside";
+  element("key-holes").textContent = "erosion";
+  element("sum").setAttribute("aria-label", "The erosion at this scale");
+  element("features").textContent = barcode.hasComponents
+    ? "Components and holes (C) of the erosion from birth to death" : "Components of the erosion from birth to death";
 }
 
 function showChosen() {
   const box = element("chosen");
-  if (!chosen) { box.replaceChildren("Point at a hole or a bar to see when it is born and when it dies; click to keep it."); return; }
+  const one = data.erode ? "a component" : "a hole";
+  if (!chosen) { box.replaceChildren(`Point at ${one} or a bar to see when it is born and when it dies; click to keep it.`); return; }
   const { feature, id } = chosen, life = lives[feature][id];
   box.replaceChildren(node("b", {}, swatch(featureFill(feature, id)), featureName(feature, id)), " ");
   if (!life) return;
@@ -136,11 +152,12 @@ function read(text) {
 element("key-tight").hidden = !Object.keys(data.passages ?? {}).length;
 element("count-S").textContent = counted(data.S.length / 2);
 element("count-T").textContent = counted(data.T.length / 2);
-if (barcode.hasComponents) element("features").textContent = "Holes and components (C) from birth to death";
+if (data.erode) nameErosion();
+else if (barcode.hasComponents) element("features").textContent = "Holes and components (C) from birth to death";
 element("counts").textContent = [
   `s from ${data.window[0][0]} to ${data.window[1][0]}`, several(data.scales.length, "boundary event"),
-  several(data.topology.length, "topology event"), several(data.holes.slice(1).filter(Boolean).length, "hole"),
-  several(data.components.filter(Boolean).length, "component"),
+  several(data.topology.length, "topology event"),
+  told(data.components.filter(Boolean).length, data.holes.slice(1).filter(Boolean).length),
 ].join(" · ");
 eventList.fill(goToTopology);
 paper.fill(moveTo);

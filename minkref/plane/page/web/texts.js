@@ -23,8 +23,18 @@ export const bornText = ([event], whole = false) => (isInside(event) ? `born at 
 /** @param {Life} life */
 export const diedText = ([, event], whole = false) => (isInside(event) ? `dies at ${exactAndAbout(event, whole)}` : "there when the window ends");
 
+/**
+ * An erosion's name for a feature of the sum of the outside: holes are its components, and components its holes; that
+ * of the box is around it. @param {string} feature @param {number} id
+ */
+function erodedName(feature, id) {
+  if (feature === "h") return id === 0 ? "beyond the box" : `component ${id - 1}`;
+  return id === 0 ? "the outside" : `hole ${id}`;
+}
+
 /** @param {string} feature @param {number} id */
 export function featureName(feature, id) {
+  if (data.erode) return erodedName(feature, id);
   return feature === "h" && id === 0 ? "the outside" : `${feature === "h" ? "hole" : "component"} ${id}`;
 }
 
