@@ -18,6 +18,7 @@
 #include "reference/error.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/convex/convex_ring.hpp"
+#include "reference/plane/lines.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/plane/point_predicates.hpp"
 
@@ -68,10 +69,8 @@ std::string canonical_text(const Set& set) {
 
 /// Equal for equal sets of points: a canonical form has no points and segments.
 std::string compared_text(const Set& set) {
-  if (!set.value.is_point() && !set.value.is_segment()) return canonical_text(set);
-  Ring ends = set.value.polygons[0].outer;
-  if (ends.size() == 2 && compare_xy(ends[1], ends[0]) < 0) std::swap(ends[0], ends[1]);
-  return canonical_json({{{std::move(ends), {}}}});
+  if (set.value.empty() || has_area(set.value)) return canonical_text(set);
+  return canonical_json(lines_of(joined(segments_of(set.value))));
 }
 
 Location location(const Set& set, const nb::object& point) {
@@ -108,6 +107,22 @@ std::string to_json(const Set& set) {
 /// Reads our own text, numbers of any length. The rings' places within a file are lost.
 Set from_state(const std::pair<std::string, bool>& state) {
   return {set_of(state.first, no_limits()).value, state.second};
+}
+
+void bind_kinds(nb::class_<Set>&& bound) {
+  bound
+      .def_prop_ro(
+          "is_region", [](const Set& set) { return has_area(set.value); },
+          "A set with an area: not empty, no points and segments.")
+      .def_prop_ro(
+          "is_convex", [](const Set& set) { return is_convex(set.value); },
+          "One convex polygon without holes; straight vertices may be there.")
+      .def_prop_ro("is_empty", [](const Set& set) { return set.value.empty(); })
+      .def_prop_ro("is_point", [](const Set& set) { return set.value.is_point(); })
+      .def_prop_ro("is_segment", [](const Set& set) { return set.value.is_segment(); })
+      .def_prop_ro(
+          "is_lines", [](const Set& set) { return is_lines(set.value); },
+          "Several points and segments.");
 }
 
 void bind_questions(nb::class_<Set>&& bound) {
@@ -179,16 +194,7 @@ static void bind_measures(nb::class_<Set>&& bound) {
           },
           "x"_a, "y"_a, Released())
       .def_prop_ro("vertices", [](const Set& set) { return set.value.vertices(); })
-      .def_prop_ro("ring_count", [](const Set& set) { return set.value.rings(); })
-      .def_prop_ro(
-          "is_region", [](const Set& set) { return set.value.is_region(); },
-          "Neither empty nor a point nor a segment.")
-      .def_prop_ro(
-          "is_convex", [](const Set& set) { return is_convex(set.value); },
-          "One convex polygon without holes; straight vertices may be there.")
-      .def_prop_ro("is_empty", [](const Set& set) { return set.value.empty(); })
-      .def_prop_ro("is_point", [](const Set& set) { return set.value.is_point(); })
-      .def_prop_ro("is_segment", [](const Set& set) { return set.value.is_segment(); });
+      .def_prop_ro("ring_count", [](const Set& set) { return set.value.rings(); });
 }
 
 void bind_polygon_set(nb::module_& module) {
@@ -209,9 +215,10 @@ void bind_polygon_set(nb::module_& module) {
           "Decimal, float (0.1 is the double next to a tenth), scalars and arrays of NumPy, texts "
           "('0.1', '7/5'). Rings are turned as they should run; a sequence of points is a ring, "
           "whose first point may be repeated at its end. Raises BadInput for all else: what is no "
-          "shape (None too), what a file of the same would be refused for, as a line of three "
-          "points, and what is no regular closed set. With `validate` false the last is not looked "
-          "at, and no ring is turned. O(n log n) on usual input.")
+          "shape (None too), what a file of the same would be refused for, as a line of one "
+          "point, and what is neither a regular closed set nor points and segments. With "
+          "`validate` false the last is not looked at, and no ring is turned. O(n log n) on usual "
+          "input.")
       .def(
           "__eq__",
           [](const Set& a, const Set& b) {
@@ -239,10 +246,13 @@ void bind_polygon_set(nb::module_& module) {
       .def("canonical_json", canonical_text, Released(), "Canonical JSON of the canonical form.")
       .def(
           "validate",
-          [](const Set& set, const std::string& source) {
-            validate_as_read(set.value, set.origins, source);
+          [](const Set& set, const std::string& source, bool lines) {
+            validate_as_read(set.value, set.origins, source,
+                             lines ? Lines::allowed : Lines::refused);
           },
-          "source"_a = "", Released(), "Raises BadInput unless the set is regular closed.")
+          "source"_a = "", "lines"_a = false, Released(),
+          "Raises BadInput unless the set is regular closed, a point or a segment; `lines`: or "
+          "several points and segments.")
       .def_ro("warnings", &Set::warnings,
               "What the reader of the file or text put right; empty for all other sets.")
       .def("rings", exact_rings,
@@ -254,6 +264,7 @@ void bind_polygon_set(nb::module_& module) {
            "LimitExceeded for a coordinate beyond their range.")
       .def("approximate_rings", drawn_rings,
            "As rings(), points as pairs of the nearest doubles. Raises as arrays().");
+  bind_kinds(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));
   bind_measures(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));
   bind_questions(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));
 }

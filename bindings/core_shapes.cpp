@@ -39,7 +39,7 @@ void add(const TextPart& part, SetBuilder& set) {
   if (kind == "Point") {
     set.point(std::move(first));
   } else if (kind == "LineString") {
-    set.segment(std::move(first), "LineString", "positions", "Polygon");
+    set.line(first, "LineString", "positions");
   } else {
     set.polygon(std::move(first), std::move(rings));
   }
@@ -118,7 +118,7 @@ Set set_of_shape(const nb::object& shape, bool validated) {
   }
   if (validated && !result.canonical) {
     const Computing computing;
-    validate_as_read(result.value, result.origins, "PolygonSet");
+    validate_as_read(result.value, result.origins, "PolygonSet", Lines::allowed);
   }
   return result;
 }

@@ -19,6 +19,7 @@
 #include "reference/error.hpp"
 #include "reference/plane/route_names.hpp"
 #include "reference/plane/sum.hpp"
+#include "reference/plane/thin_sum.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -137,6 +138,14 @@ void bind_sum(nb::module_& module) {
       "P"_a, "Q"_a, "scale"_a, Released(),
       "What the sum of the interiors misses inside of sP + Q: (points, contacts), contacts being "
       "rows as reduced_convolution's for each segment.");
+  module.def(
+      "sum_remnants",
+      [](const Set& P, const Set& Q, const std::string& scale, const Set& region) {
+        const ScaledOperand operand(P.value, scale);
+        return passage_rows(sum_remnants(operand.set(), Q.value, operand.scale(), region.value));
+      },
+      "P"_a, "Q"_a, "scale"_a, "region"_a, Released(),
+      "What sP + Q has beside its region, for P and Q of points and segments: as tight_passages.");
   bind_convex_polygons(module);
 }
 

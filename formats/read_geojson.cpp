@@ -44,10 +44,16 @@ class GeoJsonReader {
     } else if (type == "Point") {
       point(members.require("coordinates"));
     } else if (type == "LineString") {
-      segment(members.require("coordinates"));
+      line(members.require("coordinates"));
+    } else if (type == "MultiPoint") {
+      each(members.require("coordinates"), "the coordinates of a MultiPoint",
+           [&](Json position) { point(position); });
+    } else if (type == "MultiLineString") {
+      each(members.require("coordinates"), "the coordinates of a MultiLineString",
+           [&](Json positions) { line(positions); });
     } else {
       input_.refuse("unsupported-geometry", in_quotes(type) + " is not an operand in the plane",
-                    "give a Polygon, a MultiPolygon, a Point or a LineString of two positions",
+                    "give a Polygon, a Point or a LineString, or several: MultiPolygon",
                     type_member.line());
     }
   }
@@ -114,10 +120,9 @@ class GeoJsonReader {
     set_.point(std::move(fresh));
   }
 
-  void segment(Json coordinates) {
-    TextRing ends = ring(coordinates, "the coordinates of a LineString");
-    if (ends.points.empty()) return;
-    set_.segment(std::move(ends), "LineString", "positions", "Polygon");
+  void line(Json coordinates) {
+    const TextRing vertices = ring(coordinates, "the coordinates of a LineString");
+    if (!vertices.points.empty()) set_.line(vertices, "LineString", "positions");
   }
 
   SetBuilder& set_;

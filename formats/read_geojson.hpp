@@ -6,7 +6,7 @@
 
 namespace minkref {
 
-/// Reads Polygon, MultiPolygon, Point, LineString of two positions (a segment), Feature,
+/// Reads Polygon, MultiPolygon, Point, LineString, MultiPoint, MultiLineString, Feature,
 /// FeatureCollection and GeometryCollection (flattened). Coordinates are plane coordinates, from
 /// the text of the JSON numbers: 0.1 is 1/10. Ignores foreign members. Refuses a third coordinate.
 /// Linear.

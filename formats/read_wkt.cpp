@@ -38,12 +38,19 @@ class WktReader {
     } else if (word == "POINT") {
       if (!empty()) point();
     } else if (word == "LINESTRING") {
-      if (!empty()) segment();
+      if (!empty()) open_line();
+    } else if (word == "MULTIPOINT") {
+      if (!empty()) list([&] { inner_point(); });
+    } else if (word == "MULTILINESTRING") {
+      if (!empty())
+        list([&] {
+          if (!tokens_.take_word("EMPTY")) open_line();
+        });
     } else if (word == "GEOMETRYCOLLECTION") {
       collection(depth);
     } else {
       input_.refuse("unsupported-geometry", in_quotes(word) + " is not an operand in the plane",
-                    "give a POLYGON, a MULTIPOLYGON, a POINT or a LINESTRING of two points", line);
+                    "give a POLYGON, a POINT or a LINESTRING, or several: MULTIPOLYGON", line);
     }
   }
 
@@ -137,7 +144,16 @@ class WktReader {
     set_.point(std::move(ring));
   }
 
-  void segment() { set_.segment(vertices(), "LINESTRING", "points", "POLYGON"); }
+  /// A point of several, with or without parentheses.
+  void inner_point() {
+    if (tokens_.take_word("EMPTY")) return;
+    if (!tokens_.at_number()) return point();
+    TextRing ring = set_.ring(tokens_.line());
+    vertex(ring);
+    set_.point(std::move(ring));
+  }
+
+  void open_line() { set_.line(vertices(), "LINESTRING", "points"); }
 
   SetBuilder& set_;
   Input& input_;

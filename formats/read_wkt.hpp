@@ -7,7 +7,7 @@
 
 namespace minkref {
 
-/// Reads one geometry: POLYGON, MULTIPOLYGON, POINT, LINESTRING of two points (a segment), each
+/// Reads one geometry: POLYGON, MULTIPOLYGON, POINT, LINESTRING, MULTIPOINT, MULTILINESTRING, each
 /// possibly EMPTY, and GEOMETRYCOLLECTION of these; words may have any case. Numbers are exact;
 /// accepts a fraction `3/7` beside decimals. Refuses Z and M and everything else with its line.
 /// Linear.

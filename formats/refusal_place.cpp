@@ -28,8 +28,8 @@ Place place_in_file(Place place, const std::vector<RingOrigin>& origins) {
 }
 
 void validate_as_read(const PolygonSet& set, const std::vector<RingOrigin>& origins,
-                      const std::string& source) {
-  refuse_in_file([&] { validate(set); },
+                      const std::string& source, Lines lines) {
+  refuse_in_file([&] { validate(set, lines); },
                  [&](const Place& place) { return place_in_file(place, origins); }, source);
 }
 

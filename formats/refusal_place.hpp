@@ -6,6 +6,7 @@
 
 #include "formats/reading.hpp"
 #include "reference/error.hpp"
+#include "reference/plane/lines.hpp"
 
 namespace minkref {
 
@@ -30,8 +31,8 @@ void refuse_in_file(Check check, InFile in_file, const std::string& source) {
   }
 }
 
-/// `validate(set)`; a refusal names `source` and the place in the file.
+/// `validate(set, lines)`; a refusal names `source` and the place in the file.
 void validate_as_read(const PolygonSet& set, const std::vector<RingOrigin>& origins,
-                      const std::string& source);
+                      const std::string& source, Lines lines = Lines::refused);
 
 }  // namespace minkref

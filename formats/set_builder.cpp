@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reference/number/message_number.hpp"
+#include "reference/plane/lines.hpp"
 
 namespace minkref {
 namespace {
@@ -109,18 +110,27 @@ void SetBuilder::close(TextRing& ring) const {
 
 void SetBuilder::point(TextRing vertex) { polygon(std::move(vertex), {}); }
 
-void SetBuilder::segment(TextRing ends, std::string_view line, std::string_view points,
-                         std::string_view polygon_name) {
-  if (ends.points.size() != 2) {
+void SetBuilder::line(const TextRing& vertices, std::string_view line, std::string_view points) {
+  const std::size_t size = vertices.points.size();
+  if (size < 2) {
     input_.refuse("not-a-segment",
-                  "a " + std::string(line) + " of " + std::to_string(ends.points.size()) + " " +
-                      std::string(points) + " is not a segment and not a region",
-                  "give two " + std::string(points) +
-                      "; the inside of a closed line is another set, a " +
-                      std::string(polygon_name),
-                  ends.place());
+                  "a " + std::string(line) + " of " + std::to_string(size) + " " +
+                      std::string(points) + " has no segment",
+                  "give two " + std::string(points) + " or more", vertices.place());
   }
-  polygon(std::move(ends), {});
+  for (std::size_t k = 1; k < size; ++k) {
+    if (vertices.points[k - 1] == vertices.points[k]) {
+      Place where = vertices.place_of(k - 1);
+      where.vertices.push_back(k);
+      input_.refuse("zero-length-edge", "two consecutive vertices are equal", "remove one of them",
+                    where);
+    }
+    TextRing ends{{vertices.points[k - 1], vertices.points[k]},
+                  vertices.number,
+                  vertices.line,
+                  {vertices.lines[k - 1], vertices.lines[k]}};
+    polygon(std::move(ends), {});
+  }
 }
 
 void SetBuilder::polygon(TextRing outer, std::vector<TextRing> holes) {
@@ -131,17 +141,19 @@ void SetBuilder::polygon(TextRing outer, std::vector<TextRing> holes) {
 }
 
 Reading SetBuilder::finish_as_read() {
-  const bool alone = polygons_.size() == 1 && polygons_[0].size() == 1;
+  const bool are_thin = std::all_of(polygons_.begin(), polygons_.end(), [](const auto& rings) {
+    return rings.size() == 1 && rings[0].points.size() < 3;
+  });
   for (const auto& rings : polygons_) {
     for (const TextRing& ring : rings) {
       const std::size_t size = ring.points.size();
-      if (size >= 3 || (alone && size > 0) || keeps_faults()) continue;
+      if (size >= 3 || (are_thin && size > 0) || keeps_faults()) continue;
       if (size == 0 || &ring != &rings[0] || rings.size() > 1) too_few(input_, ring);
       input_.refuse("mixed-operand",
                     std::string(size == 1 ? "a point" : "a segment") +
                         " occurs together with "
-                        "other parts",
-                    "give the point or the segment alone, in its own file", ring.place_of(0));
+                        "polygons",
+                    "give points and lines in a file of their own", ring.place_of(0));
     }
   }
   Reading reading;
@@ -165,7 +177,7 @@ Reading SetBuilder::finish_as_read() {
 
 Reading SetBuilder::finish() {
   Reading reading = finish_as_read();
-  if (!reading.set.is_region()) return reading;
+  if (!has_area(reading.set)) return reading;
   const PolygonSet before = reading.set;
   orient(reading.set);
   auto origin = reading.origins.begin();

@@ -28,8 +28,8 @@ struct TextRing {
 /// three vertices, points and segments beside other parts, holes of `.poly` in no outer ring.
 enum class Faults : std::uint8_t { refused, kept };
 
-/// Rings are numbered as they come. A point and a segment stand alone: beside anything else they
-/// are refused ("mixed-operand").
+/// Rings are numbered as they come. Points and segments stand without polygons: beside one they are
+/// refused ("mixed-operand").
 class SetBuilder {
  public:
   explicit SetBuilder(Input& input, Faults faults = Faults::refused)
@@ -48,15 +48,15 @@ class SetBuilder {
   void close(TextRing& ring) const;
 
   void point(TextRing vertex);
-  /// Refuses other vertex counts than two ("not-a-segment"); the other arguments are the format's
-  /// words for its lines, their vertices, and its polygons.
-  void segment(TextRing ends, std::string_view line, std::string_view points,
-               std::string_view polygon);
-  /// Adds a polygon; a lone outer ring of one or two vertices means a point or a segment.
+  /// Adds each edge as a segment, closed lines included. Refuses a single vertex ("not-a-segment")
+  /// and equal neighbours ("zero-length-edge"); the other arguments are the format's words for its
+  /// lines and their vertices.
+  void line(const TextRing& vertices, std::string_view line, std::string_view points);
+  /// Adds a polygon; an outer ring of one or two vertices alone means a point or a segment.
   void polygon(TextRing outer, std::vector<TextRing> holes);
 
-  /// The operand as read, nothing turned. Refuses rings of fewer than three vertices, save for a
-  /// lone point or segment.
+  /// The operand as read, nothing turned. Refuses rings of fewer than three vertices, save for
+  /// points and segments without polygons.
   Reading finish_as_read();
   /// The same with every ring turned as its role demands.
   Reading finish();

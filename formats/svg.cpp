@@ -75,24 +75,27 @@ class Picture {
     body_ += "<g stroke=\"" + escaped(layer.stroke) + "\" stroke-width=\"" +
              short_number(layer.stroke_width) + "\" stroke-linejoin=\"round\">\n";
     if (!layer.name.empty()) body_ += "<title>" + escaped(layer.name) + "</title>\n";
-    if (layer.region.is_point()) {
-      const Point& p = layer.region.polygons[0].outer[0];
-      body_ += "<circle cx=\"" + shortest(frame_.x(p)) + "\" cy=\"" + shortest(frame_.y(p)) +
-               "\" r=\"" + short_number(2 * layer.stroke_width + 1) + "\" fill=\"" +
-               escaped(layer.stroke) + "\"/>\n";
-    } else {
-      std::string path;
-      for (const Polygon& polygon : layer.region.polygons) {
-        append_ring(path, polygon.outer);
-        for (const Ring& hole : polygon.holes) append_ring(path, hole);
+    std::string path;
+    for (const Polygon& polygon : layer.region.polygons) {
+      if (polygon.outer.size() == 1) {
+        draw_point(polygon.outer[0], layer);
+        continue;
       }
-      draw_path(path, layer.fill, layer.opacity);
+      append_ring(path, polygon.outer);
+      for (const Ring& hole : polygon.holes) append_ring(path, hole);
     }
+    draw_path(path, layer.fill, layer.opacity);
     std::string lines;
     for (const Segment& s : layer.segments)
       lines += "M" + position(s.start) + "L" + position(s.end);
     draw_path(lines, "none", 1);
     body_ += "</g>\n";
+  }
+
+  void draw_point(const Point& p, const Layer& layer) {
+    body_ += "<circle cx=\"" + shortest(frame_.x(p)) + "\" cy=\"" + shortest(frame_.y(p)) +
+             "\" r=\"" + short_number(2 * layer.stroke_width + 1) + "\" fill=\"" +
+             escaped(layer.stroke) + "\"/>\n";
   }
 
   void draw_path(const std::string& path, const std::string& fill, double opacity) {

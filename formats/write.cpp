@@ -6,6 +6,7 @@
 #include "formats/decimal.hpp"
 #include "formats/svg.hpp"
 #include "reference/error.hpp"
+#include "reference/plane/lines.hpp"
 
 namespace minkref {
 namespace {
@@ -40,7 +41,7 @@ std::string write(const PolygonSet& set, Format format) {
 bool writes_exactly(const PolygonSet& set, Format format) {
   if (format == Format::json) return true;
   if (format == Format::svg || format == Format::case_json) return false;
-  if (format == Format::poly && (set.is_point() || set.is_segment())) return false;
+  if (format == Format::poly && !set.empty() && !has_area(set)) return false;
   return std::all_of(set.polygons.begin(), set.polygons.end(), [](const Polygon& polygon) {
     return is_decimal(polygon.outer) &&
            std::all_of(polygon.holes.begin(), polygon.holes.end(), is_decimal);

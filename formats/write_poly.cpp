@@ -1,6 +1,7 @@
 #include "formats/decimal.hpp"
 #include "formats/write.hpp"
 #include "reference/error.hpp"
+#include "reference/plane/lines.hpp"
 
 namespace minkref {
 namespace {
@@ -16,7 +17,7 @@ void append(std::string& text, const Ring& ring, const char* role) {
 }  // namespace
 
 std::string write_poly(const PolygonSet& set) {
-  if (set.is_point() || set.is_segment()) {
+  if (!set.empty() && !has_area(set)) {
     throw BadInput("not-representable", "the format .poly has no points and no segments",
                    "write the set as WKT, GeoJSON or JSON");
   }

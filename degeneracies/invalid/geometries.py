@@ -81,15 +81,14 @@ def _dimension_word(dice: Random, page: Sheet) -> Invalid:
     return refused(dice, page, "three-dimensional", text=f"{MARK}{first}{word}{text[len(first) :]}")
 
 
-@FAMILIES.add("a line of other than two points")
+@FAMILIES.add("a line of one point")
 def not_a_segment(dice: Random) -> Invalid:
-    """A line with more or fewer points than two: open, closed, or a single point."""
+    """A line of a single point, which has no segment."""
     shape = region(dice, parts=1)
     shape[0] = shape[0][:1]
     page = sheet(dice, shape, CLOSED)
     ring = page.polygons[0][0]
-    count = dice.choice((1, 3, len(ring) - 1, len(ring)))
-    ring[count:] = []
+    ring[1:] = []
     ring.mark = True
     if page.form == "wkt":
         text = text_of(dice, page)
@@ -101,19 +100,13 @@ def not_a_segment(dice: Random) -> Invalid:
     return refused(dice, page, "not-a-segment", "ring 0", f"{len(ring)} p", text=text)
 
 
-@FAMILIES.add("a point or a segment beside other parts")
+@FAMILIES.add("a point or a segment beside polygons")
 def mixed_operand(dice: Random) -> Invalid:
-    """A point or a segment beside polygons or beside another."""
+    """A point or a segment beside polygons."""
     page = sheet(dice, region(dice), MIXED)
     shape = mapped(thin(dice), coordinates(dice, True))
-    if dice.random() < 0.2:
-        page.polygons = tokens(dice, page.form, mapped(thin(dice), coordinates(dice, True)))
-        number = 1
-    else:
-        number = dice.randint(0, len(page.polygons))
+    number = dice.randint(0, len(page.polygons))
     page.polygons[number:number] = tokens(dice, page.form, shape)
-    if page.polygons[0][0].thin:  # a message names the first of two
-        number, shape = 0, []
     ring = page.number(number, 0)
     page.mark(number, 0, 0)
     place = place_of(*(rings[0][0] for rings in shape))

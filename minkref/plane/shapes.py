@@ -34,7 +34,9 @@ DEEPEST = 4  # levels of sequences: polygons, rings, points, coordinates
 LARGEST_EXPONENT = 10_000  # for a Decimal
 MOST_NESTED = 64  # collections within collections
 _COLLECTIONS = {"FeatureCollection": "features", "GeometryCollection": "geometries"}
-_GEOMETRIES = ("Point", "LineString", "Polygon", "MultiPolygon")
+#: Geometries of several parts, and the type of a part.
+_SEVERAL = {"MultiPoint": "Point", "MultiLineString": "LineString", "MultiPolygon": "Polygon"}
+_GEOMETRIES = ("Point", "LineString", "Polygon", *_SEVERAL)
 
 
 def set_or_parts(shape: Any) -> _core.PolygonSet | list[Part]:
@@ -88,13 +90,19 @@ def _of_mapping(shape: Mapping[str, Any], depth: int) -> list[Part]:
     coordinates = _sequence(shape.get("coordinates"), f"the coordinates of the {kind}")
     if len(coordinates) == 0:
         return []
+    if kind in _SEVERAL:
+        part = _SEVERAL[kind]
+        named = enumerate(coordinates)
+        return [_of_geometry(part, each, f"{part.lower()} {k}, ") for k, each in named]
+    return [_of_geometry(kind, coordinates, "")]
+
+
+def _of_geometry(kind: str, coordinates: Any, where: str) -> Part:
     if kind == "Point":
-        return [(kind, [[_point(coordinates, "the point")]])]
+        return (kind, [[_point(coordinates, f"{where}the point")]])
     if kind == "LineString":
-        return [(kind, [_points(coordinates, "the line")])]
-    if kind == "Polygon":
-        return [(kind, _rings(coordinates, ""))]
-    return [("Polygon", _rings(each, f"polygon {k}, ")) for k, each in enumerate(coordinates)]
+        return (kind, [_points(coordinates, f"{where}the line")])
+    return (kind, _rings(coordinates, where))
 
 
 def _mapping(given: Any, where: str) -> Mapping[str, Any]:

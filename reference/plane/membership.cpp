@@ -4,6 +4,7 @@
 #include "reference/error.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
+#include "reference/plane/lines.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/plane/overlap_filter.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
@@ -17,7 +18,9 @@ using Piece = std::vector<FilteredPoint>;
 
 std::vector<Piece> pieces_of(const PolygonSet& set) {
   std::vector<Piece> pieces;
-  if (set.is_point() || set.is_segment()) pieces.push_back(filtered_ring(set.polygons[0].outer));
+  if (!has_area(set)) {
+    for (const Polygon& part : set.polygons) pieces.push_back(filtered_ring(part.outer));
+  }
   for (const Triangle& t : triangulate(set))
     pieces.push_back(filtered_ring(Ring(t.begin(), t.end())));
   return pieces;
@@ -177,14 +180,21 @@ struct Membership::Impl {
     result.p = Point{point.x / scale, point.y / scale};
     result.q = Point{x.x - point.x, x.y - point.y};
     // A point or segment along an inner edge of the triangulation only touches triangles.
-    if (!P.is_region()) {
+    if (!has_area(P)) {
+      const PolygonSet region = reflected(Q, x);
       result.contact =
-          meets_interior(p[0], reflected(Q, x)) ? Contact::overlapping : Contact::touching;
-    } else if (!Q.is_region()) {
+          contact_of(p, [&](const Piece& each) { return meets_interior(each, region); });
+    } else if (!has_area(Q)) {
       result.contact =
-          meets_interior(reflected(q[0], x), P) ? Contact::overlapping : Contact::touching;
+          contact_of(q, [&](const Piece& each) { return meets_interior(reflected(each, x), P); });
     }
     return result;
+  }
+
+  /// For points and segments that touch a region or more.
+  template <class Meets>
+  static Contact contact_of(const std::vector<Piece>& thin, Meets&& meets) {
+    return std::any_of(thin.begin(), thin.end(), meets) ? Contact::overlapping : Contact::touching;
   }
 };
 
@@ -200,7 +210,7 @@ Membership::Membership(const PolygonSet& P, const PolygonSet& Q, const Rational&
   impl_->scale = scale;
   impl_->p = pieces_of(impl_->P);
   impl_->q = pieces_of(Q);
-  if (impl_->P.is_region() && Q.is_region()) {
+  if (has_area(impl_->P) && has_area(Q)) {
     for (const Piece& triangle : impl_->p) impl_->near_p.emplace_back(triangle);
     for (const Piece& triangle : impl_->q) impl_->near_q.emplace_back(triangle);
   }

@@ -3,11 +3,18 @@
 #include "reference/error.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/plane/lines.hpp"
 #include "reference/plane/route_names.hpp"
 #include "reference/plane/routes/routes.hpp"
 
 namespace minkref::inline plane {
 namespace {
+
+void refuse_bad_scale(const Rational& scale) {
+  if (sign(scale) > 0) return;
+  throw BadInput("bad-scale", "the scale " + to_string(scale) + " is not greater than zero",
+                 "give a scale s > 0");
+}
 
 BoundaryGraph exact_route(const PolygonSet& P, const PolygonSet& Q, Route route, Sum& sum) {
   std::vector<TightPassage>* passages = sum.tight_passages ? &*sum.tight_passages : nullptr;
@@ -47,12 +54,8 @@ Route route_named(std::string_view name) {
 }
 
 void refuse_bad_operands(const PolygonSet& P, const PolygonSet& Q, const Rational& scale) {
-  if (sign(scale) <= 0) {
-    throw BadInput("bad-scale", "the scale " + to_string(scale) + " is not greater than zero",
-                   "give a scale s > 0");
-  }
-  const auto degenerate = [](const PolygonSet& set) { return set.is_point() || set.is_segment(); };
-  if (degenerate(P) && degenerate(Q)) {
+  refuse_bad_scale(scale);
+  if (is_thin(P) && is_thin(Q)) {
     throw BadInput("degenerate-operands", "both operands are points or segments",
                    "make one of them a polygon set (or the empty set)");
   }
@@ -61,9 +64,13 @@ void refuse_bad_operands(const PolygonSet& P, const PolygonSet& Q, const Rationa
 Sum minkowski_sum(const PolygonSet& P, const PolygonSet& Q, const Rational& scale, Route route,
                   const std::string& arithmetic, Passages passages) {
   const FloatEnvironment standard;
-  refuse_bad_operands(P, Q, scale);
+  refuse_bad_scale(scale);
   Sum sum;
-  if (passages == Passages::find && arithmetic == "rational") sum.tight_passages.emplace();
+  // Two operands without area have no tight passages: sum_remnants finds what lies beside.
+  const bool are_thin = is_thin(P) && is_thin(Q);
+  if (passages == Passages::find && arithmetic == "rational" && !are_thin) {
+    sum.tight_passages.emplace();
+  }
   if (P.empty() || Q.empty()) return sum;
   Canonical canonical;
   if (arithmetic == "rational") {

@@ -10,6 +10,7 @@
 #include "reference/number/message_number.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/left_rays.hpp"
+#include "reference/plane/lines.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/plane/polygon_set.hpp"
 
@@ -31,16 +32,21 @@ struct RingInSet {
 
 class Validator {
  public:
-  explicit Validator(const PolygonSet& set) : set_(set) {
+  Validator(const PolygonSet& set, Lines lines) : set_(set), lines_(lines) {
     for (std::size_t p = 0; p < set.polygons.size(); ++p) {
       rings_.push_back({&set.polygons[p].outer, true, p});
       for (const Ring& hole : set.polygons[p].holes) rings_.push_back({&hole, false, p});
+      is_without_area_ &= set.polygons[p].outer.size() < 3 && set.polygons[p].holes.empty();
     }
   }
 
   void run() {
     for (std::size_t r = 0; r < rings_.size(); ++r) check_vertices(r);
-    if (!set_.is_region()) return;
+    if (is_lines(set_) && lines_ == Lines::refused) {
+      throw BadInput("open-lines", "the operand consists of several segments or points",
+                     "give one segment or one point, or a region; `minkref sum` takes lines");
+    }
+    if (!has_area(set_)) return;
     for (const RingInSet& ring : rings_) {
       filtered_.push_back(filtered_ring(*ring.ring));
       // Rounding is monotone: if rings overlap, the boxes of their doubles overlap.
@@ -84,12 +90,11 @@ class Validator {
 
   void check_vertices(std::size_t r) const {
     const Ring& ring = *rings_[r].ring;
-    const bool degenerate = set_.is_point() || set_.is_segment();
-    if (ring.empty() || (ring.size() < 3 && (!degenerate || rings_.size() > 1))) {
+    if (ring.empty() || (ring.size() < 3 && !is_without_area_)) {
       std::vector<std::size_t> all(ring.size());
       for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
       throw BadInput("too-few-vertices", "a ring has " + std::to_string(ring.size()) + " vertices",
-                     "give at least three, or a single point or segment as the whole operand",
+                     "give at least three, or points and segments alone as the operand",
                      place(r, std::move(all)));
     }
     for (std::size_t i = 0; ring.size() > 1 && i < ring.size(); ++i) {
@@ -420,6 +425,8 @@ class Validator {
   }
 
   const PolygonSet& set_;
+  Lines lines_;
+  bool is_without_area_ = true;  ///< all rings are points and segments
   std::vector<RingInSet> rings_;
   std::vector<FilteredRing> filtered_;
   std::vector<Box> boxes_;
@@ -427,9 +434,11 @@ class Validator {
 
 }  // namespace
 
-void validate(const PolygonSet& set) {
+void validate(const PolygonSet& set) { validate(set, Lines::refused); }
+
+void validate(const PolygonSet& set, Lines lines) {
   const FloatEnvironment standard;
-  Validator(set).run();
+  Validator(set, lines).run();
 }
 
 }  // namespace minkref::inline plane

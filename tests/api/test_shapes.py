@@ -170,8 +170,10 @@ def test_a_shape_that_is_no_regular_set_is_refused_unless_told_not_to_look() -> 
 LINE = [(0, 0), (4, 0), (4, 4)]
 #: Values, and the text of a file of the same.
 AS_IN_FILES: dict[str, tuple[Any, str]] = {
-    "an open line": ({"type": "LineString", "coordinates": LINE}, "LINESTRING (0 0, 4 0, 4 4)"),
-    "a closed line": (shapely.LineString([*LINE, LINE[0]]), "LINESTRING (0 0, 4 0, 4 4, 0 0)"),
+    "a line of one point": ({"type": "LineString", "coordinates": LINE[:1]}, "LINESTRING (0 0)"),
+    "a line that stays": (
+        {"type": "LineString", "coordinates": [*LINE, LINE[-1]]}, "LINESTRING (0 0, 4 0, 4 4, 4 4)",
+    ),
     "an open ring": ({"type": "Polygon", "coordinates": [LINE]}, "POLYGON ((0 0, 4 0, 4 4))"),
     "a ring there and back": (
         {"type": "Polygon", "coordinates": [[*LINE[:2], LINE[0]]]}, "POLYGON ((0 0, 4 0, 0 0))",
@@ -187,9 +189,25 @@ AS_IN_FILES: dict[str, tuple[Any, str]] = {
 }  # fmt: skip
 
 
+def test_lines_are_not_filled() -> None:
+    """An open line of three points was once filled: its area was 8."""
+    line = PolygonSet({"type": "LineString", "coordinates": LINE})
+    ring = PolygonSet(shapely.LineString([*LINE, LINE[0]]))
+    assert line == PolygonSet("LINESTRING (4 4, 4 0, 2 0, 0 0)") and line != ring
+    assert (line.is_lines, ring.is_lines, line.area(), ring.area()) == (True, True, "0", "0")
+    several = PolygonSet(shapely.MultiPoint([(0, 0), (1, 1)]))
+    assert several == PolygonSet("MULTIPOINT (1 1, 0 0, 1 1)")
+    for shape in (
+        line,
+        several,
+        PolygonSet("GEOMETRYCOLLECTION (POINT (9 9), LINESTRING (0 0, 1 0))"),
+    ):
+        assert PolygonSet(shape.__geo_interface__) == shape
+        assert PolygonSet.from_json(shape.to_json()) == shape
+
+
 @pytest.mark.parametrize("kind", AS_IN_FILES)
 def test_values_are_refused_for_what_files_are(kind: str) -> None:
-    """An open line of three points was once filled: its area was 8."""
     shape, text = AS_IN_FILES[kind]
     codes = []
     for given in (shape, text):

@@ -57,9 +57,12 @@ TEST(GeoJson, MembersMayBeEscapedButNotRepeated) {
 }
 
 TEST(GeoJson, WhatIsNoOperandIsRefused) {
-  EXPECT_EQ(code(R"({"type":"MultiPoint","coordinates":[[1,2]]})"), "unsupported-geometry");
   EXPECT_EQ(code(R"({"type":"Sphere"})"), "unsupported-geometry");
-  EXPECT_EQ(code(R"({"type":"LineString","coordinates":[[1,2],[3,4],[5,7]]})"), "not-a-segment");
+  EXPECT_EQ(code(R"({"type":"LineString","coordinates":[[1,2]]})"), "not-a-segment");
+  EXPECT_EQ(code(R"({"type":"LineString","coordinates":[[1,2],[3,4],[5,7]]})"), "open-lines");
+  EXPECT_EQ(code(R"({"type":"MultiPoint","coordinates":[[1,2],[3,4]]})"), "open-lines");
+  EXPECT_EQ(code(R"({"type":"MultiLineString","coordinates":[[[1,2],[3,4]],[[5,6],[7,8]]]})"),
+            "open-lines");
   EXPECT_EQ(code(R"({"type":"Point","coordinates":[1,2,3,4,5]})"), "three-dimensional");
   EXPECT_EQ(code(R"({"coordinates":[1,2]})"), "missing-member");
   EXPECT_EQ(code(R"({"type":"Polygon"})"), "missing-member");

@@ -83,13 +83,26 @@ TEST(Wkt, AMissingCommaIsNoThirdCoordinate) {
 }
 
 TEST(Wkt, OtherGeometriesAreRefused) {
-  EXPECT_EQ(code("LINESTRING (0 0, 1 0, 1 1)"), "not-a-segment");
   EXPECT_EQ(code("LINESTRING (0 0)"), "not-a-segment");
-  expect_code(code, "unsupported-geometry", {"MULTIPOINT ((0 0))", "CURVEPOLYGON EMPTY"});
+  EXPECT_EQ(code("LINESTRING (0 0, 1 0, 1 0)"), "zero-length-edge");
+  EXPECT_EQ(code("LINESTRING (0 0, 1 0, 1 1)"), "open-lines");
+  expect_code(code, "unsupported-geometry", {"MULTICURVE ((0 0))", "CURVEPOLYGON EMPTY"});
+}
+
+TEST(Wkt, LinesAreSegmentsAndPoints) {
+  const auto parts = [](std::string_view text) {
+    return read_text(text, Format::wkt, "").set.polygons.size();
+  };
+  EXPECT_EQ(parts("LINESTRING (0 0, 1 0, 1 1, 0 0)"), 3U);
+  EXPECT_EQ(parts("MULTIPOINT ((0 0), EMPTY, 1 1, (2 2))"), 3U);
+  EXPECT_EQ(parts("MULTILINESTRING ((0 0, 1 0), EMPTY, (0 1, 1 1, 2 1))"), 3U);
+  EXPECT_EQ(parts("GEOMETRYCOLLECTION (POINT (0 0), LINESTRING (1 1, 2 2, 3 1))"), 3U);
+  EXPECT_TRUE(wkt("MULTIPOINT ((1 2))").is_point());
 }
 
 TEST(Wkt, APointBesideOtherPartsIsRefused) {
-  EXPECT_EQ(code("GEOMETRYCOLLECTION (POINT (0 0), POINT (1 1))"), "mixed-operand");
+  EXPECT_EQ(code("GEOMETRYCOLLECTION (POINT (0 0), POLYGON ((0 0, 1 0, 0 1, 0 0)))"),
+            "mixed-operand");
   EXPECT_EQ(code("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 0 1, 0 0)), LINESTRING (1 1, 2 2))"),
             "mixed-operand");
 }

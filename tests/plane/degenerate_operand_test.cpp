@@ -1,7 +1,9 @@
 // The empty set, a point and a segment as operands.
 #include <gtest/gtest.h>
 
+#include "reference/plane/lines.hpp"
 #include "reference/plane/sum.hpp"
+#include "reference/plane/thin_sum.hpp"
 #include "tests/plane/random_cases.hpp"
 
 namespace minkref::testing::of_degenerate_operand {
@@ -79,12 +81,64 @@ void expect_refusal(const PolygonSet& P, const PolygonSet& Q, const Rational& sc
   }
 }
 
-TEST(DegenerateOperand, TwoOperandsWithoutAreaAreRefused) {
+TEST(DegenerateOperand, TwoOperandsWithoutAreaHaveNoTightPassages) {
   const PolygonSet point = point_set(1, 1), segment = segment_set({0, 0}, {1, 1});
-  expect_refusal(point, point, 1);
-  expect_refusal(point, segment, 1);
-  expect_refusal(segment, point, 1);
-  expect_refusal(segment, segment, 1);
+  EXPECT_THROW(refuse_bad_operands(point, segment, 1), BadInput);
+  EXPECT_THROW(tight_passages(segment, segment, 1), BadInput);
+  EXPECT_FALSE(minkowski_sum(segment, point, 1, Route::paper, "rational", Passages::find)
+                   .tight_passages.has_value());
+}
+
+TEST(DegenerateOperand, TwoSegmentsGiveAParallelogramAndParallelOnesASegment) {
+  const PolygonSet segment = segment_set({0, 0}, {2, 1}), up = segment_set({0, 3}, {0, 0});
+  expect_sum_on_all_routes(region({{0, 0}, {2, 1}, {2, 4}, {0, 3}}), segment, up);
+  EXPECT_TRUE(sum_remnants(segment, up, 1, minkowski_sum(segment, up, 1).region).empty());
+  const PolygonSet longer = segment_set({5, 3}, {1, 1});
+  expect_sum_on_all_routes({}, segment, longer);
+  const auto flat = sum_remnants(segment, longer, 2, {});
+  ASSERT_EQ(flat.size(), 1U);
+  EXPECT_EQ(flat[0].points, (std::vector<Point>{{1, 1}, {9, 5}}));
+}
+
+TEST(DegenerateOperand, AFlatPartInsideTheRegionIsNoRemnant) {
+  // A corner and a segment along one leg: the leg's sum bounds the other leg's.
+  const PolygonSet corner = together(segment_set({0, 0}, {2, 0}), segment_set({2, 0}, {2, 2}));
+  const PolygonSet along = segment_set({0, 0}, {1, 0});
+  expect_sum_on_all_routes(box(2, 0, 3, 2), corner, along);
+  const auto flat = sum_remnants(corner, along, 1, minkowski_sum(corner, along, 1).region);
+  ASSERT_EQ(flat.size(), 1U);
+  EXPECT_EQ(flat[0].points, (std::vector<Point>{{0, 0}, {2, 0}}));
+}
+
+TEST(DegenerateOperand, LinesAreTheUnionOfTheirSegments) {
+  MINKREF_SEEDED(random, 301);
+  expect_law(random, 60, [](const Case& c) {
+    const PolygonSet parts[] = {segment_set({0, 0}, {3, 1}), segment_set({3, 1}, {0, 2}),
+                                segment_set({1, -1}, {1, 3}), point_set(6, 6)};
+    PolygonSet lines, swept;
+    for (const PolygonSet& part : parts) {
+      lines = together(lines, part);
+      swept = together(swept, minkowski_sum(part, c.P, 1).region);
+    }
+    const PolygonSet expected = canonicalize(swept).region;
+    std::string faults;
+    for (const Route route : {Route::paper, Route::winding, Route::definition}) {
+      faults += unequal(expected, minkowski_sum(lines, c.P, 1, route).region);
+    }
+    return faults;
+  });
+}
+
+TEST(DegenerateOperand, JoinedLinesAreMaximalSegments) {
+  const PolygonSet lines =
+      together(together(segment_set({2, 2}, {1, 1}), segment_set({0, 0}, {1, 1})),
+               together(together(point_set(1, 1), point_set(5, 0)), segment_set({0, 2}, {2, 0})));
+  EXPECT_EQ(joined_lines(lines),
+            together(together(segment_set({0, 0}, {2, 2}), segment_set({0, 2}, {2, 0})),
+                     point_set(5, 0)));
+  EXPECT_EQ(cut_lines(lines).polygons.size(), 5U);
+  EXPECT_THROW(validate(lines), BadInput);
+  EXPECT_NO_THROW(validate(lines, Lines::allowed));
 }
 
 TEST(DegenerateOperand, AScaleThatIsNotPositiveIsRefused) {

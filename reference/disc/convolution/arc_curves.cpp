@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "reference/plane/lines.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
 
 namespace minkref::inline disc {
@@ -302,7 +303,7 @@ class ConvolutionCurves {
 
 ArcCurves arc_curves(const PolygonSet& P, const Rational& squared_radius,
                      const OffsetCurves& offset) {
-  ConvolutionCurves curves(squared_radius, P.is_region());
+  ConvolutionCurves curves(squared_radius, has_area(P));
   for (const Polygon& polygon : plane::cut_to_simply_connected(P).polygons) {
     curves.add(polygon.outer);
   }

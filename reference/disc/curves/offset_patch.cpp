@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "reference/plane/lines.hpp"
+
 namespace minkref::inline disc {
 namespace {
 
@@ -37,7 +39,7 @@ class Builder {
       }
     }
     if (corners.size() == 1) {
-      add_circle(corners[0].at, polygon);
+      points_.push_back({corners[0], polygon});
       return;
     }
     std::copy(before_first.begin(), before_first.end(), std::back_inserter(behind.back()));
@@ -57,6 +59,10 @@ class Builder {
       curves_.patches.push_back({edge.feature, edge.polygon, k, {}, {}, {}, OffsetPatch::none});
     }
     for (std::uint32_t k = 0; k < edges; ++k) join(k, offset);
+    for (const auto& [corner, polygon] : points_) {
+      add_circle(corner.at, polygon);
+      if (points_.size() > 1 || edges > 0) add_point(corner, polygon);
+    }
     return std::move(curves_);
   }
 
@@ -86,6 +92,14 @@ class Builder {
     curves_.edges.push_back(
         {from.id, polygon, from.at, to.at, along, normal, dot(along, along), feature, start, end});
     leaving_[start].push_back(number);
+  }
+
+  /// Adds an edge of no length, so that others hear of a point.
+  void add_point(const Corner& corner, std::uint32_t polygon) {
+    const std::uint32_t feature = circle_about(corner.at);
+    const Direction none{0, 0};
+    curves_.edges.push_back(
+        {corner.id, polygon, corner.at, corner.at, none, none, 0, feature, feature, feature});
   }
 
   /// Joins an edge to the next edge outside P, counter-clockwise about the edge's end. If both
@@ -134,6 +148,7 @@ class Builder {
   }
 
   OffsetCurves curves_;
+  std::vector<std::pair<Corner, std::uint32_t>> points_;  ///< alone, with their polygons
   std::map<std::pair<Rational, Rational>, std::uint32_t> circles_;
   std::map<std::tuple<Rational, Rational, Rational>, std::uint32_t> lines_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> leaving_;  ///< edges, by where they start
@@ -164,7 +179,7 @@ Direction primitive(const Direction& d) {
 OffsetCurves offset_curves(const PolygonSet& P) {
   Builder builder;
   std::uint32_t ring = 0, number = 0;
-  for (const Polygon& polygon : P.polygons) {
+  for (const Polygon& polygon : cut_lines(P).polygons) {
     builder.add(polygon.outer, ring++, number);
     for (const Ring& hole : polygon.holes) builder.add(hole, ring++, number);
     ++number;

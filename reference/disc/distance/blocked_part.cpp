@@ -26,7 +26,8 @@ PatchesAt::PatchesAt(OffsetCurves curves, const Rational& squared_radius)
       squared_radius_(squared_radius),
       near_squared_radius_(squared_radius),
       radius_(sqrt(near_squared_radius_)),
-      first_arc_(curves_.edges.size()) {
+      first_arc_(static_cast<std::size_t>(std::ranges::count_if(
+          curves_.patches, [](const auto& patch) { return patch.edge != OffsetPatch::none; }))) {
   for (const OffsetEdge& edge : curves_.edges) edges_.emplace_back(edge, squared_radius);
   for (std::size_t k = first_arc_; k < curves_.patches.size(); ++k) {
     arcs_.emplace_back(curves_.patches[k], squared_radius);
@@ -61,7 +62,8 @@ std::vector<Crossing<N>> PatchesAt::crossings(std::uint32_t number, std::uint32_
       found.add_of_arc(ArcNumbers<N>(patch, squared_radius_));
     } else {
       EdgeNumbers<N> own(curves_.edges[patch.edge], squared_radius_);
-      own.reach = sqrt(joined(own.squared_reach, others.reach));
+      // A point alone has no lines beside it, and no reach.
+      if (other.squared_length != 0) own.reach = sqrt(joined(own.squared_reach, others.reach));
       add_to(found, own);
     }
     return found.found();

@@ -25,7 +25,8 @@ NearEdges::NearEdges(const PatchesAt& at) : at_(at), radius_(at.radius().upper()
     }
     const Spot start{approximate(edge.start.x), approximate(edge.start.y)},
         along{approximate(edge.along.x), approximate(edge.along.y)};
-    edges_.push_back({start, along, 1 / (along.x * along.x + along.y * along.y)});
+    const double square = along.x * along.x + along.y * along.y;
+    edges_.push_back({start, along, square > 0 ? 1 / square : 0});  // a point alone has no length
   }
   tree_ = plane::BoxTree(std::move(boxes));
   squared_limit_ = at.radius().lower() * at.radius().lower() - slack * most * most;

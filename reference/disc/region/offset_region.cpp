@@ -11,6 +11,7 @@
 #include "reference/disc/region/simple_rings.hpp"
 #include "reference/error.hpp"
 #include "reference/number/float_environment.hpp"
+#include "reference/plane/lines.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -105,9 +106,10 @@ OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
                    "give a radius above 0");
   }
   constexpr long margin = 4;  // in powers of two: sets as near as that stay where they are
-  const Point origin = origin_near(P, squared_radius, margin);
-  if (origin == Point{0, 0}) return region_of(P, origin, squared_radius, options, route);
-  const PolygonSet moved = translated(P, {-origin.x, -origin.y});
+  const PolygonSet parts = cut_lines(P);
+  const Point origin = origin_near(parts, squared_radius, margin);
+  if (origin == Point{0, 0}) return region_of(parts, origin, squared_radius, options, route);
+  const PolygonSet moved = translated(parts, {-origin.x, -origin.y});
   return region_of(moved, origin, squared_radius, options, route);
 }
 

@@ -5,6 +5,7 @@
 #include "reference/plane/dynamic/passing_edges.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
+#include "reference/plane/lines.hpp"
 #include "reference/plane/moving/double_range.hpp"
 #include "reference/plane/moving/right_of_edge.hpp"
 
@@ -15,7 +16,7 @@ SubEdgeStatus::SubEdgeStatus(const PolygonSet& P, const PolygonSet& Q,
     : events_(events),
       swept_(swept),
       interior_(P, Q),
-      regions_(P.is_region() && Q.is_region()),
+      regions_(has_area(P) && has_area(Q)),
       may_hide_passages_(may_hide_passages(P, Q)),
       always_on_one_line_(events.edges().size(), [&](auto&& add) {
         for (const MeetingPair& pair : events.pairs().meeting) {

@@ -5,8 +5,8 @@
 #include "reference/error.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/boundary/set_operations.hpp"
-#include "reference/plane/erosion/bare_segments.hpp"
 #include "reference/plane/erosion/outside.hpp"
+#include "reference/plane/passages/bare_segments.hpp"
 #include "reference/plane/point_predicates.hpp"
 
 namespace minkref::inline plane {
@@ -174,6 +174,7 @@ Sum closing(const PolygonSet& P, const PolygonSet& Q, const Rational& scale) {
   if (Q.is_point() && !P.empty() && !P.is_region()) {
     return erosion_of_segment(scaled(P, scale), origin);
   }
+  refuse_bad_operands(P, Q, scale);
   return erosion(minkowski_sum(P, Q, scale).region, Q, 1);
 }
 

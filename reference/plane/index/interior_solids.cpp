@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "reference/interrupt.hpp"
+#include "reference/plane/lines.hpp"
 
 namespace minkref::inline plane {
 namespace {
@@ -68,7 +69,7 @@ struct Extents {
 }  // namespace
 
 InteriorSolids::Pieces::Pieces(const PolygonSet& set) : size(size_of(set)) {
-  if (set.is_region()) all = convex_pieces(set, most_corners, most_pieces);
+  if (has_area(set)) all = convex_pieces(set, most_corners, most_pieces);
   for (const ConvexPiece& piece : all) {
     boxes.push_back(box_of(piece));
     areas.push_back(2 * piece.area());

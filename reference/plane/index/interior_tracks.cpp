@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "reference/plane/lines.hpp"
+
 namespace minkref::inline plane {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr std::size_t most_discs = 800;
 constexpr int most_tries = 16;  // discs of one operand, for a stretch of scales
 constexpr int most_halvings_of_a_track = 1;
 
-PolygonSet region_or_nothing(const PolygonSet& set) { return set.is_region() ? set : PolygonSet{}; }
+PolygonSet region_or_nothing(const PolygonSet& set) { return has_area(set) ? set : PolygonSet{}; }
 
 }  // namespace
 
@@ -48,7 +50,7 @@ std::uint32_t InteriorTracks::Tree::build(std::vector<Disc>::iterator first,
 }
 
 InteriorTracks::InteriorTracks(const PolygonSet& P, const PolygonSet& Q)
-    : regions_(P.is_region() && Q.is_region()),
+    : regions_(has_area(P) && has_area(Q)),
       to_P_(region_or_nothing(P)),
       to_Q_(region_or_nothing(Q)),
       of_P_(to_P_.inscribed_discs(most_discs)),

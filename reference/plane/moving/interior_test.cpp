@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reference/plane/arrangement/box_tree.hpp"
+#include "reference/plane/lines.hpp"
 #include "reference/plane/moving/double_range.hpp"
 #include "reference/plane/point_predicates.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
@@ -23,11 +24,12 @@ struct ConvexPieces {
 
   /// A segment or a point becomes a triangle without area, with two or three equal corners.
   explicit ConvexPieces(const PolygonSet& set) {
-    if (set.is_region()) {
+    if (has_area(set)) {
       exact = triangulate(set);
-    } else if (!set.empty()) {
-      const Ring& ends = set.polygons[0].outer;
-      exact = {{ends.front(), ends.back(), ends.back()}};
+    } else {
+      for (const Polygon& part : set.polygons) {
+        exact.push_back({part.outer.front(), part.outer.back(), part.outer.back()});
+      }
     }
     std::vector<Box> boxes;
     for (const Triangle& t : exact) {
@@ -116,7 +118,7 @@ struct InteriorTest::Impl {
   bool regions;
 
   Impl(const PolygonSet& P_, const PolygonSet& Q_)
-      : P(P_), Q(Q_), p(P_), q(Q_), regions(P_.is_region() && Q_.is_region()) {}
+      : P(P_), Q(Q_), p(P_), q(Q_), regions(has_area(P_) && has_area(Q_)) {}
 
   /// The greatest coordinate error of s a and of x - b.
   double error(double x, double y, double scale, double own) const {

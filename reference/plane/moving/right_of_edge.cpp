@@ -1,12 +1,13 @@
 #include "reference/plane/moving/right_of_edge.hpp"
 
+#include "reference/plane/lines.hpp"
 #include "reference/plane/passages/wedge_walks.hpp"
 
 namespace minkref::inline plane {
 
 bool may_hide_passages(const PolygonSet& P, const PolygonSet& Q) {
   const auto has_two_sides = [](const PolygonSet& set) {
-    return set.is_segment() || wedge_walks(set).has_value();
+    return set.is_segment() || is_lines(set) || wedge_walks(set).has_value();
   };
   return has_two_sides(P) && has_two_sides(Q);
 }

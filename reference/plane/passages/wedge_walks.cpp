@@ -1,6 +1,7 @@
 #include "reference/plane/passages/wedge_walks.hpp"
 
 #include "reference/plane/arrangement/exact_arrangement.hpp"
+#include "reference/plane/lines.hpp"
 
 namespace minkref::inline plane {
 namespace {
@@ -72,7 +73,7 @@ WedgeWalks cycles_inside(const Frame& frame, const Boundary<Frame>& boundary,
 }  // namespace
 
 std::optional<WedgeWalks> wedge_walks(const PolygonSet& set) {
-  if (!set.is_region()) return std::nullopt;
+  if (!has_area(set)) return std::nullopt;
   return on_exact_frame(set, PolygonSet{}, [](const auto& frame) -> std::optional<WedgeWalks> {
     const Boundary boundary(frame);
     const Arrangement<typename std::decay_t<decltype(frame)>::K> arrangement(

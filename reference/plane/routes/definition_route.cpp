@@ -4,6 +4,7 @@
 
 #include "reference/interrupt.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
+#include "reference/plane/lines.hpp"
 #include "reference/plane/point_predicates.hpp"
 #include "reference/plane/routes/convolution_arrangement.hpp"
 #include "reference/plane/routes/routes.hpp"
@@ -18,7 +19,7 @@ struct PointPair {
 
 /// The operand's triangles as separate polygons; points and segments stay.
 PolygonSet as_triangles(const PolygonSet& set) {
-  if (!set.is_region()) return set;
+  if (!has_area(set)) return set;
   PolygonSet result;
   for (const Triangle& t : triangulate(set))
     result.polygons.push_back({Ring(t.begin(), t.end()), {}});

@@ -5,6 +5,7 @@
 
 #include "reference/interrupt.hpp"
 #include "reference/plane/boundary/set_boundary.hpp"
+#include "reference/plane/lines.hpp"
 #include "reference/plane/point_predicates.hpp"
 
 namespace minkref::inline plane {
@@ -206,7 +207,7 @@ PolygonSet cut_to_simply_connected(const PolygonSet& set) {
 
 std::vector<Triangle> triangulate(const PolygonSet& set) {
   std::vector<Triangle> triangles;
-  if (!set.is_region()) return triangles;
+  if (!has_area(set)) return triangles;
   const BoundaryGraph graph = set_boundary(set).graph;
   const auto points = filtered(graph);
   std::vector<IndexTriangle> indices;

@@ -1,4 +1,4 @@
-#include "reference/plane/erosion/bare_segments.hpp"
+#include "reference/plane/passages/bare_segments.hpp"
 
 #include <algorithm>
 
@@ -12,27 +12,6 @@ bool before(const Point& a, const Point& b) { return compare_xy(a, b) < 0; }
 
 Rational cross(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/// Joins collinear segments that overlap or touch.
-std::vector<BareSegment> joined(std::vector<BareSegment> segments) {
-  std::sort(segments.begin(), segments.end(),
-            [](const auto& a, const auto& b) { return before(a.from, b.from); });
-  std::vector<BareSegment> lines;
-  for (BareSegment& segment : segments) {
-    look_for_interrupt();
-    const auto same = std::find_if(lines.begin(), lines.end(), [&](const BareSegment& line) {
-      return !before(line.to, segment.from) && cross(line.from, line.to, segment.from) == 0 &&
-             cross(line.from, line.to, segment.to) == 0 &&
-             (line.from != line.to || line.from == segment.from);
-    });
-    if (same == lines.end()) {
-      lines.push_back(std::move(segment));
-    } else if (before(same->to, segment.to)) {
-      same->to = segment.to;
-    }
-  }
-  return lines;
 }
 
 /// Adds crossings with an edge; a parallel edge's neighbours add its ends.
@@ -73,7 +52,7 @@ std::vector<TightPassage> segments_beside(const PolygonSet& region,
     if (found == graph.points.end()) graph.points.push_back(p);
     return number;
   };
-  for (const BareSegment& line : joined(std::move(segments))) {
+  for (const BareSegment& line : cut_at_contacts(joined(std::move(segments)))) {
     const std::vector<Point> cuts = cuts_of(line, region);
     for (std::size_t i = 0; i + 1 < std::max<std::size_t>(cuts.size(), 2); ++i) {
       const Point& a = cuts[i];
