@@ -331,6 +331,7 @@ void bind_features(nb::module_& module) {
   nb::class_<BoundFeatures> bound(module, "Features", "Features of a set under a growing disc.");
   bind_tree(bound);
   bind_feature_regions(module, bound);
+  bind_disc_closing(module);
   bound
       .def(
           "at",

@@ -42,5 +42,6 @@ struct BoundFeatures {
 void bind_features(nanobind::module_& module);
 /// The regions at one radius.
 void bind_feature_regions(nanobind::module_& module, nanobind::class_<BoundFeatures>& bound);
+void bind_disc_closing(nanobind::module_& module);
 
 }  // namespace minkref::python

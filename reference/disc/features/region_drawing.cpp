@@ -1,5 +1,8 @@
 #include "reference/disc/features/region_drawing.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "reference/interrupt.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/number/radicals/nearest_double.hpp"
@@ -30,6 +33,13 @@ DrawnPoint drawn_end(const RegionOutlines& outlines, const FreeArc& arc, bool at
   const Surd scale(Rational(1 / diagram.factor));
   return {nearest(scale * place.x + Surd(diagram.origin.x)),
           nearest(scale * place.y + Surd(diagram.origin.y))};
+}
+
+DrawnStep drawn_arc(const RegionOutlines& outlines, const FreeArc& arc) {
+  const auto [x0, y0] = drawn_end(outlines, arc, true);
+  const auto [x1, y1] = drawn_end(outlines, arc, false);
+  const auto [cx, cy] = drawn_point(outlines, *outlines.corners()[arc.corner].corner);
+  return {true, x0, y0, x1, y1, cx, cy};
 }
 
 void add_steps(const RegionOutlines& outlines, const std::vector<OutlineStep>& steps,
@@ -76,11 +86,30 @@ std::vector<DrawnStep> drawn_rest(const RegionOutlines& outlines, const RestMate
       add_steps(outlines, steps, found);
       continue;
     }
-    const FreeArc& arc = rest.arcs[piece.number];
-    const auto [x0, y0] = drawn_end(outlines, arc, true);
-    const auto [x1, y1] = drawn_end(outlines, arc, false);
-    const auto [cx, cy] = drawn_point(outlines, *outlines.corners()[arc.corner].corner);
-    found.push_back({true, x0, y0, x1, y1, cx, cy});
+    found.push_back(drawn_arc(outlines, rest.arcs[piece.number]));
+  }
+  return found;
+}
+
+std::vector<DrawnStep> drawn_closing(const RegionOutlines& outlines, const RestMaterial& rest,
+                                     const ClosingRing& ring) {
+  const FloatEnvironment standard;
+  std::vector<DrawnStep> found;
+  const auto add_backwards = [&](std::vector<OutlineStep> steps) {
+    std::reverse(steps.begin(), steps.end());
+    for (OutlineStep& step : steps) std::swap(step.from, step.to);
+    add_steps(outlines, steps, found);
+  };
+  if (ring.pieces.empty()) add_backwards(outlines.outline({{}, ring.walk}, false));
+  for (const ClosingPiece& piece : ring.pieces) {
+    look_for_interrupt();
+    if (piece.is_arc) {
+      found.push_back(drawn_arc(outlines, rest.arcs[piece.number]));
+      continue;
+    }
+    std::vector<OutlineStep> steps;
+    outlines.add_part(outlines.regions().parts.visible[piece.number], steps);
+    add_backwards(std::move(steps));
   }
   return found;
 }

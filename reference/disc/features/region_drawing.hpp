@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/disc/features/rest_material.hpp"
+#include "reference/disc/features/disc_closing.hpp"
 
 namespace minkref::inline disc {
 
@@ -19,6 +19,10 @@ std::vector<DrawnStep> drawn_outline(const RegionOutlines& outlines, const PartR
                                      bool is_hidden);
 std::vector<DrawnStep> drawn_rest(const RegionOutlines& outlines, const RestMaterial& rest,
                                   const RestRing& ring);
+
+/// A closing's ring: arcs counter-clockwise, with the closing on the right.
+std::vector<DrawnStep> drawn_closing(const RegionOutlines& outlines, const RestMaterial& rest,
+                                     const ClosingRing& ring);
 
 /// Converts a point from the frame to P; then to nearest doubles.
 RootPoint placed(const RegionOutlines& outlines, const RootPoint& point);

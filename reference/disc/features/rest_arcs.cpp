@@ -101,6 +101,7 @@ std::optional<RestArcs::Cover> RestArcs::cover_of(std::uint32_t corner, std::uin
       decided([&](const auto& n) { return cross(to_foot(n, true), way(n)); }) > 0 &&
       decided([&](const auto& n) { return cross(way(n), to_foot(n, false)); }) > 0;
   if (!is_behind) return std::nullopt;
+  if (near > 0) overlaps_.emplace_back(corner, other);
   Cover cover{other, false, false, near == 0, vertex};
   for (const std::uint32_t shared : touched_[corner]) {
     if (!std::binary_search(touched_[other].begin(), touched_[other].end(), shared)) continue;

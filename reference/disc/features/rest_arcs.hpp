@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "reference/disc/features/region_outlines.hpp"
@@ -67,6 +68,9 @@ class RestArcs {
   /// comparisons of doubles for n corners.
   std::vector<FreeArc> of(const std::vector<std::uint32_t>& corners);
 
+  /// Corners whose open discs overlap behind both bridges, as found so far.
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps() const { return overlaps_; }
+
  private:
   /// An arc's part inside a further corner's disc.
   struct Cover {
@@ -97,6 +101,7 @@ class RestArcs {
   std::vector<std::vector<std::uint32_t>>
       touched_;                       ///< for each corner: vertices on the circle, sorted
   std::vector<std::uint32_t> upper_;  ///< for each corner: the event there, or none
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps_;
 };
 
 }  // namespace minkref::inline disc

@@ -26,6 +26,7 @@ class RestRings {
     for (const FeatureRegion& feature : outlines_.regions().features) {
       found_.features.push_back(rest_of(feature));
     }
+    found_.overlaps = arcs_of_.overlaps();
     return std::move(found_);
   }
 

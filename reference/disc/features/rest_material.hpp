@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "reference/disc/features/rest_arcs.hpp"
@@ -32,6 +33,8 @@ struct FeatureRest {
 struct RestMaterial {
   std::vector<FreeArc> arcs;
   std::vector<FeatureRest> features;  ///< like FeatureRegions::features
+  /// Corners of one feature whose open discs overlap inside the region.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;
 };
 
 /// Finds the rest at a finite radius. Exact. O(n log n), and O(k^2) double comparisons for k

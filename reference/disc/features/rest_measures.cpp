@@ -87,6 +87,24 @@ bool is_around_rest(const RegionOutlines& outlines, const RestMaterial& rest,
   }
 }
 
+namespace {
+
+/// Encloses an area with some rest, times a factor.
+Interval enclosed(const RegionOutlines& outlines, const RestSums& sums, const Rational& area,
+                  int sign) {
+  const Rational factor = outlines.index().diagram().factor, unit = sign / (factor * factor);
+  if (!sums.has_arcs()) {  // whole holes, or nothing
+    const RootTerms found = sums.terms(unit);
+    return Interval(found.terms().empty() ? area : area + found.terms().begin()->second);
+  }
+  const auto near = [&](long bits) {
+    return MpfrInterval(area, bits) + MpfrInterval(unit, bits) * sums.area(bits);
+  };
+  return Interval(enclose(RealNumber{near, {}}));
+}
+
+}  // namespace
+
 Interval rest_area(const RegionOutlines& outlines, const RestMaterial& rest,
                    const std::vector<std::size_t>& features) {
   const FloatEnvironment standard;
@@ -94,13 +112,17 @@ Interval rest_area(const RegionOutlines& outlines, const RestMaterial& rest,
   for (const std::size_t feature : features) {
     for (const RestRing& ring : rest.features[feature].rings) sums.add(ring);
   }
-  const Rational factor = outlines.index().diagram().factor, unit = 1 / (factor * factor);
-  if (!sums.has_arcs()) {  // whole holes, or nothing
-    const RootTerms found = sums.terms(unit);
-    return found.terms().empty() ? Interval(0) : Interval(found.terms().begin()->second);
+  return enclosed(outlines, sums, 0, 1);
+}
+
+Interval area_with_rest(const RegionOutlines& outlines, const RestMaterial& rest,
+                        const Rational& area, int sign) {
+  const FloatEnvironment standard;
+  RestSums sums(outlines, rest);
+  for (const FeatureRest& feature : rest.features) {
+    for (const RestRing& ring : feature.rings) sums.add(ring);
   }
-  const auto near = [&](long bits) { return MpfrInterval(unit, bits) * sums.area(bits); };
-  return Interval(enclose(RealNumber{near, {}}));
+  return enclosed(outlines, sums, area, sign);
 }
 
 }  // namespace minkref::inline disc

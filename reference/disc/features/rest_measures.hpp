@@ -14,4 +14,8 @@ bool is_around_rest(const RegionOutlines& outlines, const RestMaterial& rest, co
 Interval rest_area(const RegionOutlines& outlines, const RestMaterial& rest,
                    const std::vector<std::size_t>& features);
 
+/// The same for a given area together with all rest, or without it (`sign` 1 or -1).
+Interval area_with_rest(const RegionOutlines& outlines, const RestMaterial& rest,
+                        const Rational& area, int sign);
+
 }  // namespace minkref::inline disc
