@@ -32,6 +32,9 @@ from minkref.certify.plane.certificate import Certificate as Certificate
 from minkref.certify.plane.certificate import NoProof as NoProof
 from minkref.certify.space.convex_certificate import ConvexCertificate as ConvexCertificate
 from minkref.certify.space.solid_certificate import SolidCertificate as SolidCertificate
+from minkref.disc.closed import DiscClosing as DiscClosing
+from minkref.disc.closed import closing_by_disc as closing_by_disc
+from minkref.disc.closed import opening_by_disc as opening_by_disc
 from minkref.disc.decomposition import Cut as Cut
 from minkref.disc.decomposition import Decomposition as Decomposition
 from minkref.disc.decomposition import Piece as Piece
@@ -153,11 +156,12 @@ def minkowski_sum(
     With the arithmetic `rational` the sum is exact and in canonical form; `interval` is exact or
     raises UndecidedSign; `double` and `mpfr:BITS` may be wrong, and raise UndecidedSign if a value
     is no number. The routes `paper`, `winding` and `definition` give the same set; other
-    arithmetics work only with `paper`. Both operands are validated first. The result finds its
-    `tight_passages` when first asked. The route `paper` takes O((N + k) log N), N the size of the
-    reduced convolution, k its crossings. Raises BadInput for an invalid operand, scale, route or
-    arithmetic. Behar & Lien, "Dynamic Minkowski Sums Under Scaling", 2012, Sec. 3."""
-    _validate(P=P, Q=Q)
+    arithmetics work only with `paper`. Both operands are validated first; they may be open lines.
+    The result finds its `tight_passages` when first asked. The route `paper` takes O((N + k) log
+    N), N the size of the reduced convolution, k its crossings. Raises BadInput for an invalid
+    operand, scale, route or arithmetic. Behar & Lien, "Dynamic Minkowski Sums Under Scaling", 2012,
+    Sec. 3."""
+    _validate(lines=True, P=P, Q=Q)
     s = scale_text("scale", scale)
     return _core.minkowski_sum(P, Q, s, text_of("route", route), text_of("arithmetic", arithmetic))
 
@@ -173,13 +177,13 @@ def offset(
     radius's square: a region bounded by segments and arcs, with components, holes, area and length
     (each between two doubles) and a canonical form with rational numbers.
 
-    P may be a segment or a point, and is validated first. Exact: uses intervals of doubles, and
+    P may be points and segments, and is validated first. Exact: uses intervals of doubles, and
     square roots where intervals do not decide. O(n log n + k) for k pairs of an offset curve and an
     edge that may be nearer to the curve than the radius. The routes `definition` and `paper` give
     the same; `paper` takes the convolution's faces with a positive winding number, on one thread,
     and needs O((n + k) log n) for k pairs of curves. Raises BadInput. Behar & Lien 2012, Sec. 3 and
     Appendix; docs/disc.md."""
-    _validate(P=P)
+    _validate(lines=True, P=P)
     square = square_of(radius, squared_radius, "offset")
     return _core.offset(P, square, max(1, whole("threads", threads)), text_of("route", route))
 
@@ -255,7 +259,7 @@ def build_index(
 
     Without bounds, all scales above 0. Exact. Both operands are validated first. Cost:
     docs/scale-index.md. Raises BadInput; LimitExceeded if memory does not suffice."""
-    _validate(P=P, Q=Q)
+    _validate(lines=True, P=P, Q=Q)
     bounds = (("from_scale", from_scale), ("to_scale", to_scale))
     first, last = (None if bound is None else number(name, bound) for name, bound in bounds)
     return _core.ScaleIndex(P, Q, first, last, max(1, whole("threads", threads)))
@@ -303,8 +307,18 @@ def tight_passages(P: PolygonSet, Q: PolygonSet, scale: PlaneScale = 1) -> list[
     first. Takes the time to build the reduced convolution's arrangement, and one decision for each
     part where shapes may touch from all sides. Raises BadInput. docs/definitions.md, "Tight
     passages"."""
-    _validate(P=P, Q=Q)
+    _validate(lines=True, P=P, Q=Q)
     return passages_of(_core.tight_passages(P, Q, scale_text("scale", scale)))
+
+
+def sum_remnants(P: PolygonSet, Q: PolygonSet, scale: PlaneScale = 1) -> list[dict[str, Any]]:
+    """Find the points and polylines of the sum of P, scaled by `scale` > 0, and Q beside its
+    region: none unless both are points and segments. Exact, in canonical order, without contacts.
+    Takes O(mn) pairs beside the time of the sum. Raises BadInput. docs/definitions.md."""
+    region = minkowski_sum(P, Q, scale).region
+    if any(each.is_region or each.is_empty for each in (P, Q)):
+        return []
+    return passages_of(_core.sum_remnants(P, Q, scale_text("scale", scale), region))
 
 
 def read_file(path: str | os.PathLike[str]) -> PolygonSet:
@@ -336,7 +350,7 @@ def decide(P: PolygonSet, Q: PolygonSet, scale: PlaneScale, x: Number, y: Number
     `contact` says how scale P and the point less Q meet (`empty`, `touching`, `overlapping`), and
     `p`, `q` give scale p + q = (x, y) if they do. O(mn) pairs of triangles, after both operands'
     validation. Raises BadInput. docs/definitions.md."""
-    _validate(P=P, Q=Q)
+    _validate(lines=True, P=P, Q=Q)
     return _core.decide(P, Q, scale_text("scale", scale), number("x", x), number("y", y))
 
 
@@ -370,7 +384,7 @@ def _combined(operation: str, sets: Sequence[PolygonSet]) -> PolygonSet:
     return _core.combined(operation, sets)[0]
 
 
-def _validate(**operands: PolygonSet) -> None:
+def _validate(lines: bool = False, **operands: PolygonSet) -> None:
     expect_sets(**operands)
     for name, operand in operands.items():
-        operand.validate(name)
+        operand.validate(name, lines)

@@ -32,6 +32,28 @@ def dxf_text(found: _core.Offset, where: str) -> str:
     return _text(draw, LAYER, where)
 
 
+def dxf_of_steps(rings: Iterable[Iterable[tuple[Any, ...]]], where: str) -> str:
+    """A polyline for each ring of lines and counter-clockwise arcs of less than half a turn, given
+    as (kind, x and y of the start, of the end, of an arc's centre). As dxf_text."""
+
+    def draw(space: Any) -> None:
+        for ring in rings:
+            corners = [(x, y, _bulge(*step)) for step in ring for _, x, y, *_ in (step,)]
+            _check(corners, where)
+            space.add_lwpolyline(corners, format="xyb", close=True, dxfattribs={"layer": LAYER})
+
+    return _text(draw, LAYER, where)
+
+
+def _bulge(kind: str, x0: float, y0: float, x1: float, y1: float, cx: float, cy: float) -> float:
+    """The tangent of a quarter of an arc's angle; 0 for a line."""
+    if kind != "arc":
+        return 0.0
+    across = (x0 - cx) * (y1 - cy) - (y0 - cy) * (x1 - cx)
+    along = (x0 - cx) * (x1 - cx) + (y0 - cy) * (y1 - cy)
+    return math.tan(math.atan2(across, along) / 4)
+
+
 Point = tuple[float, float]
 
 

@@ -171,7 +171,7 @@ def events(
         what = "the printed form has pair and parallel events only"
         raise Refusal(what, f"kind={kind!r}", "leave out one of the two")
     for name, operand in (("P", P), ("Q", Q)):
-        operand.validate(name)
+        operand.validate(name, not erode)
     bounds = (("from_scale", from_scale), ("to_scale", to_scale))
     window = [None if bound is None else number(name, bound) for name, bound in bounds]
     found: EventList

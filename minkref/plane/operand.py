@@ -37,15 +37,16 @@ class Operand:
         return path if path.exists() else Path(self.source.removesuffix("#P").removesuffix("#Q"))
 
 
-def read_operand(name: str) -> Operand:
-    """Read an operand, as `as_written` does, and validate it."""
-    return validated(as_written(name))
+def read_operand(name: str, lines: bool = False) -> Operand:
+    """Read an operand, as `as_written` does, and validate it. `lines`: it may consist of several
+    points and segments."""
+    return validated(as_written(name), lines)
 
 
-def validated(operand: Operand) -> Operand:
+def validated(operand: Operand, lines: bool = False) -> Operand:
     source = escaped(operand.source)
     with offering_repair(operand.file, MENDED):
-        refusing(source, lambda: operand.set.validate(source))
+        refusing(source, lambda: operand.set.validate(source, lines))
     return operand
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from minkref.schemas.bench.document import BenchDocument
 from minkref.schemas.cases import GenerateDocument
 from minkref.schemas.certificates import CertifyDocument, CheckDocument
+from minkref.schemas.disc.closing import DiscClosingDocument, DiscOpeningDocument
 from minkref.schemas.disc.convolution import DiscConvolutionDocument
 from minkref.schemas.disc.decompose import DecomposeDocument
 from minkref.schemas.disc.erode import DiscErodeDocument
@@ -56,7 +57,11 @@ from minkref.schemas.scene.scene import SceneDocument
 from minkref.schemas.scene.view import SceneViewDocument
 from minkref.schemas.space.ball import BallErodeDocument, BallSumDocument
 from minkref.schemas.space.convolution import SpaceConvolutionDocument
-from minkref.schemas.space.erode import SpaceErodeDocument
+from minkref.schemas.space.erode import (
+    SpaceErodeDocument,
+    SpaceInnerFitDocument,
+    SpaceNoFitDocument,
+)
 from minkref.schemas.space.events import SpaceEventsDocument
 from minkref.schemas.space.sum import SpaceSumDocument
 from minkref.schemas.space.sweep import SpaceSweepDocument
@@ -73,6 +78,7 @@ DOCUMENTS = {
     "certify": CertifyDocument,
     "check": CheckDocument,
     "closing": ClosingDocument,
+    "closing_with_disc": DiscClosingDocument,
     "convolution": ConvolutionDocument,
     "convolution_in_space": SpaceConvolutionDocument,
     "convolution_with_disc": DiscConvolutionDocument,
@@ -99,10 +105,13 @@ DOCUMENTS = {
     "index": IndexDocument,
     "index_with_disc": DiscIndexDocument,
     "innerfit": InnerFitDocument,
+    "innerfit_in_space": SpaceInnerFitDocument,
     "intersection": IntersectionDocument,
     "models": ModelsDocument,
     "nofit": NoFitDocument,
+    "nofit_in_space": SpaceNoFitDocument,
     "opening": OpeningDocument,
+    "opening_with_disc": DiscOpeningDocument,
     "path": PathDocument,
     "path_in_space": SpacePathDocument,
     "path_with_clearance": ClearPathDocument,

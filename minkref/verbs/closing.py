@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from minkref.cli.verb import command_of
-from minkref.verbs.erode_request import MorphologyRequest, only_in_plane
+from minkref.verbs.erode_request import without_space
 
 EXAMPLES = """Examples:
 
@@ -11,14 +11,15 @@ minkref closing glyph1204 g1 --scale 30
 
 minkref closing P.wkt Q.wkt -o closed.svg
 
-minkref closing P.wkt Q.wkt --scale 7/5 --json"""
+minkref closing P.wkt Q.wkt --scale 7/5 --json
+
+minkref closing glyph1204 disc:7/5 -o closed.svg
+
+minkref closing glyph1204 disc:7/5 -o closed.dxf"""
 
 TOLD = """\
 The closing of P, scaled by S about the origin, by Q: the sum of the scaled P and Q, eroded
-    by Q. Exact, in canonical form, with its remnants."""
+    by Q. Exact, in canonical form, with its remnants. Q may be a disc about the origin, as
+    disc:7/5."""
 
-command = command_of(
-    "closing",
-    TOLD,
-    only_in_plane("closing", "minkref.plane.commands.erode:run_closing", MorphologyRequest),
-)
+command = command_of("closing", TOLD, without_space("closing"))

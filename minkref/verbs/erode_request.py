@@ -145,6 +145,34 @@ class ErodeWithBall:
 
 
 @dataclass(frozen=True)
+class NoFitInSpace:
+    A: Fixed
+    B: Moving
+    scale: ScaleInSpace = UNIT
+    route: Route = None
+    output: Output = None
+    form: Format = None
+    passages: Passages = False
+    triangles: Triangles = False
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
+class InnerFitInSpace:
+    container: Fixed
+    part: Moving
+    scale: ScaleInSpace = UNIT
+    route: Route = None
+    output: Output = None
+    form: Format = None
+    passages: Passages = False
+    triangles: Triangles = False
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
 class MorphologyRequest:
     """Openings and closings."""
 
@@ -155,6 +183,20 @@ class MorphologyRequest:
     form: Format = None
     only_region: OnlyRegion = False
     plot: Plot = False
+    memory: Memory = None
+    json: Json = False
+
+
+@dataclass(frozen=True)
+class MorphologyWithDisc:
+    P: Eroded
+    Q: Eroding
+    scale: Scale = ONE
+    output: Output = None
+    form: Format = None
+    only_region: OnlyRegion = False
+    tolerance: Tolerance = None
+    outside: Outside = False
     memory: Memory = None
     json: Json = False
 
@@ -185,11 +227,25 @@ class InnerFitRequest:
     json: Json = False
 
 
-def only_in_plane(command: str, run: str, request: type) -> dict[Setting, Verb | Absent]:
-    """Make the table for a command without discs and polyhedra."""
-    mend = "give two sets in the plane; `minkref erode` and `minkref sum` also take"
+def without_space(command: str) -> dict[Setting, Verb | Absent]:
+    """Make the table for an opening or a closing."""
+    mend = "give two sets in the plane; `minkref erode` and `minkref sum` also take polyhedra"
     return {
-        PLANE: Verb(request, run),
-        DISC: Absent(f"`minkref {command}` takes polygons, no disc", f"{mend} discs"),
-        SPACE: Absent(f"`minkref {command}` is of the plane", f"{mend} polyhedra"),
+        PLANE: Verb(MorphologyRequest, f"minkref.plane.commands.erode:run_{command}"),
+        DISC: Verb(MorphologyWithDisc, f"minkref.disc.commands.closing:run_{command}"),
+        SPACE: Absent(f"`minkref {command}` is of the plane", mend),
+    }
+
+
+def without_disc(command: str, in_plane: type, in_space: type) -> dict[Setting, Verb | Absent]:
+    """Make the table for a fit."""
+    mend = "give two sets in the plane or in space; `minkref erode` and `minkref sum` take discs"
+    return {
+        PLANE: Verb(in_plane, f"minkref.plane.commands.erode:run_{command}"),
+        DISC: Absent(f"`minkref {command}` takes polygons, no disc", mend),
+        SPACE: Verb(
+            in_space,
+            f"minkref.space.commands.erode:run_{command}",
+            why=dict.fromkeys(("--plot", "--only-region"), "no picture is drawn"),
+        ),
     }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from minkref.cli.verb import command_of
-from minkref.verbs.erode_request import MorphologyRequest, only_in_plane
+from minkref.verbs.erode_request import without_space
 
 EXAMPLES = """Examples:
 
@@ -11,15 +11,15 @@ minkref opening glyph1204 g1 --scale 30
 
 minkref opening P.wkt tool.wkt -o reached.svg
 
-minkref opening P.wkt tool.wkt -o reached.wkt --json"""
+minkref opening P.wkt tool.wkt -o reached.wkt --json
+
+minkref opening glyph1204 disc:7/5 -o reached.svg
+
+minkref opening glyph1204 disc:7/5 -o reached.wkt --tolerance 1/1000"""
 
 TOLD = """\
 The opening of P, scaled by S about the origin, by Q: all copies of Q within the scaled P
     together, that is, the erosion by Q plus Q. Copies that fit exactly count. Exact, in canonical
-    form."""
+    form. Q may be a disc about the origin, as disc:7/5."""
 
-command = command_of(
-    "opening",
-    TOLD,
-    only_in_plane("opening", "minkref.plane.commands.erode:run_opening", MorphologyRequest),
-)
+command = command_of("opening", TOLD, without_space("opening"))

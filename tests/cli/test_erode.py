@@ -4,6 +4,7 @@ files, refusals; in the plane, with a disc and in space."""
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
@@ -15,7 +16,7 @@ import pytest
 from minkref import _core
 from minkref.schemas import schema
 from minkref.verbs.erode_request import DISC_ROUTES, ROUTES, SPACE_ROUTES
-from written_solids import prism
+from written_solids import cube, prism
 
 Minkref = Callable[..., Any]
 ROOMS = "POLYGON((0 0,30 0,30 9,36 9,36 0,70 0,70 30,36 30,36 19,30 19,30 30,0 30,0 0))"
@@ -214,6 +215,35 @@ def test_a_box_in_a_box(minkref: Minkref, route: str, tmp_path: Path) -> None:
     assert _core.PolyhedralSet(package.read_mesh(file)).volume() == str(7 * 5 * 3)
 
 
+def test_openings_and_closings_by_a_disc(minkref: Minkref, tmp_path: Path) -> None:
+    corners = (4 - math.pi) / 4  # that the disc does not reach
+    for command, area in (("closing", 77 + corners), ("opening", 77 - corners)):
+        value = minkref(command, HOLED, "disc:1/2", "--json").json
+        jsonschema.validate(value, schema(f"{command}_with_disc"))
+        assert (value["components"], value["holes"]) == (1, 1)
+        assert value["area"]["low"] == pytest.approx(area, abs=1e-12)
+        assert len(value["arcs"]) == 4 and len(value["digest"]) == 64
+        for ending in ("svg", "json", "dxf", "wkt"):
+            path = tmp_path / f"{command}.{ending}"
+            tolerance = ("--tolerance", "1/50") if ending == "wkt" else ()
+            minkref(command, HOLED, "disc:1/2", "-o", str(path), *tolerance)
+            assert path.read_text()
+        near = package.read_file(tmp_path / f"{command}.wkt")
+        assert float(Fraction(near.area())) <= value["area"]["high"]
+
+
+def test_fits_in_space(minkref: Minkref, tmp_path: Path) -> None:
+    """A unit cube has one place in itself, and 8 times its volume of places beside itself."""
+    file = tmp_path / "cube.off"
+    file.write_text(cube())
+    fit = minkref("innerfit", str(file), str(file), "--passages", "--json").json
+    jsonschema.validate(fit, schema("innerfit_in_space"))
+    assert (fit["volume"], len(fit["exact_fits"]["points"])) == ("0", 1)
+    no_fit = minkref("nofit", str(file), str(file), "--json").json
+    jsonschema.validate(no_fit, schema("nofit_in_space"))
+    assert (no_fit["volume"], no_fit["exact_fits"], no_fit["A"]) == ("8", None, str(file))
+
+
 BAD = {
     ("erode", ROOMS): "Q",
     ("erode", ROOMS, "POLYGON EMPTY"): "empty",
@@ -224,9 +254,14 @@ BAD = {
     ("erode", ROOMS, "disc:1", "-o", "x.wkt"): "--tolerance",
     ("erode", ROOMS, "disc:1", "--index", "x.json"): "--index",
     ("erode", ROOMS, BOX, "-o", "x.off"): ".wkt",
-    ("opening", ROOMS, "disc:1"): "polygons",
+    ("opening", "disc:1", ROOMS): "polygons",
+    ("opening", "gs3", "gs4"): "plane",
+    ("closing", "POINT(0 0)", "disc:1"): "area",
+    ("closing", HOLED, "disc:1"): "radius",
+    ("closing", HOLED, "disc:1/2", "-o", "x.wkt"): "--tolerance",
+    ("erode", "LINESTRING(0 0,1 0,1 1)", BOX): "segments or points",
     ("nofit", ROOMS, "disc:1"): "polygons",
-    ("innerfit", "gs3", "gs4"): "plane",
+    ("innerfit", "gs3", "gs4", "--plot"): "picture",
     ("closing", "POINT(0 0)", "POINT(1 1)", "--scale", "-1"): "positive",
     ("closing", "POINT(0 0)", "LINESTRING(0 0,1 1)"): "points or segments",
     ("events", ROOMS, BOX, "--erode", "--kind", "pair"): "boundary",

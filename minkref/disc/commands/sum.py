@@ -28,7 +28,7 @@ from minkref.plane.operand import Operand, read_operand
 from minkref.verbs.sum import SumWithDisc
 
 if TYPE_CHECKING:
-    from minkref.verbs.erode_request import ErodeWithDisc
+    from minkref.verbs.erode_request import ErodeWithDisc, MorphologyWithDisc
 
 FORMATS = ("json", "svg", "dxf", "wkt", "geojson", "poly")
 WITH_ARCS = ("json", "svg", "dxf")
@@ -57,7 +57,7 @@ def run(request: SumWithDisc) -> None:
         raise Refusal("the sum of two discs is one", f"{P} and {Q}", "add their radii")
     disc = read_disc(P).scaled(factor) if is_disc(P) else read_disc(Q)
     with memory_wall(request.memory, "the sum with a disc", f"{P} and {Q}", SIMPLER):
-        operand = read_operand(Q if is_disc(P) else P)
+        operand = read_operand(Q if is_disc(P) else P, lines=True)
         if output is not None:
             refuse_overwriting(output, [operand.file])
             refuse_overwriting_index(output, index)
@@ -206,7 +206,9 @@ def enclosed(bounds: tuple[float, float]) -> dict[str, float | None]:
     return {"low": low, "high": high}
 
 
-def check_polygon(request: SumWithDisc | ErodeWithDisc, target: Target | None) -> None:
+def check_polygon(
+    request: SumWithDisc | ErodeWithDisc | MorphologyWithDisc, target: Target | None
+) -> None:
     """Refuses a polygon without a tolerance, and a tolerance without a polygon."""
     given = {"--tolerance": request.tolerance is not None, "--outside": request.outside}
     if target is not None and target.form not in WITH_ARCS:

@@ -40,7 +40,8 @@ def run(request: EventsInPlane) -> None:
     _check_parquet(target, kind)
     route = _route(kind, request.route, request.index)
     _check_reduced(request, route, readings)
-    named = first, second = read_operand(request.P), read_operand(request.Q)
+    lines = not request.erode
+    named = first, second = read_operand(request.P, lines), read_operand(request.Q, lines)
     if output is not None:
         refuse_overwriting(output, [first.file, second.file])
         refuse_overwriting_index(output, request.index)

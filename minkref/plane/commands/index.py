@@ -41,7 +41,8 @@ def run(request: IndexInPlane) -> None:
         output, "an index is read at random places, so it cannot be a stream", "name a file"
     )
     check_writable(output)
-    first, second = read_operand(P), read_operand(Q)
+    lines = not request.erode
+    first, second = read_operand(P, lines), read_operand(Q, lines)
     refuse_overwriting(output, [first.file, second.file])
     if output.suffix.lower().removeprefix(".") in OTHER_FORMATS:
         what = f"an index has a format of its own, and {output.suffix} is the ending of another"

@@ -49,7 +49,8 @@ def run(request: SumInPlane) -> None:
     _check_pictures(request, target)
     instead = f"{SIMPLER}, or the route paper" if route in OR_PAPER else SIMPLER
     with memory_wall(request.memory, f"route {route}", f"{P} and {Q}", instead):
-        first, second = read_operand(P), read_operand(Q)
+        lines = route != PAPER_UPDATE
+        first, second = read_operand(P, lines), read_operand(Q, lines)
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])
             refuse_overwriting_index(output, request.index)
@@ -140,7 +141,8 @@ def _written(
         from minkref.reports.sum_picture import sum_picture
 
         counts = (found["components"], found["holes"])
-        passages = [passage["points"] for passage in found["tight_passages"] or ()]
+        beside = found["tight_passages"] or found["remnants"] or ()
+        passages = [passage["points"] for passage in beside]
         return sum_picture(P, Q, scale, region, *counts, truth, passages), False
     return written_set(region, target)
 
@@ -163,6 +165,7 @@ def compute(
     where = f"{P.name} and {Q.name}"
     scale = text_of(factor)
     exact = arithmetic == "rational" and readings is None
+    thin = all(not (each.set.is_region or each.set.is_empty) for each in (P, Q))
     undecided = False
     answer: _core.Sum | None = None
     seconds: float | None = None
@@ -190,7 +193,8 @@ def compute(
             answer = refusing(
                 where, lambda: _core.minkowski_sum(P.set, Q.set, scale, route, arithmetic, exact)
             )
-            passages, seconds = answer.passage_rows() if exact else None, answer.seconds
+            passages = answer.passage_rows() if exact and not thin else None
+            seconds = answer.seconds
     except _core.UndecidedSign:
         undecided = True
     fields: dict[str, Any] = {
@@ -202,6 +206,7 @@ def compute(
         "compute_seconds": seconds,
         **_description(answer),
         "tight_passages": None if passages is None else passages_of(passages),
+        "remnants": _remnants(P, Q, scale, answer) if thin and exact and answer else None,
         "signs": _signs(answer.statistics)
         if answer and route in _core.ROUTES and start is None
         else None,
@@ -249,6 +254,11 @@ def _updated(
     answer = moving.sum()
     passages = _core.tight_passages(P.set, Q.set, scale)
     return answer, passages, time.perf_counter() - began, did
+
+
+def _remnants(P: Operand, Q: Operand, scale: str, answer: _core.Sum) -> list[dict[str, Any]]:
+    """List the parts without area of two operands without area."""
+    return passages_of(_core.sum_remnants(P.set, Q.set, scale, answer.region))
 
 
 def _description(answer: _core.Sum | None) -> dict[str, Any]:

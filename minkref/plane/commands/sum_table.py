@@ -35,7 +35,10 @@ def print_table(value: dict[str, Any]) -> None:
             rows.append(("", in_words(value["comparison"])))
         if not exact["equal"]:
             rows += [(f"  {name}", text) for name, text in described(exact)]
-    rows += _passage_rows(value["tight_passages"], value["readings"] is not None)
+    if value["remnants"] is not None:
+        rows += passage_rows(value["remnants"], "polyline", "remnants")
+    else:
+        rows += _passage_rows(value["tight_passages"], value["readings"] is not None)
     rows += place_rows(value)
     signs = value["signs"]
     if signs is not None and signs["total"]:

@@ -67,7 +67,8 @@ def run(request: SweepInPlane) -> None:
     readings = _readings(request, route)
     refuse_others(request.erode, route, ERODING)
     folder = sweep_folder(output, request.form, FORMATS)
-    first, second = read_operand(request.P), read_operand(request.Q)
+    lines = not request.erode and route != ROUTE
+    first, second = read_operand(request.P, lines), read_operand(request.Q, lines)
     if folder is not None:
         folder.refuse_overwriting([first.file, second.file, *([index] if index else [])])
     wall = memory_wall(request.memory, f"route {route}", f"{request.P} and {request.Q}", SMALLER)

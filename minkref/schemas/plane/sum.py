@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, TypedDict
 
+from minkref.schemas.plane.erode import ExactFit
 from minkref.schemas.plane.values import (
     AreaApproximate,
     BesideExact,
@@ -117,7 +118,14 @@ class SumDocument(Head, Operands, Written, SumStart):
         Meta(
             description="The points and polylines inside of the sum that the sum of the interiors "
             "misses, in canonical order; null for another arithmetic than rational, since only "
-            "exact ones mean anything."
+            "exact ones mean anything, and for two operands without area."
+        ),
+    ]
+    remnants: Annotated[
+        list[ExactFit] | None,
+        Meta(
+            description="For two operands of points and segments: the points and polylines of the "
+            "sum beside its region, in canonical order, without contacts. Else null."
         ),
     ]
     signs: Annotated[

@@ -1,10 +1,11 @@
-"""Documents: `erode` in space."""
+"""Documents: `erode`, `nofit` and `innerfit` in space."""
 
 from __future__ import annotations
 
 from typing import Annotated, Literal
 
 from minkref.schemas.grammar import Either
+from minkref.schemas.plane.erode import ContainerAndPart, FixedAndMoving
 from minkref.schemas.space.sum import Rounding, SpacePassages
 from minkref.schemas.space.values import PolyhedralSet, Polyhedron, SpaceScaling
 from minkref.schemas.values import (
@@ -23,10 +24,9 @@ from msgspec import Meta
 SpaceErodeRoute = Literal["edges", "definition"]
 
 
-class SpaceErodeDocument(Head, InSpace, Operands, Written, SpaceScaling):
-    """The document of `minkref erode --json` in space."""
+class RemainingInSpace(Head, InSpace, Written, SpaceScaling):
+    """What all three documents have."""
 
-    command: Literal["erode"]
     output_exact: FileIsExact
     rounding: Annotated[Rounding | None, Meta(description="As `minkref sum` tells it.")]
     route: SpaceErodeRoute
@@ -45,10 +45,33 @@ class SpaceErodeDocument(Head, InSpace, Operands, Written, SpaceScaling):
         Either[PolyhedralSet, Polyhedron],
         Meta(description="The canonical form: of a convex set that of a convex polyhedron."),
     ]
-    remnants: Annotated[
-        SpacePassages | None,
-        Meta(
-            description="What lies beside the set without volume: Q fits exactly there. Null where "
-            "it was not looked for (--passages)."
-        ),
-    ]
+
+
+SpaceFits = Annotated[
+    SpacePassages | None,
+    Meta(
+        description="What has no volume of its own: there the moving operand fits exactly. Null "
+        "where it was not looked for (--passages)."
+    ),
+]
+
+
+class SpaceErodeDocument(RemainingInSpace, Operands):
+    """The document of `minkref erode --json` in space."""
+
+    command: Literal["erode"]
+    remnants: SpaceFits
+
+
+class SpaceNoFitDocument(RemainingInSpace, FixedAndMoving):
+    """The document of `minkref nofit --json` in space."""
+
+    command: Literal["nofit"]
+    exact_fits: SpaceFits
+
+
+class SpaceInnerFitDocument(RemainingInSpace, ContainerAndPart):
+    """The document of `minkref innerfit --json` in space."""
+
+    command: Literal["innerfit"]
+    exact_fits: SpaceFits

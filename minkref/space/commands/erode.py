@@ -1,7 +1,9 @@
-"""`minkref erode` of polyhedra."""
+"""`minkref erode`, `nofit` and `innerfit` of polyhedra."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from minkref import _core
@@ -20,16 +22,49 @@ from minkref.space.general_sum import general_sum
 from minkref.space.operand import SpaceOperand, read_summand
 from minkref.space.scaling import Scaling, text_of
 from minkref.space.tight_passages import NONE, tight_passages
-from minkref.verbs.erode_request import SPACE_ROUTES, ErodeInSpace
+from minkref.verbs.erode_request import SPACE_ROUTES, ErodeInSpace, InnerFitInSpace, NoFitInSpace
+
+Passages = dict[str, Any] | None
+Found = tuple[_core.PolyhedralSet, float, Passages]
+
+
+@dataclass(frozen=True)
+class Question:
+    """A command's question. `operands`: both document fields; `fits`: the field for exact fits;
+    `told`: a phrase for people."""
+
+    command: str
+    operands: tuple[str, str]
+    fits: str
+    told: str
+    find: Callable[[SpaceOperand, SpaceOperand, Scaling, str, bool], Found]
 
 
 def run(request: ErodeInSpace) -> None:
+    asked = Question("erode", ("P", "Q"), "remnants", "{0} less {1}", eroded)
+    _answer(asked, request.P, request.Q, request)
+
+
+def run_nofit(request: NoFitInSpace) -> None:
+    asked = Question("nofit", ("A", "B"), "exact_fits", "{0} and {1}", no_fit)
+    _answer(asked, request.A, request.B, request)
+
+
+def run_innerfit(request: InnerFitInSpace) -> None:
+    keys = ("container", "part")
+    asked = Question("innerfit", keys, "exact_fits", "{1} in {0}", eroded)
+    _answer(asked, request.container, request.part, request)
+
+
+def _answer(
+    asked: Question, P: str, Q: str, request: ErodeInSpace | NoFitInSpace | InnerFitInSpace
+) -> None:
     watch = Stopwatch()
-    P, Q, scaling, output = request.P, request.Q, request.scale, request.output
+    scaling, output = request.scale, request.output
     route = request.route or SPACE_ROUTES[0]
     if route not in SPACE_ROUTES:
         mend = f"in space: {choice(route, SPACE_ROUTES)}"
-        raise Refusal(f"there is no route {route!r} of an erosion in space", "--route", mend)
+        raise Refusal(f"there is no route {route!r} in space", "--route", mend)
     target = target_of(output, request.form, SPACE_FORMATS, "off", request.json)
     if request.triangles and target is None:
         raise Refusal("there is nothing to write", "--triangles", "add -o FILE.off")
@@ -37,7 +72,7 @@ def run(request: ErodeInSpace) -> None:
         first, second = read_summand(P), read_summand(Q)
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])
-        found, seconds, remnants = eroded(first, second, scaling, route, request.passages)
+        found, seconds, fits = asked.find(first, second, scaling, route, request.passages)
         mesh = mesh_of(found, request.triangles)
         fields = set_fields(found)
     exact = rounding = None
@@ -51,11 +86,10 @@ def run(request: ErodeInSpace) -> None:
             rounding = rounding_of(mesh, exact)
             warnings += beyond_doubles(mesh)
     value = document(
-        "erode",
+        asked.command,
         watch,
         dimension=3,
-        P=first.name,
-        Q=second.name,
+        **dict(zip(asked.operands, (first.name, second.name), strict=True)),
         scale=list(scaling),
         warnings=warnings,
         output=str(output) if output else None,
@@ -64,14 +98,21 @@ def run(request: ErodeInSpace) -> None:
         route=route,
         compute_seconds=seconds,
         **fields,
-        remnants=remnants,
+        **{asked.fits: fits},
     )
-    give(value, request.json, lambda value: _print(value, text_of(scaling)))
+    give(value, request.json, lambda value: _print(asked, value, text_of(scaling)))
 
 
-def eroded(
-    P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str, passages: bool
-) -> tuple[_core.PolyhedralSet, float, dict[str, Any] | None]:
+def no_fit(A: SpaceOperand, B: SpaceOperand, scaling: Scaling, route: str, passages: bool) -> Found:
+    """Find the places at which B meets A: the sum of A and -B."""
+    turned = negated(B)
+    with told_of(f"route {route}") as tell:
+        summed = general_sum(A, turned, scaling, route, cores(), tell)
+    tight = tight_passages(A, turned, scaling) if passages else None
+    return summed.set, summed.seconds, tight
+
+
+def eroded(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str, passages: bool) -> Found:
     """Erode: the set, its sum's seconds, and remnants if wanted or known to be none."""
     if Q.surface.vertices == 0:
         what = "Q is empty, so that every place is in the erosion"
@@ -88,9 +129,10 @@ def eroded(
     return cavities(summed.set, places), summed.seconds, tight
 
 
-def _print(value: dict[str, Any], scaling: str) -> None:
+def _print(asked: Question, value: dict[str, Any], scaling: str) -> None:
+    first, second = (value[key] for key in asked.operands)
     rows = [
-        ("erode", f"{scaling} {value['P']} less {value['Q']}"),
+        (asked.command, asked.told.format(f"{scaling} {first}", second)),
         ("route", f"{value['route']}, exact"),
         ("volume", measure(value["volume"])),
         ("vertices, edges, facets",
@@ -98,10 +140,10 @@ def _print(value: dict[str, Any], scaling: str) -> None:
         ("components, cavities, tunnels",
          f"{value['components']:,}, {value['cavities']:,}, {value['tunnels']:,}"),
     ]  # fmt: skip
-    found = value["remnants"]
+    found = value[asked.fits]
     told = "not looked for; --passages finds them"
     if found is not None:
         told = ", ".join(f"{len(found[name]):,} {name}" for name in ("sheets", "lines", "points"))
-    rows += [("remnants", told), ("digest", value["digest"])]
+    rows += [(asked.fits.replace("_", " "), told), ("digest", value["digest"])]
     rows.append(("seconds", f"{value['seconds']:.3f}"))
     print_lines(rows + written_row(value) + rounding_rows(value), value)

@@ -1,0 +1,142 @@
+"""Closings and openings by a disc: cases by hand, sampled areas, and polygons around them."""
+
+from __future__ import annotations
+
+import math
+import random
+from fractions import Fraction
+
+import pytest
+from minkref import PolygonSet, _core
+from minkref.disc.closed import (
+    DiscClosing,
+    closed_by_disc,
+    closing_near,
+    opened_by_disc,
+    opening_near,
+)
+from minkref.disc.disc import read_disc
+from minkref.errors import Refusal
+from minkref.fuzz.judges.disc.place_draws import drawn_set, set_of
+from thoroughness import draws
+
+from tests.disc.sampled_closing import added_area
+
+SEED = 6124
+SLOT = PolygonSet([(0, 0), (9, 0), (9, 6), (5, 6), (5, 2), (4, 2), (4, 6), (0, 6)])
+
+
+def close(P: PolygonSet, radius: Fraction | int) -> DiscClosing:
+    return closed_by_disc(P, str(Fraction(radius) ** 2), "P", 1)
+
+
+def open_(P: PolygonSet, radius: Fraction | int) -> DiscClosing:
+    return opened_by_disc(P, str(Fraction(radius) ** 2), "P", 1)
+
+
+def encloses(bounds: tuple[float, float], value: float) -> bool:
+    return bounds[0] - 1e-12 <= value <= bounds[1] + 1e-12
+
+
+def test_a_slot_is_filled_but_for_a_cap() -> None:
+    found = close(SLOT, 1)
+    angle = 2 * math.asin(1 / 2)
+    assert encloses(found.area, 54 - (angle - math.sin(angle)) / 2)
+    assert (found.components, found.holes, len(found.rings), len(found.arcs)) == (1, 0, 1, 1)
+
+
+def test_corners_of_a_square_are_rounded() -> None:
+    square = PolygonSet([(0, 0), (4, 0), (4, 4), (0, 4)])
+    found = open_(square, 1)
+    assert encloses(found.area, 12 + math.pi)
+    assert (found.components, found.holes, len(found.arcs)) == (1, 0, 4)
+    assert {centre for centre, *_ in found.arcs} == {
+        ("1", "1"), ("3", "1"), ("1", "3"), ("3", "3"),
+    }  # fmt: skip
+    assert close(square, 1).area == (16.0, 16.0)
+    assert open_(square, 3).components == 0
+    whole = open_(square, 2)
+    assert encloses(whole.area, 4 * math.pi) and whole.digest is None
+
+
+def test_openings_fall_apart_and_closings_grow_together() -> None:
+    """A dumb-bell loses its bar, two blocks get one."""
+    bell = PolygonSet(
+        [(0, 0), (6, 0), (6, 2), (10, 2), (10, 0), (16, 0), (16, 6), (10, 6), (10, 4), (6, 4),
+         (6, 6), (0, 6)]
+    )  # fmt: skip
+    assert [open_(bell, Fraction(r)).components for r in ("1/2", "3/2", "4")] == [1, 2, 0]
+    blocks = PolygonSet([[[(0, 0), (4, 0), (4, 9), (0, 9)]], [[(5, 0), (9, 0), (9, 9), (5, 9)]]])
+    assert [close(blocks, Fraction(r)).components for r in ("1/4", "2")] == [2, 1]
+    frame = PolygonSet([[(0, 0), (9, 0), (9, 9), (0, 9)], [(3, 3), (3, 5), (5, 5), (5, 3)]])
+    assert [close(frame, Fraction(r)).holes for r in ("1/2", "3/2")] == [1, 0]
+    assert [open_(frame, Fraction(r)).holes for r in ("1/2", "3/2")] == [1, 1]
+
+
+def test_a_disc_that_just_fits_is_refused_for_a_closing_and_counts_for_an_opening() -> None:
+    frame = PolygonSet([[(0, 0), (9, 0), (9, 9), (0, 9)], [(3, 3), (3, 5), (5, 5), (5, 3)]])
+    with pytest.raises(Refusal) as refused:
+        close(frame, 1)
+    assert refused.value.code == "disc-fits"
+    with pytest.raises(Refusal) as refused:
+        open_(PolygonSet("POINT (0 0)"), 1)
+    assert refused.value.code == "degenerate-operands"
+
+
+def test_areas_lie_within_sampled_ones_and_within_polygons() -> None:
+    """Prints the shape and the radius."""
+    dice = random.Random(SEED)
+    for number in range(draws(6, 80)):
+        _, shape = drawn_set(SEED, number)
+        P = set_of(shape)
+        radius = Fraction(dice.randint(2, 40), 7)
+        try:
+            found = close(P, radius)
+        except Refusal:
+            continue
+        own = float(Fraction(P.area()))
+        low, high = added_area(shape, float(radius), 150)
+        assert low - 1e-9 <= found.area[1] - own, (shape, radius)
+        assert found.area[0] - own <= high + 1e-9, (shape, radius)
+        check_polygons(P, radius)
+
+
+def check_polygons(P: PolygonSet, radius: Fraction) -> None:
+    """Sums and erosions with polygons know nothing of the diagram."""
+    disc = read_disc(f"disc:{radius}")
+    for found, near in ((close(P, radius), closing_near), (open_(P, radius), opening_near)):
+        inner, outer = (near(P, disc, Fraction(1, 20), outside) for outside in (False, True))
+        assert float(Fraction(inner.area())) <= found.area[1] + 1e-9, (P.rings(), radius)
+        assert found.area[0] <= float(Fraction(outer.area())) + 1e-9, (P.rings(), radius)
+        assert ring_area(found) == pytest.approx(found.area[0], abs=1e-6), (P.rings(), radius)
+
+
+def ring_area(found: DiscClosing) -> float:
+    """The area within the rings as drawn: chords, and the segments between chord and arc."""
+    total = 0.0
+    for ring in found.rings:
+        for kind, x0, y0, x1, y1, cx, cy in ring:
+            total += (x0 * y1 - y0 * x1) / 2
+            if kind == "arc":
+                across = (x0 - cx) * (y1 - cy) - (y0 - cy) * (x1 - cx)
+                along = (x0 - cx) * (x1 - cx) + (y0 - cy) * (y1 - cy)
+                total += (
+                    math.atan2(across, along) * math.hypot(x0 - cx, y0 - cy) ** 2 - across
+                ) / 2
+    return abs(total)
+
+
+def test_an_opening_is_what_a_closing_of_the_outside_leaves() -> None:
+    """Openings and closings again change nothing: their canonical forms stay."""
+    dice = random.Random(SEED + 1)
+    for number in range(draws(5, 60)):
+        P = set_of(drawn_set(SEED, number)[1])
+        radius = Fraction(dice.randint(2, 30), 11)
+        opened = open_(P, radius)
+        outside = _core.closed_by_disc(_core.Outside(P).set, str(radius**2), False)
+        if _core.inset(P, str(radius**2), 1).tight_passages(1):
+            continue
+        assert (opened.components, opened.holes) == (outside.holes, outside.components - 1)
+        frame = float(Fraction(_core.Outside(P).set.area())) + float(Fraction(P.area()))
+        assert opened.area[0] == pytest.approx(frame - outside.area()[0], rel=1e-12)
+        assert opened.area[1] <= float(Fraction(P.area())) + 1e-9
