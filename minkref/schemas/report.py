@@ -7,7 +7,7 @@ from typing import Annotated, Literal, TypedDict
 from minkref.schemas.values import Head
 from msgspec import Meta
 
-Subject = Literal["audit", "paper", "degeneracies"]
+Subject = Literal["audit", "paper", "degeneracies", "findings"]
 
 
 class FailedEntry(TypedDict):

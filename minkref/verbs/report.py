@@ -27,9 +27,11 @@ minkref report audit --quick
 
 minkref report degeneracies --corpus cases -o report
 
+minkref report findings --quick -o findings
+
 MINKREF_MODELS=folder minkref report paper"""
 
-SUBJECTS = ("audit", "paper", "degeneracies")
+SUBJECTS = ("audit", "paper", "degeneracies", "findings")
 PACKAGES = "the packages matplotlib, sympy, markdown-it-py, mdit-py-plugins and latex2mathml"
 
 
@@ -41,10 +43,7 @@ def command(
         str, typer.Option("-o", help="Folder for the pages.", metavar="DIR")
     ] = "report",
     quick: Annotated[
-        bool,
-        typer.Option(
-            "--quick", help="audit, paper: leave out what takes long; two minutes or less."
-        ),
+        bool, typer.Option("--quick", help="audit, paper, findings: leave out what takes long.")
     ] = False,
     seed: Annotated[
         int, typer.Option("--seed", help="paper: seed of the re-scalings of Table 1.", metavar="K")
@@ -61,10 +60,11 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> ExitCode:
-    """Write HTML pages. audit: which formulas of the paper hold, with a check for each (exit code 1
-    if one fails). paper: its tables, figures and times beside ours. degeneracies: for each family
-    why good code gets it wrong, drawings of cases, and a table of all cases; what the flags mean;
-    invalid input."""
+    """Write pages, most as HTML. audit: which formulas of the paper hold, with a check for each
+    (exit code 1 if one fails). paper: its tables, figures and times beside ours. degeneracies: for
+    each family why good code gets it wrong, drawings of cases, and a table of all cases; what the
+    flags mean; invalid input. findings: wrong answers of libraries: which still show, by programs
+    that use the library alone, and a report about each, ready to send, as Markdown."""
     watch = Stopwatch()
     for subject in subjects:
         if subject not in SUBJECTS:
@@ -81,6 +81,8 @@ def command(
                 failed += failures
             elif subject == "paper":
                 front = _paper(folder, quick, seed)
+            elif subject == "findings":
+                front = _findings(folder, quick)
             else:
                 front = _degeneracies(folder, cases)
             fronts.append(front)
@@ -120,6 +122,13 @@ def _degeneracies(folder: Path, cases: Path) -> Path:
             line.done()
 
         return write_report(folder, cases, reading)
+
+
+def _findings(folder: Path, quick: bool) -> Path:
+    entry, made = _imported("findings.entry", "findings.reports")
+    with progress(len(entry.entries())) as line:
+        front: Path = made.write_findings(folder, quick, line.now, line.done)
+    return front
 
 
 def _imported(*names: str) -> list[Any]:

@@ -1,0 +1,104 @@
+"""Judges the witness of a finding by definition, in fractions: crossings of rays, and distances.
+
+Standard library only; written apart from every other judge. `judge.py FINDINGS.json` prints a line
+for each finding, and ends with 1 if a witness is refuted.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from fractions import Fraction
+from typing import Any
+
+Point = tuple[Fraction, Fraction]
+Set = list[list[list[Point]]]
+
+
+def read(value: dict[str, Any], scale: Fraction = Fraction(1)) -> Set:
+    def ring(points: Any) -> list[Point]:
+        return [(scale * Fraction(x), scale * Fraction(y)) for x, y in points]
+
+    return [[ring(p["outer"]), *map(ring, p.get("holes", []))] for p in value["polygons"]]
+
+
+def edges(one: Set) -> list[tuple[Point, Point]]:
+    return [(r[i - 1], r[i]) for rings in one for r in rings for i in range(len(r))]
+
+
+def odd(rings: list[list[Point]], x: Point) -> bool:
+    """Whether a ray to the right crosses the rings an odd number of times."""
+    crossings = 0
+    for (a, b), (c, d) in edges([rings]):
+        if (b > x[1]) != (d > x[1]) and a + (c - a) * (x[1] - b) / (d - b) > x[0]:
+            crossings += 1
+    return crossings % 2 == 1
+
+
+def square(x: Point, a: Point, b: Point) -> Fraction:
+    """The squared distance of a point from a segment."""
+    (ux, uy), (vx, vy) = (b[0] - a[0], b[1] - a[1]), (x[0] - a[0], x[1] - a[1])
+    length = ux * ux + uy * uy
+    t = min(max((ux * vx + uy * vy) / length, Fraction(0)), Fraction(1)) if length else Fraction(0)
+    return (vx - t * ux) ** 2 + (vy - t * uy) ** 2
+
+
+def meet(a: Point, b: Point, c: Point, d: Point) -> bool:
+    """Whether two closed segments have a point in common."""
+
+    def turn(p: Point, q: Point, r: Point) -> Fraction:
+        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+    if any(square(*each) == 0 for each in ((a, c, d), (b, c, d), (c, a, b), (d, a, b))):
+        return True
+    return turn(a, b, c) * turn(a, b, d) < 0 and turn(c, d, a) * turn(c, d, b) < 0
+
+
+def in_offset(case: dict[str, Any], x: Point, half: Fraction) -> bool | None:
+    grown, radius = read(case["offset"]), Fraction(case["radius"])
+    far = min(square(x, a, b) for a, b in edges(grown))
+    if any(odd(rings, x) for rings in grown) or (far < (radius - half) ** 2 and half < radius):
+        return True
+    return False if far > (radius + half) ** 2 else None
+
+
+def in_union(case: dict[str, Any], x: Point, half: Fraction) -> bool | None:
+    """Decided if some polygon has the whole square around x, or none has a point of it."""
+    all_rings = [rings for one in case["sets"] for rings in read(one)]
+    clear = [min(square(x, a, b) for a, b in edges([r])) > 2 * half**2 for r in all_rings]
+    if any(far and odd(r, x) for r, far in zip(all_rings, clear, strict=True)):
+        return True
+    return False if all(clear) and not any(odd(r, x) for r in all_rings) else None
+
+
+def in_sum(case: dict[str, Any], x: Point, half: Fraction) -> bool | None:
+    """Whether sP and x - Q meet, at x and at the corners of the square around it: one answer."""
+    Q = read(case["Q"])
+    P = read(case["P"], Fraction(case["scale"]))
+    answers = set()
+    for i, j in ((0, 0), (1, 1), (1, -1), (-1, 1), (-1, -1)):
+        y = (x[0] + i * half, x[1] + j * half)
+        turned = [[[(y[0] - a, y[1] - b) for a, b in r] for r in rings] for rings in Q]
+        crossed = any(meet(*e, *f) for e in edges(P) for f in edges(turned))
+        inside = any(odd(r, t[0][0]) for r in P for t in turned)
+        answers.add(crossed or inside or any(odd(t, r[0][0]) for r in P for t in turned))
+    return answers.pop() if len(answers) == 1 else None
+
+
+def truth(finding: dict[str, Any]) -> bool | None:
+    """Whether the witness is in the right answer; None if the tolerance leaves it open."""
+    case, witness = finding["case"], finding["witness"]
+    a, b = map(Fraction, witness["point"])
+    half = Fraction(witness.get("tolerance", "0"))
+    judge = in_offset if "offset" in case else in_union if "sets" in case else in_sum
+    return judge(case, (a, b), half)
+
+
+if __name__ == "__main__":
+    bad = 0
+    for one in json.load(open(sys.argv[1], encoding="utf-8")):
+        if one["witness"] and "vertices" not in one["case"].get("P", {}):
+            right = truth(one) is one["witness"]["in_truth"]
+            bad += not right
+            print(f"{one['id']}: {'confirmed' if right else 'REFUTED'}")
+    sys.exit(1 if bad else 0)

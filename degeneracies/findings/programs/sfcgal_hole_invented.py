@@ -1,0 +1,46 @@
+"""SFCGAL: minkowski_sum of two polygons, exact. pysfcgal wrong: hole-invented
+
+pip install pysfcgal; python sfcgal_hole_invented.py
+"""
+
+import re
+import sys
+from fractions import Fraction
+from importlib.metadata import version
+
+from pysfcgal.geometry import Geometry
+
+P = "POLYGON ((0 22/9,0 0,154/57 0,0 22/9),(176/171 22/171,22/19 176/171,220/171 154/171,176/171 22/171),(88/171 22/171,44/171 44/171,110/171 22/57,88/171 22/171),(110/171 176/171,22/57 22/19,22/171 44/19,110/171 176/171))"
+Q = "POLYGON ((0 0,1 1,0 1,0 0))"
+x, truth = tuple(map(Fraction, ("21/20", "7/5"))), True  # a point, and whether it is in the sum
+
+
+def rings(wkt):
+    """The innermost parentheses, as lists of points in fractions."""
+    texts = re.findall(r"\(([^()]+)\)", wkt)
+    return [[tuple(map(Fraction, p.split()[:2])) for p in text.split(",")] for text in texts]
+
+
+def inside(wkt, point):
+    """Even and odd crossings of a ray to the right."""
+    odd = False
+    for ring in rings(wkt):
+        for a, b in zip(ring, ring[1:]):
+            if (a[1] > point[1]) != (b[1] > point[1]):
+                at = a[0] + (b[0] - a[0]) * (point[1] - a[1]) / (b[1] - a[1])
+                odd ^= at > point[0]
+    return odd
+
+
+result = Geometry.from_wkt(P).minkowski_sum(Geometry.from_wkt(Q))
+print(f"pysfcgal {version('pysfcgal')}")
+print("P =", P)
+print("Q =", Q)
+if result is None:
+    sys.exit("no geometry came back")
+print("sum =", result.to_wkt())
+if truth is not None:
+    found = inside(result.to_wkt(), x)
+    where = ", ".join(map(str, x))
+    print(f"x = ({where}) in this sum: {'in' if found else 'out'}, in truth: {'in' if truth else 'out'}")
+    sys.exit(found != truth)

@@ -1,0 +1,105 @@
+"""Runs the program of a finding with the installed library: `still`, `mended`, or `absent`.
+
+A program ends with 0 if the library is right about the case, with 1 or by a signal if the fault
+still shows; any other end is a fault of ours. Programs in C++ and Rust are compiled first, and the
+binary is kept.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from minkref.errors import Refusal
+from minkref.fuzz.isolation.own_folders import adapters_folder
+from minkref.fuzz.libraries import catalogue, installation
+from minkref.reports.findings.entry import Entry
+
+STILL, MENDED, ABSENT = "still", "mended", "absent"
+SECONDS = 600
+FLAGS = ("-std=c++20", "-O0", "-w", "-frounding-math")
+COMPILED = (".cpp", ".rs")
+
+
+@dataclass(frozen=True)
+class Ran:
+    state: str
+    said: str
+
+
+def ran(entry: Entry, compiling: bool = True) -> Ran:
+    """Raises Refusal if the program neither shows the fault nor passes."""
+    reason = catalogue.absence(entry.adapter)
+    if reason is None and entry.path.suffix in COMPILED and not compiling:
+        reason = "its program has to be compiled"
+    if reason is not None:
+        return Ran(ABSENT, reason)
+    home = adapters_folder() / catalogue.adapter_named(entry.adapter).home
+    with tempfile.TemporaryDirectory() as folder:
+        words = _words(entry, home, Path(folder))
+        if words is None:
+            return Ran(ABSENT, "there is no compiler")
+        done = subprocess.run(
+            words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False
+        )
+    said = (done.stdout + done.stderr).strip()
+    if done.returncode < 0 or done.returncode >= 128:
+        return Ran(STILL, f"{said}\nit was ended by a signal".strip())
+    if done.returncode in (0, 1):
+        return Ran(STILL if done.returncode else MENDED, said)
+    mend = "run the program by hand"
+    raise Refusal(f"exit code {done.returncode}: {said[-800:]}", entry.program, mend)
+
+
+def _words(entry: Entry, home: Path, folder: Path) -> list[str] | None:
+    suffix = entry.path.suffix
+    if suffix == ".py":
+        return [str(installation.interpreter(home)), str(entry.path)]
+    if suffix == ".scad":
+        return ["openscad", "-o", str(folder / "out.svg"), str(entry.path)]
+    if suffix == ".java":
+        return ["java", "-cp", f"{home / 'jars'}/*", str(entry.path)]
+    if suffix == ".mjs":
+        shutil.copy(entry.path, folder)
+        (folder / "node_modules").symlink_to(home / "node_modules")
+        return ["node", str(folder / entry.program)]
+    compiled = _compiled(entry, home, folder)
+    return None if compiled is None else [str(compiled)]
+
+
+def _compiled(entry: Entry, home: Path, folder: Path) -> Path | None:
+    """The binary, kept for the same text."""
+    text = entry.path.read_bytes()
+    kept = adapters_folder() / "findings" / hashlib.sha256(text).hexdigest()[:16]
+    if kept.is_file():
+        return kept
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    made = folder / "program"
+    if entry.path.suffix == ".rs":
+        if shutil.which("cargo") is None:
+            return None
+        shutil.copy(entry.path, folder / "adapter.rs")
+        for name in ("Cargo.toml", "Cargo.lock"):
+            shutil.copy(home / name, folder)
+        words = ["cargo", "build", "--release", "--locked", "--quiet"]
+        made = folder / "target" / "release" / "adapter"
+    else:
+        compiler = shutil.which("g++") or shutil.which("c++")
+        if compiler is None:
+            return None
+        words = [compiler, *FLAGS, str(entry.path), "-o", str(made)]
+        words += ["-lmpfr", "-lgmp"] if entry.adapter.startswith("cgal") else []
+    done = subprocess.run(
+        words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False
+    )
+    if done.returncode:
+        raise Refusal(done.stderr[-800:], entry.program, "see what the compiler says")
+    part = kept.with_name(f"{kept.name}.{os.getpid()}")
+    shutil.copy(made, part)
+    part.replace(kept)
+    return kept
