@@ -1,4 +1,4 @@
-"""Each installed adapter on known sums, unions, offsets, features; others are skipped by name."""
+"""Each installed adapter on known sums, unions, offsets, features; skips others by name."""
 
 from __future__ import annotations
 

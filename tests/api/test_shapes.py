@@ -248,7 +248,7 @@ def test_arrays_hold_the_nearest_doubles_and_no_infinity() -> None:
 
 
 def test_sets_without_area_are_equal_iff_they_have_the_same_points() -> None:
-    """Their canonical form, that of a regular set, is empty."""
+    """They have an empty canonical form, as regular sets without area do."""
     texts = ("POINT (1 1)", "POINT (2 2)", "LINESTRING (0 0, 2 1)", "POLYGON EMPTY")
     sets = [PolygonSet(text) for text in texts]
     for k, one in enumerate(sets):

@@ -1,4 +1,4 @@
-"""check.py is its parts, one after another, and each claim needs a few of them only."""
+"""The parts make up check.py, one after another; each claim needs a few parts only."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_the_page_says_how_many_lines_a_claim_needs() -> None:
 
 
 def followed(numbers: str, folder: Path, case: Any, certificate: Any) -> tuple[int, str]:
-    """What a checker of these parts says."""
+    """Runs a checker made from these parts; returns its words."""
     laid(folder, case, certificate)
     (folder / "some.py").write_text(text_of(*numbers.split()), encoding="utf-8")
     command = [sys.executable, "-I", "-S", "some.py", "it.cert.json"]

@@ -36,7 +36,7 @@ def also(*spoils: Spoil) -> Spoil:
 
 
 def told(step: int, claim: int, value: Any) -> Spoil:
-    """Other scales in a claim and in its step."""
+    """Claim and step name different scales."""
     return also(put("steps", step, "scales", value), put("claims", claim, "scales", value))
 
 

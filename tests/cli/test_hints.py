@@ -199,7 +199,7 @@ def test_what_a_hint_recommends_is_accepted(
         return refusals[-1] if refused else None
 
     def after(line: Words) -> list[Words]:
-        """The line itself if it is accepted, otherwise all lines that its hint leads to."""
+        """Returns an accepted line, otherwise all lines to which the hint leads."""
         nonlocal followed
         error = error_of(*line)
         if error is None:

@@ -69,7 +69,7 @@ def test_the_picture_shows_the_held_scales(minkref: Minkref, tmp_path: Path) -> 
 
 
 def test_two_certificates_prove_the_answer(minkref: Minkref, tmp_path: Path) -> None:
-    """One of the scales that fit, one of those of the way; each is what `path` proves."""
+    """One certificate for the scales that fit, one for the way; `path` proves both alike."""
     name = str(tmp_path / "held.cert.json")
     value = minkref("hold", SQUARE, ROOM, WAY, "--certify", name, "--json").json
     jsonschema.validate(value, schema("hold"))

@@ -98,7 +98,7 @@ def test_refusals(minkref: Minkref, tmp_path: Path, words: list[str], code: str,
 def test_an_operand_with_a_member_of_a_scene_is_an_operand(
     minkref: Minkref, tmp_path: Path, member: str
 ) -> None:
-    """GeoJSON may have members of its own, which its readers leave out."""
+    """GeoJSON may have more members; readers leave them out."""
     ring = [[0, 0], [9, 0], [9, 9], [5, 2], [0, 9], [0, 0]]
     P = tmp_path / "set.json"
     P.write_text(json.dumps({"type": "Polygon", "coordinates": [ring], member: []}))

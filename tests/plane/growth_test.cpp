@@ -27,7 +27,7 @@ PolygonSet plate(int side) {
   return region(outline, holes);
 }
 
-/// Square frames, each in the hole of the one before.
+/// Square frames inside each other.
 PolygonSet frames(int count) {
   PolygonSet set;
   for (int k = 1; k <= count; ++k) {

@@ -261,7 +261,7 @@ def test_points_that_pass_each_other(check: Any, tmp_path: Path) -> None:
 
 
 def test_the_corpus(check: Any) -> None:
-    """Some of its certificates of events."""
+    """Returns some certificates for events."""
     files = sorted((ROOT / "degeneracies" / "corpus").glob("*/*.cert.json"))
     with_events = [path for path in files if '"event"' in path.read_text(encoding="utf-8")]
     assert len(with_events) > 300

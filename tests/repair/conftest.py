@@ -32,7 +32,7 @@ def minkref(capsys: pytest.CaptureFixture[str]) -> Callable[..., Ran]:
 
 @pytest.fixture
 def repaired(minkref: Callable[..., Ran]) -> Callable[..., dict[str, Any]]:
-    """The document of a repair, which follows its schema."""
+    """Returns a repair's document; checks the schema."""
     import json
 
     published = schema("repair")

@@ -60,7 +60,7 @@ def ball(radius: str) -> minkref.Ball:
 
 
 def roots_are_near(a: Fraction, b: Fraction, T: Fraction) -> bool:
-    """Tell whether the root of `a` is at most that of `b` plus T."""
+    """Tell whether root(a) <= root(b) + T."""
     rest = a - b - T * T
     return rest <= 0 or rest * rest <= 4 * b * T * T
 

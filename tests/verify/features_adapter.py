@@ -100,7 +100,7 @@ def ended(bars: list[Any]) -> list[Any]:
 
 
 def younger(bars: list[Any]) -> list[Any]:
-    """Features that live on are the younger ones: births of all bars in turn."""
+    """Younger features live on: births of all bars in turn."""
     births = [b for b, _ in bars]
     return [[b, d] for b, (_, d) in zip([*births[1:], *births[:1]], bars, strict=True)]
 
@@ -110,7 +110,7 @@ def coarse(bars: list[Any]) -> list[Any]:
 
 
 def shifted(chords: list[Any]) -> list[Any]:
-    """One end of a bridge is a little off."""
+    """Moves one end of a bridge a little."""
     if not chords:
         return chords
     (a, b), *rest = chords

@@ -9,8 +9,8 @@ from fractions import Fraction
 
 import minkref
 from minkref.api import PolygonSet
-from minkref.fuzz.geometry.plane import Ring, box, fraction_rings, read_shape
 from minkref.fuzz.features.feature_draws import drawn_set, set_of
+from minkref.fuzz.geometry.plane import Ring, box, fraction_rings, read_shape
 from minkref.fuzz.motion.path_cases import Place
 from minkref.oracle.distances import is_inside, path_distance
 

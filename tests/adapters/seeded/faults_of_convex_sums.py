@@ -126,7 +126,7 @@ class PrunesByTheBox(PlainSum):
 
 
 class PrunesByVertices(PlainSum):
-    """A pairwise sum is dropped where each of its vertices lies in some other one."""
+    """Drops a pairwise sum if every vertex lies in some other sum."""
 
     def regions(self, sums: list[Ring]) -> list[Ring]:
         kept = sorted(super().regions(sums), key=area)

@@ -10,7 +10,7 @@ namespace minkref::fuzzing {
 namespace {
 
 constexpr int patience = 24;
-/// One mutation in `invalid_one_in` may be invalid.
+/// Every `invalid_one_in`th mutation may be invalid.
 constexpr std::size_t invalid_one_in = 40;
 
 /// A square frame and a square that fits its hole.
