@@ -100,6 +100,8 @@ STEPS = (
     step("nofit gs3 gs4", "exact fits"),
     step("innerfit g1 g2 --scale 20 --json", '"exact_fits"'),
     step("fit g2 g1 --at 0,0", "93/1360"),
+    step("fit disc g1 --anywhere", "8.34207465"),
+    step(f"path disc g2 {WAY} -o track.svg", "valid radii", files=("track.svg",)),
     step("trap g2 g1 --at 0,0 --from 1 --to 2", "by translation"),
     step(f"hold disc1 g2 {WAY}", "way valid"),
     step(f"view disc1 g2 --path {WAY} -o way.html", "valid scales", files=("way.html",)),

@@ -137,7 +137,7 @@ def _radius_text(radius: Row, clearance: str | None) -> str:
     """Write an expression, or a long one's certain digits."""
     square, less = radius["squared_distance"], Fraction(clearance or 0)
     if square is None or len(square) > LONGEST:
-        return _near(radius)
+        return f"about {_near(radius)}"
     root = Disc(ANY, Fraction(square)).radius
     if not root.startswith(ROOT):
         return str(Fraction(root) - less)
