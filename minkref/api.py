@@ -55,6 +55,7 @@ from minkref.disc.features import Features as Features
 from minkref.disc.features import LiveFeature as LiveFeature
 from minkref.disc.features import Notch as Notch
 from minkref.disc.features import features as features
+from minkref.drawings.drawing import is_drawing, read_drawing
 from minkref.errors import Refusal as Refusal
 from minkref.motion.clear_values import ClearBound as ClearBound
 from minkref.motion.clear_values import ClearRange as ClearRange
@@ -323,9 +324,12 @@ def sum_remnants(P: PolygonSet, Q: PolygonSet, scale: PlaneScale = 1) -> list[di
 
 def read_file(path: str | os.PathLike[str]) -> PolygonSet:
     """Read the polygon set in a file, exactly as written; the ending gives the format (`.wkt`,
-    `.geojson`, `.poly`, `.json`). Not validated. Linear in the file's length. Raises BadInput
-    (Refusal for a file whose name is not UTF-8). docs/formats.md."""
+    `.geojson`, `.poly`, `.json`; `.dxf` and `.svg` without curves). Not validated. Linear in the
+    file's length. Raises BadInput (Refusal for a file whose name is not UTF-8, and for drawings).
+    docs/formats.md."""
     name = os.fsdecode(path)
+    if is_drawing(Path(name)):
+        return read_drawing(Path(name))[0]
     return _core.read_file(name) if is_utf8(name) else read_set(Path(name))
 
 

@@ -133,12 +133,17 @@ def bezier(points: Sequence[Point], tolerance: Fraction) -> Iterator[Point]:
     """Yield corners of a Bézier curve of any degree, without its first point. A piece is a segment
     once its control points are within the tolerance of it, and the curve is among them."""
     unit, reach = unit_of(tolerance), tolerance * REACH
-    pieces, count = [(list(points), 0)], 0
+    # So many equal pieces are enough: d (d - 1) / 8 second differences over the tolerance, rooted.
+    bends = [
+        squared(a[0] - 2 * b[0] + c[0], a[1] - 2 * b[1] + c[1])
+        for a, b, c in zip(points, points[1:], points[2:], strict=False)
+    ]
+    degree = len(points) - 1
+    if degree * (degree - 1) * above_root(max(bends)) > 8 * reach * MOST_CORNERS**2:
+        raise TooFine
+    pieces = [(list(points), 0)]
     while pieces:
         piece, depth = pieces.pop()
-        count += 1
-        if count > 2 * MOST_CORNERS:
-            raise TooFine
         inner = piece[1:-1]
         if depth == DEEPEST or all(_is_near(p, piece[0], piece[-1], reach) for p in inner):
             yield rounded(piece[-1], unit) if pieces else piece[-1]

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from minkref import read_file
 from minkref.drawings.curves import arc_by_angles, arc_by_bulge, bezier, circle
 from minkref.drawings.drawing import read_drawing
 from minkref.errors import Refusal
@@ -266,6 +267,25 @@ def test_a_sum_written_as_dxf_is_read_as_the_same_set(minkref: Any, tmp_path: Pa
     assert first["output_exact"] is True
     again = json.loads(minkref("union", tmp_path / "a.dxf", "--json").out)
     assert again["digest"] == first["digest"] and again["holes"] == 1
+
+
+def test_curves_of_too_many_corners_are_refused(tmp_path: Path) -> None:
+    for text in ("0 CIRCLE|8 0|10 0|20 0|40 1e30", "0 ARC|8 0|10 0|20 0|40 1e400|50 1|51 9"):
+        error = refused(lambda text=text: of_dxf(tmp_path, text, tolerance=T))  # type: ignore[misc]
+        assert error.code == "too-many-vertices"
+    for body in ('<circle r="1e30"/>', '<path d="M0 0Q1e30 0 0 1e30"/>'):
+        error = refused(lambda body=body: of_svg(tmp_path, body, tolerance=T))  # type: ignore[misc]
+        assert error.code == "too-many-vertices"
+
+
+def test_group_codes_are_decimal_digits(tmp_path: Path) -> None:
+    (tmp_path / "a.dxf").write_text("\u00b32\nSECTION\n")
+    assert refused(lambda: read_drawing(tmp_path / "a.dxf")).code == "syntax"
+
+
+def test_python_reads_drawings_by_their_ending(tmp_path: Path) -> None:
+    (tmp_path / "a.dxf").write_text(dxf_text(polyline("0,0 1,0 0,1")))
+    assert read_file(tmp_path / "a.dxf").area() == "1/2"
 
 
 def test_options_of_drawings_are_refused_for_other_operands(minkref: Any) -> None:

@@ -85,6 +85,17 @@ def test_operands_without_area_need_no_repair(repaired: Repaired, text: str) -> 
     assert repaired(text, "--weld", "9")["changes"] == []
 
 
+def test_a_polygon_of_two_points_is_no_segment(repaired: Repaired, tmp_path: Path) -> None:
+    found = repaired("POLYGON((0 0,1 1,0 0))", "-o", tmp_path / "a.wkt")
+    assert [change["kind"] for change in found["changes"]] == ["no-area"]
+    assert (tmp_path / "a.wkt").read_text() == "POLYGON EMPTY\n"
+
+
+def test_a_hole_of_a_point_is_nothing(repaired: Repaired) -> None:
+    text = '{"polygons": [{"outer": [[2, 2]], "holes": [[[1, 1], [0, 2], [0, 1]]]}]}'
+    assert {change["kind"] for change in repaired(text)["changes"]} == {"no-area", "hole-outside"}
+
+
 def test_polygons_that_need_nothing_keep_straight_vertices(
     repaired: Repaired, tmp_path: Path
 ) -> None:

@@ -11,7 +11,7 @@ from minkref.space.operand import read_surface
 from minkref.verbs.repair import RepairRequest
 from minkref.verbs.repair_output import Repaired, answer
 
-FORMS = ("off", "obj", "stl", "ply", "json")
+FORMS = ("json", "off", "obj", "stl", "ply")
 
 
 def run(request: RepairRequest) -> None:
