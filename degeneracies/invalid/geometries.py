@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from random import Random
 
 from minkref.degeneracies.invalid.json_text import MARK, Marked, Raw, json_text
@@ -32,15 +33,10 @@ TYPES = ("MultiPoint", "MultiLineString", "polygon", "POLYGON", "Topology", "Lin
 
 @FAMILIES.add("a geometry that is no operand")
 def unsupported_geometry(dice: Random) -> Invalid:
-    """Another geometry instead of a polygon, or a prefix that says where on the globe the shape
-    lies."""
+    """Another geometry instead of a polygon."""
     page = sheet(dice, region(dice), CLOSED)
     if page.form == "wkt":
         text = text_of(dice, page)
-        if dice.random() < 0.25:
-            return refused(
-                dice, page, "unsupported-geometry", "SRID", text=f"{MARK}SRID=4326;{text}"
-            )
         word = dice.choice(WORDS)
         old = "MULTIPOLYGON" if "MULTIPOLYGON" in text else "POLYGON"
         shown = word.lower() if dice.random() < 0.3 else word
@@ -56,9 +52,9 @@ def unsupported_geometry(dice: Random) -> Invalid:
 
 @FAMILIES.add("coordinates beyond x and y")
 def three_dimensional(dice: Random) -> Invalid:
-    """A coordinate too many, at one vertex or at all; Z and M of well-known text."""
+    """Coordinates too many, at one vertex or several; Z and M of WKT without numbers."""
     page = sheet(dice, region(dice) if dice.random() < 0.8 else thin(dice))
-    if page.form == "wkt" and dice.random() < 0.4:
+    if page.form == "wkt" and dice.random() < 0.4 and not text_of(dice, page).startswith("G"):
         return _dimension_word(dice, page)
     rings = [ring for part in page.polygons for ring in part]
     number = dice.randrange(len(rings))
@@ -66,19 +62,18 @@ def three_dimensional(dice: Random) -> Invalid:
     for r, ring in enumerate(rings):
         for v, corner in enumerate(ring):
             if (r, v) == (number, vertex) or ((r, v) > (number, vertex) and dice.random() < 0.8):
-                corner.append(token(dice, page.form, dice.randint(0, 9)))
+                corner += [token(dice, page.form, dice.randint(0, 9)) for _ in range(3)]
     rings[number][vertex][0] = MARK + rings[number][vertex][0]
     return refused(dice, page, "three-dimensional", f"ring {number}", f"vertex {vertex}")
 
 
 def _dimension_word(dice: Random, page: Sheet) -> Invalid:
     word = dice.choice((" Z", " M", " ZM", "Z", "M", "ZM", " z", " Zm"))
-    for ring in (ring for part in page.polygons for ring in part):
-        for corner in ring:
-            corner += ["0"] * len(word.strip())
+    page.polygons[0][0][0][0] = MARK + page.polygons[0][0][0][0]
     text = text_of(dice, page)
-    first = text.replace("\n", " ").split(" ", 1)[0]
-    return refused(dice, page, "three-dimensional", text=f"{MARK}{first}{word}{text[len(first) :]}")
+    first = re.match(r"[A-Za-z]*", text)[0]  # type: ignore[index]
+    text = f"{first}{word}{text[len(first) :]}"
+    return refused(dice, page, "three-dimensional", "ring 0", "vertex 0", text=text)
 
 
 @FAMILIES.add("a line of one point")

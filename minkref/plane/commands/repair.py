@@ -10,6 +10,7 @@ from minkref.errors import Refusal, refusing
 from minkref.output.terminal import escaped
 from minkref.plane.operand import Operand, as_faulty, as_written
 from minkref.plane.operand_text import STANDARD_INPUT
+from minkref.repair.change import Change
 from minkref.repair.plane import repaired
 from minkref.verbs.repair import RepairRequest
 from minkref.verbs.repair_output import Repaired, answer
@@ -38,9 +39,8 @@ def _repair(request: RepairRequest) -> Repaired:
 
     operand, is_open = as_faulty(request.file, drawing)
     source = escaped(operand.source)
-    if _is_thin(operand):
-        found, changes = operand.set, []
-    else:
+    found, changes = operand.set, list[Change]()
+    if not _is_thin(operand):
         found, changes = repaired(operand.set, is_open, request.rule, request.weld)
     if operand.set.is_region or not operand.set.is_empty:
         refusing(source, lambda: found.validate(source))

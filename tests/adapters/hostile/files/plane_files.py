@@ -166,7 +166,10 @@ ARGUMENTS = [
             ("sum", "\x1b]0;title\x07\u202e.wkt", "g3", "-o", "out.json")),
 ]  # fmt: skip
 JUDGED_BYTES = {"a line of 60 MB"}
-JUDGED_TEXTS = {"a feature of itself", "vertices whose denominators share no factor"}
+JUDGED_TEXTS = {
+    "a feature of itself", "vertices whose denominators share no factor", "an SRID",
+    "a polygon with Z",
+}  # fmt: skip
 
 FILES = [
     *of_numbers(),
