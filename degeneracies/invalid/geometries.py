@@ -59,10 +59,11 @@ def three_dimensional(dice: Random) -> Invalid:
     rings = [ring for part in page.polygons for ring in part]
     number = dice.randrange(len(rings))
     vertex = dice.randrange(len(rings[number]))
+    more = 3 if page.form in CLOSED else 1  # a third and a fourth one are dropped there
     for r, ring in enumerate(rings):
         for v, corner in enumerate(ring):
             if (r, v) == (number, vertex) or ((r, v) > (number, vertex) and dice.random() < 0.8):
-                corner += [token(dice, page.form, dice.randint(0, 9)) for _ in range(3)]
+                corner += [token(dice, page.form, dice.randint(0, 9)) for _ in range(more)]
     rings[number][vertex][0] = MARK + rings[number][vertex][0]
     return refused(dice, page, "three-dimensional", f"ring {number}", f"vertex {vertex}")
 
