@@ -8,15 +8,9 @@ from fractions import Fraction
 
 import pytest
 from minkref import PolygonSet, _core
-from minkref.disc.closed import (
-    DiscClosing,
-    closed_by_disc,
-    closing_near,
-    opened_by_disc,
-    opening_near,
-)
-from minkref.disc.disc import read_disc
+from minkref.disc.closed import DiscClosing, closed_by_disc, opened_by_disc
 from minkref.errors import Refusal
+from minkref.fuzz.judges.disc.closings import closing_faults
 from minkref.fuzz.judges.disc.place_draws import drawn_set, set_of
 from thoroughness import draws
 
@@ -83,10 +77,10 @@ def test_a_disc_that_just_fits_is_refused_for_a_closing_and_counts_for_an_openin
     assert refused.value.code == "degenerate-operands"
 
 
-def test_areas_lie_within_sampled_ones_and_within_polygons() -> None:
+def test_areas_lie_within_sampled_ones() -> None:
     """Prints the shape and the radius."""
     dice = random.Random(SEED)
-    for number in range(draws(6, 80)):
+    for number in range(draws(5, 80)):
         _, shape = drawn_set(SEED, number)
         P = set_of(shape)
         radius = Fraction(dice.randint(2, 40), 7)
@@ -98,32 +92,13 @@ def test_areas_lie_within_sampled_ones_and_within_polygons() -> None:
         low, high = added_area(shape, float(radius), 150)
         assert low - 1e-9 <= found.area[1] - own, (shape, radius)
         assert found.area[0] - own <= high + 1e-9, (shape, radius)
-        check_polygons(P, radius)
 
 
-def check_polygons(P: PolygonSet, radius: Fraction) -> None:
-    """Sums and erosions with polygons know nothing of the diagram."""
-    disc = read_disc(f"disc:{radius}")
-    for found, near in ((close(P, radius), closing_near), (open_(P, radius), opening_near)):
-        inner, outer = (near(P, disc, Fraction(1, 20), outside) for outside in (False, True))
-        assert float(Fraction(inner.area())) <= found.area[1] + 1e-9, (P.rings(), radius)
-        assert found.area[0] <= float(Fraction(outer.area())) + 1e-9, (P.rings(), radius)
-        assert ring_area(found) == pytest.approx(found.area[0], abs=1e-6), (P.rings(), radius)
-
-
-def ring_area(found: DiscClosing) -> float:
-    """The area within the rings as drawn: chords, and the segments between chord and arc."""
-    total = 0.0
-    for ring in found.rings:
-        for kind, x0, y0, x1, y1, cx, cy in ring:
-            total += (x0 * y1 - y0 * x1) / 2
-            if kind == "arc":
-                across = (x0 - cx) * (y1 - cy) - (y0 - cy) * (x1 - cx)
-                along = (x0 - cx) * (x1 - cx) + (y0 - cy) * (y1 - cy)
-                total += (
-                    math.atan2(across, along) * math.hypot(x0 - cx, y0 - cy) ** 2 - across
-                ) / 2
-    return abs(total)
+def test_polygons_lie_inside_and_around() -> None:
+    """Sums and erosions with polygons know nothing of the diagram. Prints the case."""
+    for number in range(draws(12, 120)):
+        compared, faults = closing_faults(SEED, number)
+        assert compared and not faults, faults
 
 
 def test_an_opening_is_what_a_closing_of_the_outside_leaves() -> None:

@@ -11,6 +11,7 @@ import minkref
 import pytest
 from minkref import PolygonSet, _core
 from minkref.errors import Refusal
+from minkref.fuzz.judges.plane.lines import line_faults
 from thoroughness import draws
 
 SEED = 5309
@@ -100,43 +101,11 @@ def test_tight_passages_touch_only_and_more_is_missed_nowhere() -> None:
                 assert minkref.decide(of_lines(line), Q, 1, x, y)["contact"] == "touching", line
 
 
-def test_two_lines_are_parallelograms_and_flat_parts() -> None:
-    dice = random.Random(SEED + 1)
-    for _ in range(draws(25, 400)):
-        first, second = drawn_line(dice, 3), drawn_line(dice, 3)
-        parallelograms, flat = [], []
-        for (ax, ay), (bx, by) in pairwise(first):
-            for (cx, cy), (dx, dy) in pairwise(second):
-                corners = [(ax + cx, ay + cy), (bx + cx, by + cy), (bx + dx, by + dy),
-                           (ax + dx, ay + dy)]  # fmt: skip
-                if (bx - ax) * (dy - cy) != (by - ay) * (dx - cx):
-                    parallelograms.append(PolygonSet(corners))
-                else:
-                    flat.append(corners)
-        P, Q = of_lines(first), of_lines(second)
-        region = minkref.unite(parallelograms)
-        for route in ("paper", "winding", "definition"):
-            assert minkref.minkowski_sum(P, Q, route=route).region == region, (first, second)
-        remnants = [one["points"] for one in minkref.sum_remnants(P, Q)]
-        for corners in flat:
-            mean = tuple(Fraction(sum(c[k] for c in corners), 4) for k in (0, 1))
-            for point in (*corners, mean):
-                covered = point in region or any(on(point, way) for way in remnants)
-                assert covered, (first, second)
-        for way in remnants:
-            for a, b in pairwise(way):
-                mean = tuple((Fraction(a[k]) + Fraction(b[k])) / 2 for k in (0, 1))
-                assert mean not in region, (first, second)
-
-
-def on(point: tuple[Fraction, ...], way: list[list[str]]) -> bool:
-    """Whether a point lies on a polyline, or is its only point."""
-    corners = [tuple(map(Fraction, corner)) for corner in way]
-    return point in corners or any(
-        (b[0] - a[0]) * (point[1] - a[1]) == (b[1] - a[1]) * (point[0] - a[0])
-        and min(a, b) <= point <= max(a, b)
-        for a, b in pairwise(corners)
-    )
+def test_lines_before_their_judge() -> None:
+    """Parts one by one, two lines by parallelograms and flat parts, discs. Prints the case."""
+    for number in range(draws(20, 300)):
+        compared, faults = line_faults(SEED, number)
+        assert compared and not faults, faults
 
 
 def test_points_are_places() -> None:

@@ -35,8 +35,8 @@ std::vector<FacePoint> face_points(const PolygonSet& P, const PolygonSet& Q,
   return on_exact_frame(scaled(P, scale), Q, [&](const auto& frame) {
     Statistics statistics;
     const auto built = convolution_arrangement(frame.kernel, frame.P, frame.Q, false, statistics);
-    const auto inside = faces_of_sum(built.arrangement, connected(P) && connected(Q),
-                                     face_collision(frame), statistics.orientable_faces);
+    const auto inside =
+        faces_of_sum(built.arrangement, P, Q, face_collision(frame), statistics.orientable_faces);
     std::vector<FacePoint> points;
     for (std::uint32_t face = 1; face < built.arrangement.face_count(); ++face) {
       points.push_back({inner_point_of_face(frame, built.arrangement, face), inside[face]});

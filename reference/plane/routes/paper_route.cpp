@@ -13,8 +13,8 @@ BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& 
   return on_exact_frame(P, Q, [&](const auto& frame) {
     statistics.kernel = frame.name();
     const auto built = convolution_arrangement(frame.kernel, frame.P, frame.Q, false, statistics);
-    const auto inside = faces_of_sum(built.arrangement, connected(P) && connected(Q),
-                                     face_collision(frame), statistics.orientable_faces);
+    const auto inside =
+        faces_of_sum(built.arrangement, P, Q, face_collision(frame), statistics.orientable_faces);
     BoundaryGraph graph = face_boundary(built.arrangement, inside, [&](std::uint32_t n) {
       return position(frame, built.arrangement.node(n));
     });

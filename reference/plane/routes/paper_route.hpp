@@ -8,7 +8,9 @@
 #include "reference/plane/arrangement/arrangement.hpp"
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 #include "reference/plane/arrangement/interior_point.hpp"
+#include "reference/plane/lines.hpp"
 #include "reference/plane/routes/collision.hpp"
+#include "reference/plane/routes/convolution_arrangement.hpp"
 
 namespace minkref::inline plane {
 
@@ -112,6 +114,22 @@ std::vector<bool> faces_of_sum(const Arrangement<K>& arrangement, bool connected
   for (std::uint32_t face = 0; face < arrangement.face_count(); ++face) {
     look_for_interrupt();
     inside.push_back(face_in_sum(arrangement, face, connected, meets, asked));
+  }
+  return inside;
+}
+
+/// The same for two operands. Beside an edge of two without area there may be no sum, on either
+/// side: there collision detection decides each face.
+template <class K, class Meets>
+std::vector<bool> faces_of_sum(const Arrangement<K>& arrangement, const PolygonSet& P,
+                               const PolygonSet& Q, Meets&& meets, std::size_t& asked) {
+  if (!is_thin(P) || !is_thin(Q)) {
+    return faces_of_sum(arrangement, connected(P) && connected(Q), meets, asked);
+  }
+  std::vector<bool> inside{false};
+  for (std::uint32_t face = 1; face < arrangement.face_count(); ++face) {
+    look_for_interrupt();
+    inside.push_back(meets(arrangement, face));
   }
   return inside;
 }

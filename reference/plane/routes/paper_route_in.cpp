@@ -29,9 +29,9 @@ auto run(const PolygonSet& P, const PolygonSet& Q, const Rational& scale,
   const ScalarFrame<T> frame = scaled_frame(P, Q, scale, arithmetic);
   statistics.kernel = frame.name();
   const auto built = convolution_arrangement(frame.kernel, frame.P, frame.Q, false, statistics);
-  const auto inside = faces_of_sum(built.arrangement, connected(P) && connected(Q),
-                                   PlainFaceCollision<T>(frame.kernel, frame.P, frame.Q),
-                                   statistics.orientable_faces);
+  const auto inside =
+      faces_of_sum(built.arrangement, P, Q, PlainFaceCollision<T>(frame.kernel, frame.P, frame.Q),
+                   statistics.orientable_faces);
   (std::is_same_v<T, Rational> ? statistics.by_rational : statistics.by_float) +=
       frame.kernel.counts.by_rational;
   return finish(built, inside);

@@ -6,7 +6,7 @@ from minkref.fuzz.judges.disc.insets import inset_faults
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 0.4, 6)
+MINUTES = Minutes(0.05, 0.2, 6)
 
 SEED = 3320
 INSETS = Counts(20, 100, 1000)
