@@ -21,9 +21,9 @@ def layered_picture(
     marks: Sequence[Exact] = (),
     passages: Passages = (),
 ) -> str:
-    """An SVG document: the sets, the lowest first, each with a style of sum_picture ("first",
-    "second", "sum"), with tight passages and marked points on top, and below the lines of the
-    caption the box around all sets. Numbers stay exact until the frame places them."""
+    """Draw sets, the lowest first, in styles of sum_picture ("first", "second", "sum"), with tight
+    passages and marked points on top. The caption ends with the box around all sets. Numbers stay
+    exact until the frame places them."""
     drawn = [(style, exact_polygons(each)) for style, each in sets]
     lines = [[(Fraction(x), Fraction(y)) for x, y in passage] for passage in passages]
     lone = [[ring] for ring in ([*marks], *lines) if ring]

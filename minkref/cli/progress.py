@@ -34,7 +34,7 @@ class Steps:
             self._line.advance(self._task, count)
 
     def in_words(self) -> str:
-        """The work being done, and how much of it is done."""
+        """Writes the current work and its progress."""
         return f"{self._doing}, {self._count:,} of {self._total:,}"
 
 

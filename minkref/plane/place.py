@@ -13,7 +13,7 @@ INSIDE, BOUNDARY, OUTSIDE, UNDECIDED = "inside", "boundary", "outside", "undecid
 def placed(
     point: Sequence[str] | None, region: _core.PolygonSet | _core.PolyhedralSet | None
 ) -> dict[str, Any] | None:
-    """The document's field `at`; None without a point, or without a set. Exact."""
+    """Make the document's field `at`; None without a point or a set. Exact."""
     if point is None or region is None:
         return None
     return {"point": list(point), "place": region.locate(tuple(point))}
@@ -22,8 +22,8 @@ def placed(
 def placed_between(
     point: Sequence[str] | None, inner: _core.PolyhedralSet, outer: _core.PolyhedralSet
 ) -> dict[str, Any] | None:
-    """The same for a set between two others: what lies within the inner set lies inside, what lies
-    outside of the outer set lies outside."""
+    """As `placed`, for a set between two others: points within the inner set are inside, points
+    off the outer set outside."""
     if point is None:
         return None
     if inner.locate(tuple(point)) == INSIDE:
@@ -34,6 +34,6 @@ def placed_between(
 
 
 def place_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
-    """The line of the table; none if nobody asked."""
+    """Make the table's row; no row without a question."""
     at = value["at"]
     return [] if at is None else [(f"({', '.join(at['point'])})", at["place"])]

@@ -1,4 +1,4 @@
-"""Sums and indexes as Python shows them: texts, and in a notebook pictures."""
+"""Texts of indexes, and pictures of sums for notebooks."""
 
 from __future__ import annotations
 

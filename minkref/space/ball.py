@@ -43,8 +43,8 @@ def read_ball(name: str) -> Disc:
 def polyhedron_near(ball: Disc, within: Fraction, outside: bool) -> _core.ConvexPolyhedron:
     """Make a convex polyhedron inside the ball, every point of the ball at most `within` away; or
     around the ball, with every point at most `within` away from the ball. Vertices are finite
-    decimals. Proof: docs/space-sums.md, "With a ball". Of octahedra and icosahedra with facets cut
-    into n² triangles, takes the one with the fewest facets. About 5 R / `within` facets. Refuses
+    decimals. Proof: docs/space-sums.md, "With a ball". Takes the smallest octahedron or
+    icosahedron, with facets cut into n² triangles, that fits. About 5 R / `within` facets. Refuses
     more than MOST_FACETS."""
     bounds = ball.bounds(80)
     step = power_of_ten_below(min(within, bounds[1]) / ROUNDING)

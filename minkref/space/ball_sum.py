@@ -33,8 +33,9 @@ class Between:
         return self.inner.volume, self.outer.volume
 
     def counts(self) -> dict[str, tuple[int, int]]:
-        """Components, cavities and tunnels, each of `inner` and of `outer`. Equal numbers of
-        components prove that of a sum with a ball; the others are no proof (docs/space-sums.md)."""
+        """Count components, cavities and tunnels of `inner` and `outer`. Equal numbers of
+        components prove the number for a sum with a ball; other equal numbers prove nothing
+        (docs/space-sums.md)."""
         names = ("components", "cavities", "tunnels")
         both = zip(self.inner.surface().topology(), self.outer.surface().topology(), strict=True)
         return dict(zip(names, both, strict=True))

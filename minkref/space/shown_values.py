@@ -1,4 +1,4 @@
-"""Convex sums as Python shows them."""
+"""Texts of convex sums."""
 
 from __future__ import annotations
 

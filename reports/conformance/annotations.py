@@ -27,8 +27,8 @@ def check_annotations(kind: str) -> None:
 
 
 def annotation_lines(kind: str, groups: list[Group]) -> str:
-    """A line for each kind of finding: an error for what is wrong or broken, else a notice. Empty
-    for `none`, and for `auto` outside of GitHub Actions."""
+    """Write a line for each kind of finding: an error for wrong or broken answers, else a notice.
+    Empty for `none`, and for `auto` outside GitHub Actions."""
     on_github = os.environ.get("GITHUB_ACTIONS") == "true"
     if kind == NONE or (kind == AUTO and not on_github):
         return ""

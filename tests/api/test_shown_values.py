@@ -1,5 +1,5 @@
-"""Values as Python shows them: a text of one line each, pictures in a notebook; areas and volumes
-are attributes, exact, and may still be called."""
+"""Values show a text of one line, and pictures in a notebook; areas and volumes are attributes,
+exact, and may still be called."""
 
 from __future__ import annotations
 

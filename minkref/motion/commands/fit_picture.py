@@ -13,9 +13,8 @@ from minkref.reports.layered_picture import Exact, layered_picture
 def fit_picture(
     part: _core.PolygonSet, around: _core.PolygonSet, value: dict[str, Any], word: str
 ) -> str:
-    """Draws the part at the greatest scale of the answer, or the least one where there is no
-    greatest, at the place of that bound, with the point of contact. `word`: what the part does at
-    these scales."""
+    """Draw the part at the answer's greatest scale (without a greatest at the least scale), at this
+    bound's place, with the point of contact. `word`: what the part does at these scales."""
     scale = _scale(value)
     scales = f"{word}: {ranges_text(value['scales'])}"
     if scale is None:
@@ -43,7 +42,7 @@ def _point(texts: Any) -> Exact:
 def _place(
     part: _core.PolygonSet, asked: list[Exact], touching: list[Exact], bound: dict[str, Any] | None
 ) -> Exact:
-    """The one of the places asked for at which the part touches."""
+    """Choose the given place at which the part touches."""
     if bound is None or not touching or "vertex" not in bound["contact"]["part"]:
         return asked[0]
     x, y = _vertex(part, bound["contact"]["part"]["vertex"])
@@ -59,7 +58,7 @@ def _scale(value: dict[str, Any]) -> str | None:
 def _touching(
     part: _core.PolygonSet, around: _core.PolygonSet, at: Exact, contact: dict[str, Any] | None
 ) -> list[Exact]:
-    """The vertex of one that touches the other; none where two edges do."""
+    """Return the touching vertex; nothing for two edges."""
     if contact is None:
         return []
     if "vertex" in contact["part"]:

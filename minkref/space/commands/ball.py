@@ -123,8 +123,9 @@ def _run(
 
 
 def _proven_components(command: str, sets: dict[str, dict[str, Any]]) -> int | None:
-    """Each component of the sum holds one of the inner set, and each of the outer set one of the
-    sum: equal numbers are that of the sum. An erosion has no such proof."""
+    """Return the number that both sets have, which proves the number for a sum: each component of
+    the sum contains a component of `inner`, and each component of `outer` one of the sum. None for
+    an erosion."""
     inner, outer = (sets[name]["components"] for name in ("inner", "outer"))
     return inner if command == "sum" and inner == outer else None
 
