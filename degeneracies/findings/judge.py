@@ -86,7 +86,7 @@ def in_sum(case: dict[str, Any], x: Point, half: Fraction) -> bool | None:
 
 
 def truth(finding: dict[str, Any]) -> bool | None:
-    """Whether the witness is in the right answer; None if the tolerance leaves it open."""
+    """Whether the right answer contains the witness; None if the tolerance hides this."""
     case, witness = finding["case"], finding["witness"]
     a, b = map(Fraction, witness["point"])
     half = Fraction(witness.get("tolerance", "0"))

@@ -1,7 +1,7 @@
 """Adapters in JavaScript, Java and Rust: what each needs, how it gets into its folder, and starts.
 
 Libraries are pinned by digest in files beside the program: package-lock.json, jars.txt, Cargo.lock.
-The program is copied, beside the loop of its language: its libraries are found from there.
+Program and loop are copied beside the libraries.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ Run = Callable[[list[str], str], None]
 
 @dataclass(frozen=True)
 class Language:
-    """`start`: the file in an adapter's folder that starts it. `pins`: beside the program. `loop`:
-    of fuzz/adapters. `tool` installs; `packages` of Debian have it. `asked`: only by name."""
+    """`start`: a file in the adapter's folder. `pins`: files beside the program. `loop`: files from
+    fuzz/adapters. `tool` installs; Debian has it in `packages`. `asked`: installed by name only."""
 
     start: str
     pins: tuple[str, ...]
@@ -60,7 +60,7 @@ LANGUAGES = {
 
 
 def missing_tool(kind: str) -> str | None:
-    """Names the missing program and how to get it, None if it is there."""
+    """Names a missing program and the command to get it; else None."""
     language = LANGUAGES[kind]
     if shutil.which(language.tool):
         return None

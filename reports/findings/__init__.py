@@ -1,1 +1,1 @@
-"""The wall of findings: wrong answers of libraries, with programs that show them."""
+"""Findings: wrong answers from libraries, programs to show each, a page, and reports to send."""

@@ -1,4 +1,4 @@
-"""A finding as it is kept in degeneracies/findings/findings.json."""
+"""A finding, read from degeneracies/findings/findings.json."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ LANGUAGES = {
 
 @dataclass(frozen=True)
 class Entry:
-    """`fault`: its class. `case`: operands, sets, or a set and a radius, as `minkref verify --case`
-    takes them. `answers`: what the library says; `right`: what is right. `witness`: a point, on
-    which side of the truth it lies, and its tolerance; None for a crash. `issue`: upstream's, if
-    one is known. `adapter` names the target of `minkref verify`."""
+    """`fault`: a class. `case`: operands, sets, or a set and a radius, as `minkref verify --case`
+    takes them. `answers`: the library's answer; `right`: the truth. `witness`: a point, its side in
+    truth, and a tolerance; None for a crash. `issue`: upstream's, if known. `adapter` names the
+    target of `minkref verify`."""
 
     id: str
     library: str
@@ -59,6 +59,6 @@ class Entry:
 
 @cache
 def entries() -> tuple[Entry, ...]:
-    """All findings, in the file's order."""
+    """All findings, as listed."""
     values = json.loads((FOLDER / "findings.json").read_text(encoding="utf-8"))
     return tuple(Entry(**value) for value in values)

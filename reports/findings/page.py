@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections import Counter
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from minkref.reports.findings.picture import case_picture
 ROOT = FOLDER.resolve().parents[1]
 PAGE = ROOT / "docs" / "findings.md"
 PICTURES = ROOT / "docs" / "findings"
+WIDTH = 120
 HEAD = (Path(__file__).parent / "head.md").read_text(encoding="utf-8")
 
 
@@ -19,7 +21,8 @@ def page() -> str:
     every = entries()
     libraries = Counter(each.library for each in every)
     told = ", ".join(f"{name} {count}" for name, count in libraries.items())
-    parts = [HEAD, f"{len(every)} findings in {len(libraries)} libraries: {told}.\n", _table(every)]
+    count = f"{len(every)} findings in {len(libraries)} libraries: {told}."
+    parts = [HEAD, _wrapped(count), "", _table(every)]
     parts += [_section(each) for each in every]
     return "\n".join(parts)
 
@@ -60,11 +63,15 @@ def _section(entry: Entry) -> str:
     parts.append(f"{entry.verb}, {entry.fault}; {program}; target `{entry.adapter}`{issue}.")
     if case_picture(entry) is not None:
         parts.append(f"![{entry.title}](findings/{entry.id}.svg)")
-    return "\n\n".join(parts) + "\n"
+    return "\n\n".join([parts[0], *map(_wrapped, parts[1:])]) + "\n"
+
+
+def _wrapped(text: str) -> str:
+    return textwrap.fill(text, WIDTH, break_long_words=False, break_on_hyphens=False)
 
 
 def _short(number: str) -> str:
-    """The number, or that it is long: the file has it."""
+    """The number, cut if long."""
     return number if len(number) <= 24 else f"{number[:8]}…"
 
 

@@ -19,8 +19,7 @@ CSS = (
 
 
 def case_picture(entry: Entry) -> str | None:
-    """An SVG document; None in space. A witness far outside the sets is left out, and so is that of
-    a sum, which is no place beside the operands."""
+    """An SVG document; None in space. A sum has no witness beside the operands."""
     if any("vertices" in each for each in _sets(entry.case)):
         return None
     sets = list(_sets(entry.case))

@@ -16,7 +16,7 @@ FRONT = "findings.md"
 def write_findings(
     folder: Path, quick: bool, now: Callable[[str], None], done: Callable[[], None]
 ) -> Path:
-    """Runs the programs whose library is installed; `quick` leaves out those to compile."""
+    """Runs each program with an installed library; `quick` skips programs to compile."""
     rows = ["| Finding | State |", "|---|---|"]
     for entry in entries():
         now(entry.id)

@@ -1,8 +1,8 @@
 """Runs the program of a finding with the installed library: `still`, `mended`, or `absent`.
 
 A program ends with 0 if the library is right about the case, with 1 or by a signal if the fault
-still shows; any other end is a fault of ours. Programs in C++ and Rust are compiled first, and the
-binary is kept.
+still shows; any other end is a fault of ours. Programs in C++ and Rust are compiled first, and
+binaries kept.
 """
 
 from __future__ import annotations
@@ -33,17 +33,20 @@ class Ran:
 
 
 def ran(entry: Entry, compiling: bool = True) -> Ran:
-    """Raises Refusal if the program neither shows the fault nor passes."""
-    reason = catalogue.absence(entry.adapter)
-    if reason is None and entry.path.suffix in COMPILED and not compiling:
+    """Without `compiling`, a program to compile runs only if its binary is kept. Raises Refusal if
+    the program neither shows the fault nor passes."""
+    named = catalogue.is_named(entry.adapter)  # CGAL's methods need its headers only
+    reason = catalogue.absence(entry.adapter) if named else None
+    to_compile = entry.path.suffix in COMPILED and not _kept(entry).is_file()
+    if reason is None and to_compile and not compiling:
         reason = "its program has to be compiled"
     if reason is not None:
         return Ran(ABSENT, reason)
-    home = adapters_folder() / catalogue.adapter_named(entry.adapter).home
+    home = adapters_folder() / (catalogue.adapter_named(entry.adapter).home if named else "")
     with tempfile.TemporaryDirectory() as folder:
         words = _words(entry, home, Path(folder))
         if words is None:
-            return Ran(ABSENT, "there is no compiler")
+            return Ran(ABSENT, "there is no compiler, or the library's headers are missing")
         done = subprocess.run(
             words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False
         )
@@ -72,10 +75,14 @@ def _words(entry: Entry, home: Path, folder: Path) -> list[str] | None:
     return None if compiled is None else [str(compiled)]
 
 
+def _kept(entry: Entry) -> Path:
+    text = entry.path.read_bytes()
+    return adapters_folder() / "findings" / hashlib.sha256(text).hexdigest()[:16]
+
+
 def _compiled(entry: Entry, home: Path, folder: Path) -> Path | None:
     """The binary, kept for the same text."""
-    text = entry.path.read_bytes()
-    kept = adapters_folder() / "findings" / hashlib.sha256(text).hexdigest()[:16]
+    kept = _kept(entry)
     if kept.is_file():
         return kept
     kept.parent.mkdir(parents=True, exist_ok=True)
@@ -97,6 +104,8 @@ def _compiled(entry: Entry, home: Path, folder: Path) -> Path | None:
     done = subprocess.run(
         words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False
     )
+    if "No such file or directory" in done.stderr:
+        return None
     if done.returncode:
         raise Refusal(done.stderr[-800:], entry.program, "see what the compiler says")
     part = kept.with_name(f"{kept.name}.{os.getpid()}")

@@ -14,7 +14,7 @@ from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.plane_dynamic.walks import operand
 
-MINUTES = Minutes(0.1, 2, 8)
+MINUTES = Minutes(0.1, 0.8, 8)
 
 SEED = 30
 PAIRS, STEPS = Counts(4, 60, 240), 18
