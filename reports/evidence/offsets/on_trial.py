@@ -23,6 +23,8 @@ MEDIAN = 10.0
 OURS = ("minkref:definition", "minkref:paper", "minkref:index", "minkref-paper@rational,corrected")
 LIBRARIES = (
     "geos-buffer", "clipper2-inflate", "cgal-offset", "boost-geometry-buffer", "manifold3d-offset",
+    "openscad-offset", "pyclipper-inflate", "pyclipr-inflate", "clipper-lib-inflate",
+    "clipper2-ts-inflate", "jsts-buffer", "jts-buffer", "i-overlay-outline", "cavalier-contours",
 )  # fmt: skip
 FAMILIES = ("--family", "offsets-known", "--family", "offsets", "--family", "offsets-grid")
 
