@@ -8,8 +8,8 @@ from html import escape
 
 from minkref import _core
 from minkref.disc.closed import Step
+from minkref.offset_picture import PAD, STYLE, WIDTH
 from minkref.output.terminal import escaped
-from minkref.reports.offset_picture import PAD, STYLE, WIDTH
 
 
 def closing_picture(

@@ -115,7 +115,7 @@ def _written(
             raise Refusal(what, target.name, "write .svg or .dxf", "no-form")
         return found.canonical_json + "\n", True
     if target.form == "dxf":
-        from minkref.disc.commands.dxf import dxf_of_steps
+        from minkref.output.dxf import dxf_of_steps
 
         return dxf_of_steps(found.rings, target.name), False
     if target.form == "svg":
