@@ -162,7 +162,7 @@ def minkowski_sum(
     N), N the size of the reduced convolution, k its crossings. Raises BadInput for an invalid
     operand, scale, route or arithmetic. Behar & Lien, "Dynamic Minkowski Sums Under Scaling", 2012,
     Sec. 3."""
-    _validate(lines=True, P=P, Q=Q)
+    _validate(True, P=P, Q=Q)
     s = scale_text("scale", scale)
     return _core.minkowski_sum(P, Q, s, text_of("route", route), text_of("arithmetic", arithmetic))
 
@@ -184,7 +184,7 @@ def offset(
     the same; `paper` takes the convolution's faces with a positive winding number, on one thread,
     and needs O((n + k) log n) for k pairs of curves. Raises BadInput. Behar & Lien 2012, Sec. 3 and
     Appendix; docs/disc.md."""
-    _validate(lines=True, P=P)
+    _validate(True, P=P)
     square = square_of(radius, squared_radius, "offset")
     return _core.offset(P, square, max(1, whole("threads", threads)), text_of("route", route))
 
@@ -260,7 +260,7 @@ def build_index(
 
     Without bounds, all scales above 0. Exact. Both operands are validated first. Cost:
     docs/scale-index.md. Raises BadInput; LimitExceeded if memory does not suffice."""
-    _validate(lines=True, P=P, Q=Q)
+    _validate(True, P=P, Q=Q)
     bounds = (("from_scale", from_scale), ("to_scale", to_scale))
     first, last = (None if bound is None else number(name, bound) for name, bound in bounds)
     return _core.ScaleIndex(P, Q, first, last, max(1, whole("threads", threads)))
@@ -308,7 +308,7 @@ def tight_passages(P: PolygonSet, Q: PolygonSet, scale: PlaneScale = 1) -> list[
     first. Takes the time to build the reduced convolution's arrangement, and one decision for each
     part where shapes may touch from all sides. Raises BadInput. docs/definitions.md, "Tight
     passages"."""
-    _validate(lines=True, P=P, Q=Q)
+    _validate(True, P=P, Q=Q)
     return passages_of(_core.tight_passages(P, Q, scale_text("scale", scale)))
 
 
@@ -354,7 +354,7 @@ def decide(P: PolygonSet, Q: PolygonSet, scale: PlaneScale, x: Number, y: Number
     `contact` says how scale P and the point less Q meet (`empty`, `touching`, `overlapping`), and
     `p`, `q` give scale p + q = (x, y) if they do. O(mn) pairs of triangles, after both operands'
     validation. Raises BadInput. docs/definitions.md."""
-    _validate(lines=True, P=P, Q=Q)
+    _validate(True, P=P, Q=Q)
     return _core.decide(P, Q, scale_text("scale", scale), number("x", x), number("y", y))
 
 
@@ -384,11 +384,11 @@ def subtract(first: PolygonSet, others: Sequence[PolygonSet]) -> PolygonSet:
 
 
 def _combined(operation: str, sets: Sequence[PolygonSet]) -> PolygonSet:
-    _validate(**{f"set {number}": each for number, each in enumerate(sets)})
+    _validate(False, **{f"set {number}": each for number, each in enumerate(sets)})
     return _core.combined(operation, sets)[0]
 
 
-def _validate(lines: bool = False, **operands: PolygonSet) -> None:
+def _validate(lines: bool = False, /, **operands: PolygonSet) -> None:
     expect_sets(**operands)
     for name, operand in operands.items():
         operand.validate(name, lines)

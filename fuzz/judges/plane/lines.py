@@ -82,7 +82,8 @@ def two_lines(first: Line, second: Line) -> list[str]:
     ways = [points for points, _ in _core.sum_remnants(P, Q, "1", region)]
     for corners in flat:
         mean = tuple(Fraction(sum(c[k] for c in corners), 4) for k in (0, 1))
-        for point in (*corners, mean):
+        points: list[tuple[Fraction | int, ...]] = [*corners, mean]
+        for point in points:
             if point not in region and not any(is_on(point, way) for way in ways):
                 return [f"{first} + {second}: {point} is in no remnant"]
     return []
