@@ -113,6 +113,14 @@ def test_a_square_keeps_a_distance_from_a_corner_up_to_a_root() -> None:
     assert found.holds(Fraction(2292, 1000)) and not found.holds(Fraction(2293, 1000))
 
 
+def test_a_tip_comes_near_to_the_inside_of_a_side() -> None:
+    square = shape("POLYGON((-1 -1,1 -1,1 1,-1 1,-1 -1))")
+    tip = shape("POLYGON((3 0,9 -1,9 1,3 0))")
+    found = minkref.clear_scales(square, tip, [(0, 0)], 1, "forbidden")
+    assert [str(one) for one in found.ranges] == ["(0, 2)"]
+    assert found.bounds[0].part.is_edge and not found.bounds[0].obstacle.is_edge
+
+
 def test_bad_clearances_are_refused() -> None:
     with pytest.raises(minkref.BadInput, match="clearance"):
         minkref.clear_scales(shape(ROOM), shape(ROOMS), [(0, 0)], 0)
