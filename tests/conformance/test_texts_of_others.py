@@ -24,7 +24,7 @@ from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.markdown import markdown
 from minkref.reports.conformance.markdown_text import plain
 from minkref.reports.conformance.page import write_report as write_pages
-from minkref.reports.conformance.sarif import _place, sarif
+from minkref.reports.conformance.sarif import place, sarif
 from minkref.verbs.verify_output import print_tables
 
 NASTY = (
@@ -143,8 +143,8 @@ def test_sarif_names_a_place_for_every_target(
     monkeypatch.chdir(tmp_path)
     (tmp_path / os.fsdecode(b"b\xff.py")).touch()
     for target in (name, f"cmd:./{name}", f"py:{name}:f", f"so:{name}:f"):
-        assert re.fullmatch(r"[\w%./~-]+", _place(target))
-    assert _place("b\udcff.py") == "b%FF.py"
+        assert re.fullmatch(r"[\w%./~-]+", place(target))
+    assert place("b\udcff.py") == "b%FF.py"
 
 
 def test_titles_of_case_files(minkref_report: Any, tmp_path: Path) -> None:
