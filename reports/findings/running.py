@@ -24,6 +24,7 @@ STILL, MENDED, ABSENT = "still", "mended", "absent"
 SECONDS = 600
 FLAGS = ("-std=c++20", "-O0", "-w", "-frounding-math")
 COMPILED = (".cpp", ".rs")
+BROKEN = ("Traceback", "ERR_MODULE_NOT_FOUND", "error: ")  # the program itself
 
 
 @dataclass(frozen=True)
@@ -44,16 +45,19 @@ def ran(entry: Entry, compiling: bool = True) -> Ran:
         return Ran(ABSENT, reason)
     home = adapters_folder() / (catalogue.adapter_named(entry.adapter).home if named else "")
     with tempfile.TemporaryDirectory() as folder:
-        words = _words(entry, home, Path(folder))
-        if words is None:
-            return Ran(ABSENT, "there is no compiler, or the library's headers are missing")
-        done = subprocess.run(
-            words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False
-        )
+        try:
+            words = _words(entry, home, Path(folder))
+            if words is None:
+                return Ran(ABSENT, "there is no compiler, or the library's headers are missing")
+            done = subprocess.run(
+                words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False
+            )
+        except subprocess.TimeoutExpired:
+            return Ran(ABSENT, f"no end in {SECONDS} s")
     said = (done.stdout + done.stderr).strip()
     if done.returncode < 0 or done.returncode >= 128:
         return Ran(STILL, f"{said}\nit was ended by a signal".strip())
-    if done.returncode in (0, 1):
+    if done.returncode in (0, 1) and not any(word in said for word in BROKEN):
         return Ran(STILL if done.returncode else MENDED, said)
     mend = "run the program by hand"
     raise Refusal(f"exit code {done.returncode}: {said[-800:]}", entry.program, mend)

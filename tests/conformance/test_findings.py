@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from minkref.errors import Refusal
 from minkref.fuzz.libraries import catalogue
 from minkref.reports.findings import page
 from minkref.reports.findings.entry import FOLDER, Entry, entries
@@ -65,6 +66,21 @@ def test_the_fault_still_shows(entry: Entry) -> None:
     if found.state == ABSENT:
         pytest.skip(found.said)
     assert found.state == STILL, found.said
+
+
+def test_a_program_that_breaks_shows_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    entry = next(each for each in UNCOMPILED if each.path.suffix == ".py")
+    (tmp_path / "programs").mkdir()
+    (tmp_path / "programs" / entry.program).write_text("import no_such_module\n")
+    monkeypatch.setattr("minkref.reports.findings.entry.FOLDER", tmp_path)
+    monkeypatch.setattr(catalogue, "absence", lambda _: None)
+    monkeypatch.setattr(
+        "minkref.reports.findings.running.installation.interpreter", lambda _: sys.executable
+    )
+    with pytest.raises(Refusal, match="no_such_module"):
+        ran(entry)
 
 
 def test_reports_to_send(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
