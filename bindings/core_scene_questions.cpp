@@ -26,8 +26,12 @@ using FeatureRow = std::tuple<bool, std::uint32_t, std::uint32_t>;
 /// Copy; segment, t and point of the way; features of the robot and of the copy; where they touch.
 using StopRow = std::tuple<std::uint32_t, std::uint32_t, std::string, ExactPoint, FeatureRow,
                            FeatureRow, ExactPoint>;
+/// Copies that stop the robot together; where, as in StopRow.
+using SeamRow =
+    std::tuple<std::vector<std::uint32_t>, std::uint32_t, std::string, ExactPoint, ExactPoint>;
 /// Factor, whether the way is free at the factor itself, what stops the robot.
-using GrowthRow = std::tuple<std::optional<std::string>, bool, std::optional<StopRow>>;
+using GrowthRow =
+    std::tuple<std::optional<std::string>, bool, std::optional<StopRow>, std::optional<SeamRow>>;
 
 Point point_of(const ExactPoint& point) {
   return {parse_rational(point.first), parse_rational(point.second)};
@@ -76,11 +80,17 @@ std::optional<GrowthRow> growth_of(const SceneQuestions& self, const std::vector
                                    const std::string& rule) {
   const auto growth = self.growth(path_of(path), contact_rule(rule));
   if (!growth) return std::nullopt;
-  if (!growth->factor) return GrowthRow{std::nullopt, true, std::nullopt};
+  if (!growth->factor) return GrowthRow{std::nullopt, true, std::nullopt, std::nullopt};
+  if (!growth->seam.empty()) {
+    return GrowthRow{to_string(*growth->factor), growth->included, std::nullopt,
+                     SeamRow{growth->seam, growth->at.segment, to_string(growth->at.t),
+                             to_strings(growth->at.point), to_strings(growth->touching)}};
+  }
   return GrowthRow{to_string(*growth->factor), growth->included,
                    StopRow{growth->copy, growth->at.segment, to_string(growth->at.t),
                            to_strings(growth->at.point), row(growth->of_robot),
-                           row(growth->of_copy), to_strings(growth->touching)}};
+                           row(growth->of_copy), to_strings(growth->touching)},
+                   std::nullopt};
 }
 
 }  // namespace
@@ -107,8 +117,9 @@ void bind_scene_questions(nb::module_& module) {
       .def("growth", growth_of, "path"_a, "rule"_a, Released(),
            "How far all copies may grow about their places while a way stays free: (factor, or "
            "None without bound; whether it is free at the factor; copy, segment, t, point of the "
-           "way, feature of the robot, feature of the copy, touching point). None if the way is "
-           "not free now. Raises BadInput (no-area).");
+           "way, feature of the robot, feature of the copy, touching point; or copies that "
+           "stop it together, segment, t, point of the way, touching point). None if the way is "
+           "not free now.");
 }
 
 }  // namespace minkref::python

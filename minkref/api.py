@@ -113,6 +113,7 @@ from minkref.scene.free_values import FreeCell as FreeCell
 from minkref.scene.free_values import FreeComponent as FreeComponent
 from minkref.scene.free_values import Holder as Holder
 from minkref.scene.free_values import SceneGrowth as SceneGrowth
+from minkref.scene.free_values import SceneSeam as SceneSeam
 from minkref.scene.free_values import SceneStop as SceneStop
 from minkref.scene.free_values import SceneWay as SceneWay
 from minkref.scene.scene_input import Copy as Copy

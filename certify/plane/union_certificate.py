@@ -40,7 +40,7 @@ class UnionCertificate:
         self._claim("union", polygons=plain_polygons(found))
 
     def point(self, point: Sequence[str | int | Fraction]) -> None:
-        """Claims the sets that have a point inside, and those with an edge through it."""
+        """Claims which sets have a point inside, and which edges pass."""
         x, y = (Fraction(number(name, value)) for name, value in zip("xy", point, strict=True))
         at = str(x), str(y)
         origin = _core.PolygonSet.from_json('{"polygons":[{"outer":[["0","0"]],"holes":[]}]}')
@@ -51,8 +51,8 @@ class UnionCertificate:
         self._claim("point", point=list(at), inside=told["overlapping"], on=told["touching"])
 
     def degeneracies(self) -> None:
-        """Claims all points in which vertices and edges of several sets meet by chance, and for
-        each edge a stretch that it has in common with a later one. O(n^2) for n edges."""
+        """Claims all degenerate points, and each edge's overlap with a later edge. O(n^2) for n
+        edges."""
         for point, meeting in self._edges.meetings().items():
             vertices, edges = sorted(meeting.vertices), sorted(meeting.edges)
             self._claim("meet", point=self._edges.told(point), vertices=vertices, edges=edges)
@@ -60,8 +60,7 @@ class UnionCertificate:
             self._claim("overlap", edges=[one.name, other.name], way=way)
 
     def signs(self, most: int = SIGNS) -> None:
-        """Claims up to so many signs of turns, of three vertices, that doubles get wrong, those of
-        turns that are none last. O(n^2) for n edges."""
+        """Claims at most so many signs that doubles get wrong, zeros last. O(n^2) for n edges."""
         found = sorted(self._edges.wrong_in_doubles(), key=lambda one: one[2] == 0)
         for edge, other, sign in found[:most]:
             ends = [edge.name, (edge.name[0], edge.end), other.name]
@@ -86,7 +85,7 @@ class UnionCertificate:
         return f'{{{head},\n"sets":[{sets}]}}\n'
 
     def case_digest(self) -> str:
-        """The digest of the sets, by which the certificate names the case."""
+        """The digest by which certificates name cases."""
         value = {"sets": list(map(plain_polygons, self.sets))}
         return digest(json.dumps(value, sort_keys=True, separators=(",", ":")))
 

@@ -1,5 +1,4 @@
-"""Degeneracies of edges and vertices of several sets: where they meet, overlap, and where doubles
-get a sign wrong."""
+"""Degeneracies between sets: meeting edges and vertices, overlaps, signs wrong in doubles."""
 
 from __future__ import annotations
 
@@ -40,21 +39,20 @@ class Edge:
 
 @dataclass
 class Meeting:
-    """Features that meet at a point: vertices, and edges that have it inside."""
+    """Meeting vertices, and edges with the point inside."""
 
     vertices: set[Name] = field(default_factory=set)
     edges: set[Name] = field(default_factory=set)
 
     @property
     def is_degenerate(self) -> bool:
-        """Whether a small motion would undo it: a vertex at a vertex or an edge of another set, or
-        three edges."""
+        """Whether small motions undo it: vertices meet other sets, or three edges meet."""
         named = self.vertices | self.edges
         return len({k for k, _ in named}) > 1 and (bool(self.vertices) or len(self.edges) > 2)
 
 
 class Edges:
-    """The edges of sets, and what is degenerate about them. O(n^2) tests of boxes for n edges."""
+    """Edges, and their degeneracies. O(n^2) tests of boxes for n edges."""
 
     def __init__(self, sets: Sequence[_core.PolygonSet]) -> None:
         points = list(map(places, sets))
@@ -72,7 +70,7 @@ class Edges:
 
     @cached_property
     def _near(self) -> list[tuple[Edge, Edge]]:
-        """Pairs of edges of different sets whose boxes meet."""
+        """Pairs whose boxes meet, from different sets."""
         return [
             (one, other)
             for one, other in combinations(self.all, 2)
@@ -104,8 +102,8 @@ class Edges:
                 yield one, other, 1 if (one.a < one.b) == (other.a < other.b) else -1
 
     def wrong_in_doubles(self) -> Iterator[tuple[Edge, Edge, int]]:
-        """Yields edges, and others of other sets that begin on the side of this sign, where doubles
-        see another one."""
+        """Yields an edge, another set's edge, and the true sign of its beginning's side, which
+        doubles get wrong."""
         for edge in self.all:
             for other in self.all:
                 if edge.name[0] == other.name[0]:
@@ -132,7 +130,7 @@ def turn(a: Spot, b: Spot, c: Spot) -> Number:
 
 
 def _common(one: Edge, other: Edge) -> list[Spot]:
-    """The point in which two edges meet; of a common stretch its ends."""
+    """The meeting point, or both ends of a common stretch."""
     (a, b), (c, d) = (one.a, one.b), (other.a, other.b)
     first, last = turn(c, d, a), turn(c, d, b)
     if first == last:

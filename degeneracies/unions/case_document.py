@@ -52,7 +52,7 @@ class DegenerateUnion(CaseTexts[UnionFacts]):
 
     @property
     def certificate(self) -> UnionCertificate:
-        """Proves the union, what meets and overlaps, and signs that doubles get wrong."""
+        """Proves union, meetings, overlaps, and signs wrong in doubles."""
         made = UnionCertificate(self.facts.sets)
         made.union(self.facts.union[0])
         made.degeneracies()
@@ -61,6 +61,5 @@ class DegenerateUnion(CaseTexts[UnionFacts]):
 
 
 def content_of(sets: Sequence[_core.PolygonSet]) -> str:
-    """The sets as text, the same whatever the order of polygons and rings, and whatever vertex a
-    ring starts at."""
+    """Text that ignores orders of polygons and rings, and rings' first vertices."""
     return json.dumps(list(map(set_content, sets)))

@@ -1,5 +1,5 @@
-"""Sets that meet by chance: a vertex on an edge, vertices in one place, edges along each other,
-edges through one point, sets that fill holes; and signs that doubles get wrong."""
+"""Sets that meet by chance, at vertices, along edges, in common points; filled holes; signs wrong
+in doubles."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Draw = Callable[[Random], list[Shape]]
 
 
 def _placed(*draws: Callable[[Dice], kinds.Sets]) -> Draw:
-    """Draws by one of several, and applies one linear map to all sets."""
+    """Draws by one function, and maps all sets linearly."""
 
     def draw(dice: Random) -> list[Shape]:
         sets = dice.choice(draws)(Dice(str(dice.random())))
@@ -65,12 +65,12 @@ def _has_seam(facts: UnionFacts) -> bool:
 
 
 def _misleads_doubles(facts: UnionFacts) -> bool:
-    """Doubles often see a turn where there is none: here they miss, or turn round, one that is."""
+    """Whether doubles miss or reverse a turn; inventing turns does not count."""
     return any(sign for _, _, sign in facts.edges.wrong_in_doubles())
 
 
 def _far_slivers(dice: Dice) -> kinds.Sets:
-    """Slivers far out, in parts of a unit: doubles round what tells them apart."""
+    """Distant slivers, told apart by digits that doubles round."""
     sets = dice.choice((kinds.slivers, kinds.nearly_parallel, kinds.nearly_equal))(dice)
     factor = Fraction(1, dice.choice((3, 7, 11)) << dice.randint(20, 40))
     return [moved(scaled(one, factor), dice.randint(1, 9), -dice.randint(1, 9)) for one in sets]

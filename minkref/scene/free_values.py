@@ -64,13 +64,27 @@ class SceneStop:
 
 
 @dataclass(frozen=True)
+class SceneSeam:
+    """Copies that stop a thin robot together, none alone; its place on the way (`segment`, `t`,
+    `at`); `touching`: a point inside their union that it would pass."""
+
+    copies: tuple[int, ...]
+    segment: int
+    t: Fraction
+    at: Place
+    touching: Place
+
+
+@dataclass(frozen=True)
 class SceneGrowth:
     """How far all copies may grow by one `factor`, each about its own place, while a way stays
-    free; None: without bound. `included`: still free at the factor itself."""
+    free; None: without bound. `included`: still free at the factor itself, and not just above it.
+    Either a `stop` or a `seam` ends it."""
 
     factor: Fraction | None
     included: bool
     stop: SceneStop | None
+    seam: SceneSeam | None = None
 
 
 CellRow = tuple[int, Sequence[tuple[str, str]], Sequence[Sequence[tuple[str, str]]]]
@@ -89,7 +103,11 @@ def growth_of(row: tuple[Any, ...] | None) -> SceneGrowth | None:
     """The growth from a row of `_core.SceneQuestions.growth`."""
     if row is None:
         return None
-    factor, included, stop = row
+    factor, included, stop, seam = row
+    if seam is not None:
+        copies, segment, t, at, touching = seam
+        made = SceneSeam(tuple(copies), segment, Fraction(t), _point(at), _point(touching))
+        return SceneGrowth(Fraction(factor), included, None, made)
     if stop is None:
         return SceneGrowth(None, included, None)
     copy, segment, t, at, robot, shape, touching = stop

@@ -219,8 +219,9 @@ class Scene:
         self, points: Sequence[Sequence[Any]], contact: str = "allowed"
     ) -> SceneGrowth | None:
         """Find the largest factor by which all copies may grow, each about its own place, while a
-        way stays free; None for a way already blocked. Cost: the copies near the way.
-        Raises BadInput (no-area) for a robot without area that may touch."""
+        way stays free; None for a way already blocked. Closing seams stop thin robots that may
+        touch. Cost: the copies near the way; for seams once more per factor at which a vertex
+        meets the way."""
         return growth_of(self._questions.growth(_path(points), _rule(contact)))
 
     @cached_property

@@ -8,6 +8,7 @@
 #include "reference/motion/routes.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/boundary/set_operations.hpp"
+#include "reference/scene/seam_growth.hpp"
 
 namespace minkref::inline scene {
 namespace {
@@ -152,10 +153,6 @@ SceneQuestions::WayAnswer SceneQuestions::way(const std::vector<Point>& path,
 std::optional<Growth> SceneQuestions::growth(const std::vector<Point>& path,
                                              ContactRule rule) const {
   const FloatEnvironment standard;
-  if (!scene_.robot.is_region() && rule == ContactRule::allowed) {
-    throw BadInput("no-area", "copies that grow about a robot without area may close a seam",
-                   "ask with contact forbidden: its factor is a lower bound");
-  }
   if (!way(path, rule).free) return std::nullopt;
   const ExactBox box = box_of(path);
   std::vector<std::pair<Rational, std::uint32_t>> near;
@@ -181,12 +178,28 @@ std::optional<Growth> SceneQuestions::growth(const std::vector<Point>& path,
     const Rational least = now->to->scale / s;
     if (result.factor && least == *result.factor && result.included <= now->to_in()) continue;
     const Point& y = bound->touching;  // in -R, about the way itself
-    result = {least, now->to_in(), k, bound->at, bound->obstacle, bound->part, {}};
+    result = {least, now->to_in(), k, bound->at, bound->obstacle, bound->part, {}, {}};
     result.at.point = {bound->at.point.x + scene_.copies[k].place.x,
                        bound->at.point.y + scene_.copies[k].place.y};
     result.touching = {result.at.point.x - y.x, result.at.point.y - y.y};
   }
+  if (!scene_.robot.is_region() && !scene_.robot.empty() && rule == ContactRule::allowed)
+    end_at_seam(path, near, result);
   return result;
+}
+
+/// Ends the growth where copies stop the robot together before one of them does alone.
+void SceneQuestions::end_at_seam(const std::vector<Point>& path,
+                                 const std::vector<std::pair<Rational, std::uint32_t>>& near,
+                                 Growth& growth) const {
+  std::vector<std::uint32_t> copies;
+  for (const auto& [factor, k] : near) {
+    if (!growth.factor || factor <= *growth.factor) copies.push_back(k);
+  }
+  std::sort(copies.begin(), copies.end());
+  const auto seam = first_seam(scene_, copies, path, growth.factor);
+  if (!seam || (growth.factor && *growth.factor == seam->factor && !seam->at)) return;
+  growth = {seam->factor, !seam->at, 0, seam->place, {}, {}, seam->touching, seam->copies};
 }
 
 }  // namespace minkref::inline scene

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "reference/motion/valid_scales.hpp"
@@ -27,6 +28,9 @@ struct Growth {
   PathPlace at;
   TouchingFeature of_robot, of_copy;
   Point touching;
+  /// Copies that stop it together, beside a robot without area; then `copy` and the features say
+  /// nothing. `included` tells whether they do so just above the factor, or at the factor itself.
+  std::vector<std::uint32_t> seam;
 };
 
 /// A scene, ready to be asked. All answers are exact. Obstacles without seams count: beside a
@@ -51,9 +55,7 @@ class SceneQuestions {
   WayAnswer way(const std::vector<Point>& path, ContactRule rule) const;
 
   /// The least upper bound of the factors f >= 1 up to which the way stays free while all copies
-  /// grow from 1 to f times their scales; none if the way is not free now. Throws as way(), and
-  /// BadInput ("no-area") for a robot without area that may touch: seams that close as the copies
-  /// grow are not followed.
+  /// grow from 1 to f times their scales; none if the way is not free now. Throws as way().
   std::optional<Growth> growth(const std::vector<Point>& path, ContactRule rule) const;
 
  private:
@@ -67,6 +69,9 @@ class SceneQuestions {
   ValidScales scales(std::uint32_t copy, const std::vector<Point>& path, ContactRule rule,
                      const ScaleWindow& window) const;
   bool seam_stops(const std::vector<Point>& path) const;
+  void end_at_seam(const std::vector<Point>& path,
+                   const std::vector<std::pair<Rational, std::uint32_t>>& near,
+                   Growth& growth) const;
 
   Scene scene_;
   PolygonSet turned_robot_;                ///< -R

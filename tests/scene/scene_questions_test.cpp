@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/error.hpp"
 #include "reference/plane/witness.hpp"
 #include "tests/plane/random_cases.hpp"
 
@@ -129,7 +128,6 @@ TEST(SceneQuestions, ASeamStopsAPoint) {
   EXPECT_FALSE(answer.free);
   EXPECT_TRUE(answer.stopped_by.empty());
   EXPECT_TRUE(questions.way({{0, 2}, {0, -1}}, ContactRule::allowed).free);
-  EXPECT_THROW(questions.growth({{9, 9}}, ContactRule::allowed), BadInput);
 }
 
 TEST(SceneQuestions, GrowthEndsWhereACornerComes) {

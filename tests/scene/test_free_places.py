@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import minkref
 import pytest
-from minkref import Copy, PolygonSet, Refusal, Scene
+from minkref import Copy, PolygonSet, Refusal, Scene, SceneSeam
 from scene_draws import POINT, ROBOTS, UNIT, Draw, box, scenes
 from thoroughness import draws
 
@@ -115,8 +115,20 @@ def test_a_seam_stops_a_point_and_no_copy_does() -> None:
     scene = Scene(POINT, [UNIT], [Copy(0), Copy(0, 1, (1, 0))])
     way = scene.way([(1, -3), (1, 3)], "allowed")
     assert not way.free and way.stopped_by == ()
-    with pytest.raises(minkref.BadInput, match="no-area"):
-        scene.growth([(9, 9)], "allowed")
+    grown = scene.growth([(9, 9)], "allowed")
+    assert grown is not None and (grown.factor, grown.seam) == (9, None)
+
+
+def test_a_seam_closes_around_a_point_as_copies_grow() -> None:
+    """At a corner it closes at the factor, along the way just above it."""
+    corners = [Copy(0, 1, (x, y)) for x in (-2, 2) for y in (-2, 2)]
+    place = Scene(POINT, [box(-1, -1, 1, 1)], corners).growth([(0, 0)])
+    assert place is not None and (place.factor, place.included) == (2, False)
+    assert place.stop is None and place.seam == SceneSeam((0, 1, 2, 3), 0, 0, (0, 0), (0, 0))
+    sides = Scene(POINT, [UNIT, box(-1, 0, 0, 1)], [Copy(0), Copy(1)])
+    way = sides.growth([(0, 3), (0, 5)])
+    assert way is not None and (way.factor, way.included) == (3, True)
+    assert way.seam is not None and way.seam.copies == (0, 1)
 
 
 @pytest.mark.parametrize("ask", ["free_components", "way", "growth"])

@@ -1,5 +1,4 @@
-"""Claims in certificates of unions, by the reference and by plain fractions: neither shares code
-with the checkers."""
+"""Union certificates' claims, by reference and plain fractions, without the checkers' code."""
 
 from __future__ import annotations
 
@@ -30,7 +29,7 @@ class UnionConfirmation:
         return bool(getattr(self, f"_{claim['claim']}")(claim))
 
     def _union(self, claim: dict[str, Any]) -> bool:
-        """Polygons that overlap nowhere, with the points of the union."""
+        """Whether valid polygons hold the same points."""
         told = {"polygons": claim["polygons"]}
         region = _core.PolygonSet.from_json(json.dumps(_with_holes(told)))
         region.validate("the union")

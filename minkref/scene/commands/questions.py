@@ -70,8 +70,7 @@ def answers(scene: SceneFile, points: Points, contact: str) -> dict[str, Any]:
     path = list(points)
     free, stopped_by = refusing(scene.name, lambda: asked.way(path, contact))
     holders = asked.holders(*path[0]) if len(path) == 1 else None
-    thin = not scene.robot.set.is_region and contact == "allowed"
-    growth = None if thin or not free else asked.growth(path, contact)
+    growth = asked.growth(path, contact) if free else None
     return {
         "points": [list(point) for point in points],
         "contact": contact,
@@ -85,9 +84,13 @@ def answers(scene: SceneFile, points: Points, contact: str) -> dict[str, Any]:
 
 
 def _growth(row: tuple[Any, ...]) -> dict[str, Any]:
-    factor, included, stop = row
+    factor, included, stop, seam = row
+    if seam is not None:
+        names = ("copies", "segment", "t", "at", "touching")
+        told = dict(zip(names, map(_listed, seam), strict=True))
+        return {"factor": factor, "included": included, "stop": None, "seam": told}
     if stop is None:
-        return {"factor": None, "included": included, "stop": None}
+        return {"factor": None, "included": included, "stop": None, "seam": None}
     copy, segment, t, at, robot, shape, touching = stop
     return {
         "factor": factor,
@@ -101,7 +104,12 @@ def _growth(row: tuple[Any, ...]) -> dict[str, Any]:
             "shape": _feature(shape),
             "touching": list(touching),
         },
+        "seam": None,
     }
+
+
+def _listed(value: Any) -> Any:
+    return list(value) if isinstance(value, tuple) else value
 
 
 def _feature(row: tuple[bool, int, int]) -> dict[str, list[int]]:
@@ -148,10 +156,16 @@ def _free(found: dict[str, Any]) -> str:
 
 
 def _growth_text(growth: dict[str, Any]) -> str:
-    stop = growth["stop"]
+    stop, seam = growth["stop"], growth["seam"]
+    below = "by" if growth["included"] else "by less than"
+    if seam is not None:
+        copies = ", ".join(map(str, seam["copies"][:SHOWN]))
+        return (
+            f"{below} {number_text(growth['factor'])}: then a seam of copies {copies} closes at "
+            f"{point_text(seam['touching'])}"
+        )
     if stop is None:
         return "without bound"
-    below = "by" if growth["included"] else "by less than"
     return (
         f"{below} {number_text(growth['factor'])}: then {feature_text(stop['shape'])} of copy "
         f"{stop['copy']} and {feature_text(stop['robot'])} of the robot touch at "

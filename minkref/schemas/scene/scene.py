@@ -89,10 +89,27 @@ class SceneStop(TypedDict):
     touching: Point
 
 
+class SceneSeam(TypedDict):
+    """Copies that stop a robot without area together, none of them alone."""
+
+    copies: Annotated[list[Count], Meta(min_length=2)]
+    segment: Annotated[Count, Meta(description="Of the way.")]
+    t: Number
+    at: Annotated[Point, Meta(description="The place of the robot's origin.")]
+    touching: Annotated[Point, Meta(description="Inside the union of the copies.")]
+
+
 class SceneGrowth(TypedDict):
     factor: Annotated[Number | None, Meta(description="null: without bound.")]
     included: Annotated[bool, Meta(description="Whether it is free at the factor itself.")]
     stop: SceneStop | None
+    seam: Annotated[
+        SceneSeam | None,
+        Meta(
+            description="In place of a stop; then `included` tells whether it closes just above "
+            "the factor, not at it."
+        ),
+    ]
 
 
 class SceneAnswer(TypedDict):
@@ -113,7 +130,7 @@ class SceneAnswer(TypedDict):
         SceneGrowth | None,
         Meta(
             description="The largest factor by which all copies may grow, each about its own "
-            "place; null where the way is not free, or for a robot without area that may touch."
+            "place; null where the way is not free."
         ),
     ]
 

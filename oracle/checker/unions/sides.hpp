@@ -25,7 +25,7 @@ Sides sides_of(const Operand& set);
 /// 0.
 long winding(const Sides& sides, const Point& p, const Point& beside);
 
-/// Returns where another edge meets an edge: at from + t (to - from). Of a common stretch the
+/// Returns where another edge meets an edge: at from + t (to - from). Common stretches give the
 /// other's ends.
 std::vector<mpq_class> cuts(const Side& side, const Side& other);
 

@@ -1,5 +1,4 @@
-"""Cases of unions in the table of their family, and drawn: the sets with the points in which they
-meet by chance, and the union."""
+"""Union cases: table rows; pictures show sets, degenerate points, and the union."""
 
 from __future__ import annotations
 
@@ -24,8 +23,7 @@ Rings = list[list[Place]]
 
 @dataclass(frozen=True)
 class UnionRow:
-    """A case's row in the family's table. `points`: how many are shown; `counts`: of components and
-    holes."""
+    """A row. `points`: degenerate ones shown; `counts`: components/holes."""
 
     id: str
     file: str
@@ -82,8 +80,7 @@ def _near(region: _core.PolygonSet) -> Rings:
 
 @dataclass(frozen=True)
 class _Frame:
-    """The drawn part: the left and the top end, and pixels for a unit of each axis. Slivers are
-    stretched across."""
+    """Left and top ends, pixels per unit along each axis. Slivers are stretched."""
 
     left: float
     top: float
