@@ -1,5 +1,5 @@
-"""Unions: whatever is changed in a certificate or its case, both checkers give one verdict, and
-what they still verify is true by the reference and by plain fractions."""
+"""Unions: both checkers agree about changed certificates and cases; reference and plain fractions
+confirm all verified claims."""
 
 from __future__ import annotations
 
@@ -69,8 +69,7 @@ def changes(certificate: Value, case: Value) -> Iterator[Change]:
 
 
 def is_true(certificate: Value, case: Value) -> bool:
-    """A certificate is about the points that are wound around, and a vertex that is there twice
-    does not matter to it: refused sets are none of ours."""
+    """Certificates use winding numbers alone; sets that validation refuses are ignored."""
     try:
         return UnionConfirmation(json.dumps(case)).all_hold(certificate["claims"])
     except _core.BadInput:
@@ -91,7 +90,7 @@ def test_every_change_is_refused_or_true(tmp_path: Path, name: str) -> None:
 
 
 def test_unions_of_all_kinds_are_proven(tmp_path: Path) -> None:
-    """Degenerate sets, any sets and placed sums in turn: both checkers verify, and confirm."""
+    """Degenerate sets, any sets, placed sums: both checkers verify."""
     given: list[tuple[Any, Any]] = []
     for index in range(draws(FEW, MANY)):
         sets = drawn(index)

@@ -1,5 +1,5 @@
-"""A certificate of a union, written by hand: the boxes [0, 2] x [0, 2] and [2, 4] x [1, 3], which
-abut along a part of an edge, and a triangle with a tip on another edge of the first."""
+"""A union certificate, written by hand: boxes [0, 2] x [0, 2], [2, 4] x [1, 3] abut partly; a
+triangle's tip touches another edge."""
 
 from __future__ import annotations
 

@@ -117,7 +117,7 @@ def test_nothing_is_left_of_a_set_without_itself(minkref: Minkref) -> None:
 
 
 def test_a_union_is_certified(minkref: Minkref, tmp_path: Path) -> None:
-    """The document tells of the files; the checker follows them; a name is refused."""
+    """Documents tell written files; checkers follow them; bad names fail."""
     file = tmp_path / "both.cert.json"
     value = minkref("union", LEFT, RIGHT, "--certify", str(file), "--json").json
     jsonschema.validate(value, schema("union"))

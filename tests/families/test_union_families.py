@@ -1,5 +1,5 @@
-"""Degenerate unions: each member keeps its family's promise, decided from the case file alone in
-plain fractions; certificates prove what is expected."""
+"""Degenerate unions: members keep their families' promises, by plain fractions; certificates prove
+expected results."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def shapes(value: dict[str, Any]) -> list[Shape]:
 
 @pytest.mark.parametrize("name", UNION_FAMILIES)
 def test_points_of_a_case_are_where_sets_meet(name: str) -> None:
-    """At each point vertices or edges of two sets, and never two edges alone."""
+    """Vertices or edges meet from two sets, never two edges alone."""
     for file in cases(name):
         value = json.loads(file.read_text(encoding="utf-8"))
         sets = [edges(shape) for shape in shapes(value)]

@@ -1,5 +1,4 @@
-// Copies that grow about a robot without area until a seam between them closes: by hand, and
-// against the union of the grown copies.
+// Copies growing about thin robots until seams close: by hand, and against grown copies' union.
 #include "reference/scene/seam_growth.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +16,7 @@ Scene grown(Scene scene, const Rational& factor) {
   return scene;
 }
 
-/// By the union of the copies, which knows nothing of growth.
+/// By the copies' union, which knows nothing about growth.
 bool is_free(const Scene& scene, const Rational& factor, const std::vector<Point>& way) {
   return SceneQuestions(grown(scene, factor)).way(way, ContactRule::allowed).free;
 }
@@ -49,9 +48,8 @@ struct Asked {
   std::vector<Point> way;
 };
 
-/// Boxes and right triangles on a small lattice; the robot is a point or an upright segment.
-/// `mirror`: they come in pairs or fours about the way, which then runs along an axis or is the
-/// origin, and some get lost.
+/// Draws lattice boxes, right triangles; robots are points or upright segments. `mirror`: copies
+/// come in pairs or fours about ways along an axis, or about origins; some get lost.
 Asked drawn(Source& random, bool mirror) {
   const Point a{0, 0}, b{0, 1};
   const bool is_point = random.coin();

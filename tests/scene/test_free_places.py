@@ -120,7 +120,7 @@ def test_a_seam_stops_a_point_and_no_copy_does() -> None:
 
 
 def test_a_seam_closes_around_a_point_as_copies_grow() -> None:
-    """At a corner it closes at the factor, along the way just above it."""
+    """Corners close at, seams along ways just above, factors."""
     corners = [Copy(0, 1, (x, y)) for x in (-2, 2) for y in (-2, 2)]
     place = Scene(POINT, [box(-1, -1, 1, 1)], corners).growth([(0, 0)])
     assert place is not None and (place.factor, place.included) == (2, False)
