@@ -69,9 +69,20 @@ class BridgeCertificate:
             if place is None:
                 self.declined["the place of an event is not rational"] += 1
                 continue
+            named = sorted({*named, *self._ends(place, named)})
             self.claims.append({"claim": "touch", "centre": [str(x) for x in place],
                                 "features": [list(each) for each in named]})  # fmt: skip
         return len(self.claims)
+
+    def _ends(self, place: tuple[Fraction, Fraction], named: Sequence[Named]) -> list[Named]:
+        """Vertices as near, at ends of named edges."""
+        ends = {end for kind, n in named if kind == "edge" for end in (n, self._next[n])}
+        square = self.radius**2
+        return [
+            ("vertex", n)
+            for n in ends
+            if (self._at[n][0] - place[0]) ** 2 + (self._at[n][1] - place[1]) ** 2 == square
+        ]
 
     def _rational(self, near: Spot, named: Sequence[Named]) -> tuple[Fraction, Fraction] | None:
         """The place near a double, if it is as far from all features as the radius."""
