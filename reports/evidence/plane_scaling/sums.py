@@ -15,9 +15,9 @@ from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.plane_scaling.scaled_pairs import SEED, scaled_pairs
 
-MINUTES = Minutes(0.5, 6, 12)
+MINUTES = Minutes(0.25, 6, 12)
 
-PAIRS = Counts(60, 2_000, 3_000)
+PAIRS = Counts(30, 2_000, 3_000)
 BATCH = 20
 JUDGES = {
     "sums": slow_sums.judge,
