@@ -75,21 +75,25 @@ def read_squared_radius(name: str, prefix: str, mend: str) -> Fraction:
 
 def read_tolerance(text: str, option: str) -> Fraction:
     """How far a polygon may be off. Refuses what is not above 0."""
-    where = f"{option} {text[:40]}"
-    mend = "give a positive number, as 0.001"
-    value = read_number(text.strip(), "tolerance", where, mend)
-    if value <= 0:
-        raise Refusal("the tolerance is not above 0", where, mend)
-    return value
+    return _above_zero(text, option, "tolerance", "0.001")
 
 
 def read_clearance(text: str, option: str) -> Fraction:
     """Read a distance to keep. Refuses what is not above 0."""
+    return _above_zero(text, option, "clearance", "1/2", "bad-clearance")
+
+
+def read_positive_alpha(text: str, option: str) -> Fraction:
+    """Read a disc's diameter. Refuses anything but a number above 0."""
+    return _above_zero(text, option, "diameter", "7/5", "bad-alpha")
+
+
+def _above_zero(text: str, option: str, noun: str, example: str, code: str = "usage") -> Fraction:
     where = f"{option} {text[:40]}"
-    mend = "give a positive number, as 1/2"
-    value = read_number(text.strip(), "clearance", where, mend)
+    mend = f"give a positive number, as {example}"
+    value = read_number(text.strip(), noun, where, mend)
     if value <= 0:
-        raise Refusal("the clearance is not above 0", where, mend, "bad-clearance")
+        raise Refusal(f"the {noun} is not above 0", where, mend, code)
     return value
 
 

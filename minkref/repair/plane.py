@@ -11,7 +11,7 @@ from minkref.errors import Refusal
 from minkref.repair.change import Change
 from minkref.repair.groups import Groups
 from minkref.repair.regions import Region, Rings, combined, fault, filled, near_pairs, shared_area
-from minkref.repair.rings import Note, Ring, cleaned, doubled_area, run_as
+from minkref.repair.rings import Note, Point, Ring, cleaned, doubled_area, run_as
 from minkref.repair.weld import squared_distance, welded
 
 MOST_ROUNDS = 50  # welding moves edges, which may then cross; each round has fewer vertices
@@ -131,8 +131,21 @@ def _enclosed(ring: Ring, rule: str, note: Note) -> Region:
         return region
     indices = ring.indices[::-1] if is_reversed else ring.indices
     kind = "self-touching" if is_touching else "self-crossing"
-    note(ring.change(kind, indices[at], point=points[at], area=region.area))
+    note(ring.change(kind, indices[at], point=_meeting(points, found.vertices), area=region.area))
     return region
+
+
+def _meeting(points: Sequence[Point], vertices: Sequence[int]) -> Point:
+    """Return the point at which two edges, by their four ends, meet; the first one of a stretch."""
+    if len(vertices) < 4:
+        return points[vertices[0] if vertices else 0]
+    a, b, c, d = (points[vertex] for vertex in vertices)
+    along, other = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
+    turn = along[0] * other[1] - along[1] * other[0]
+    if turn == 0:
+        return max(min(a, b), min(c, d))
+    t = ((c[0] - a[0]) * other[1] - (c[1] - a[1]) * other[0]) / turn
+    return a[0] + t * along[0], a[1] + t * along[1]
 
 
 def _tell_holes(

@@ -24,8 +24,7 @@ def run(request: ErodeWithDisc) -> None:
     watch = Stopwatch()
     P, Q, output = request.P, request.Q, request.output
     if is_disc(P):
-        mend = f"give `minkref erode {Q} {P}`" if not is_disc(Q) else "give a polygon first"
-        raise Refusal("a disc is not eroded: what is left of it has no polygon", P, mend)
+        raise Refusal("a disc is not eroded", P, "give a polygon first, and the disc after it")
     route = chosen_route(None, request.route, DISC_ROUTES)
     offered = FORMATS if request.tolerance is not None else WITH_ARCS
     target = target_of(output, request.form, FORMATS, "json", request.json, offered=offered)
