@@ -13,9 +13,10 @@ def rings_of(chains: Sequence[list[Point]], reading: Reading) -> list[list[Point
     """Join polylines at equal ends; ends nearer than the weld move to the first end. The order of
     the file decides between four or more ends. Refuses a point with an odd number of ends.
     Linear."""
-    moves = {}
+    moves = reading.moves
     if reading.weld is not None:
-        moves = welded((end for chain in chains for end in (chain[0], chain[-1])), reading.weld)
+        ends_in_order = (end for chain in chains for end in (chain[0], chain[-1]))
+        moves.update(welded(ends_in_order, reading.weld))
     chains = [
         [moves.get(c[0], c[0]), *c[1:-1], moves.get(c[-1], c[-1])]  # type: ignore[list-item]
         for c in chains

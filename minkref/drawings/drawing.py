@@ -13,6 +13,7 @@ from minkref.errors import Refusal
 from minkref.exact import set_json
 from minkref.file_text import LONGEST, bytes_of_file
 from minkref.output.terminal import escaped
+from minkref.repair.weld import Vector
 
 DRAWINGS = (".dxf", ".svg")
 
@@ -26,17 +27,18 @@ def read_drawing(
     tolerance: Fraction | None = None,
     layer: str | None = None,
     weld: Fraction | None = None,
+    moves: dict[Vector, Vector] | None = None,
 ) -> tuple[_core.PolygonSet, list[str]]:
     """Read the set of a DXF or SVG file, not validated, with warnings. Coordinates keep the file's
     decimals. Curves become polylines within `tolerance`; refuses curves without. `layer`: read this
-    layer alone; `weld`: join line ends nearer than this. Refuses unknown geometry. Rings from DXF
-    nest: an odd number of surrounding rings makes a hole."""
+    layer alone; `weld`: join line ends nearer than this, and add each to `moves`. Refuses unknown
+    geometry. Rings from DXF nest: an odd number of surrounding rings makes a hole."""
     source = escaped(str(path))
     data = bytes_of_file(path, source, "name a file that you may read")
     if len(data) > LONGEST:
         what = f"the file is longer than {LONGEST:,} bytes"
         raise Refusal(what, source, "split the drawing", "file-too-large")
-    reading = Reading(source, tolerance, layer, weld)
+    reading = Reading(source, tolerance, layer, weld, moves={} if moves is None else moves)
     if path.suffix.lower() == ".svg":
         found = read_svg(data, reading)
     else:

@@ -10,6 +10,7 @@ from fractions import Fraction
 from minkref.drawings.curves import TooFine
 from minkref.errors import Refusal, choice
 from minkref.exact import read_number
+from minkref.repair.weld import Vector
 
 LONGEST = 200  # characters of a number
 
@@ -17,7 +18,7 @@ LONGEST = 200  # characters of a number
 @dataclass
 class Reading:
     """A file under reading. `weld`: join line ends nearer than this; `layers`: all names
-    met; `left_out`: counts by skipped kind."""
+    met; `left_out`: counts by skipped kind; `moves`: ends that moved, with their new places."""
 
     source: str
     tolerance: Fraction | None = None
@@ -26,6 +27,7 @@ class Reading:
     layers: dict[str, None] = field(default_factory=dict)
     left_out: Counter[str] = field(default_factory=Counter)
     notes: dict[str, None] = field(default_factory=dict)
+    moves: dict[Vector, Vector] = field(default_factory=dict)
 
     def number(self, text: str) -> Fraction:
         """Read a decimal exactly. Refuses NaN, infinity and other words."""

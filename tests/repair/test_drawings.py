@@ -97,6 +97,7 @@ def test_a_gap_is_refused_with_its_place_and_closed_by_weld(tmp_path: Path, mink
     assert error.code == "open-chain" and "ends at (4, 0)" in error.what
     ran = minkref("repair", tmp_path / "a.dxf", "--weld", "1/100", "-o", tmp_path / "b.json")
     assert ran.code == 0
+    assert "(4, 1/1000) moved to (4, 0), squared distance 1/1000000" in ran.out
     assert json.loads((tmp_path / "b.json").read_text())["polygons"][0]["outer"] == [
         ["0", "0"], ["4", "0"], ["4", "4"],
     ]  # fmt: skip

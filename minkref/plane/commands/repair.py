@@ -12,6 +12,7 @@ from minkref.plane.operand import Operand, as_faulty, as_written
 from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.repair.change import Change
 from minkref.repair.plane import repaired
+from minkref.repair.weld import Vector, squared_distance
 from minkref.verbs.repair import RepairRequest
 from minkref.verbs.repair_output import Repaired, answer
 
@@ -34,14 +35,20 @@ def _is_thin(operand: Operand) -> bool:
 
 
 def _repair(request: RepairRequest) -> Repaired:
+    moves: dict[Vector, Vector] = {}  # ends of lines in a drawing
+
     def drawing(path: Path) -> tuple[_core.PolygonSet, list[str]]:
-        return read_drawing(path, request.tolerance, request.layer, request.weld)
+        return read_drawing(path, request.tolerance, request.layer, request.weld, moves)
 
     operand, is_open = as_faulty(request.file, drawing)
     source = escaped(operand.source)
     found, changes = operand.set, list[Change]()
     if not _is_thin(operand):
         found, changes = repaired(operand.set, is_open, request.rule, request.weld)
+        changes[:0] = [
+            Change("welded", point=point, to=to, squared_distance=squared_distance(point, to))
+            for point, to in moves.items()
+        ]
     if operand.set.is_region or not operand.set.is_empty:
         refusing(source, lambda: found.validate(source))
     return Repaired(
