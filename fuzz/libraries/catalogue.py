@@ -24,6 +24,7 @@ HERE = Path(__file__).parent
 INSTALL_COMMAND = "minkref adapter install"
 RUN = HERE.parent / "adapters" / "run_program.py"  # beside modules that Python programs import
 OPENSCAD = "openscad"
+WITHOUT_WHEEL = ("pyclipr",)  # pip builds it, with sources that the build fetches
 
 
 def _libraries() -> dict[str, Library]:
@@ -75,7 +76,9 @@ def install(name: str, folder: Path | None = None) -> None:
 
 def in_everything(name: str) -> bool:
     """Whether `adapter install all` installs the adapter: toolchains such as Rust have to be asked
-    for, and so has a language whose tools are missing."""
+    for, and so has a package without a wheel, or a language whose tools are missing."""
+    if adapter_named(name).home in WITHOUT_WHEEL:
+        return False
     language = other_languages.LANGUAGES.get(adapter_named(name).kind)
     return language is None or not (language.asked or shutil.which(language.tool) is None)
 

@@ -94,6 +94,7 @@ def make(kind: str, home: Path, program: Path, loops: Path, run: Run) -> None:
 
 def _node(home: Path, run: Run) -> None:
     words = ["npm", "--prefix", str(home), "ci", "--ignore-scripts", "--no-audit", "--no-fund"]
+    words += ["--fetch-retries=1", "--fetch-retry-mintimeout=1000", "--fetch-timeout=60000"]
     run(words, "see what npm says; it needs a registry that it can reach")
 
 

@@ -83,13 +83,13 @@ def install(
 ) -> None:
     """Install the libraries that these adapters need, each into a folder of its own (in
     MINKREF_ADAPTERS, build/adapters, or ~/.cache/minkref/adapters). `all` leaves out adapters in
-    Java and Rust, and those in JavaScript without npm."""
+    Java and Rust, those in JavaScript without npm, and packages that would have to be built."""
     wanted = names
     if names == ["all"]:
         wanted = [name for name in catalogue.ADAPTERS if catalogue.in_everything(name)]
         left_out = [name for name in catalogue.ADAPTERS if name not in wanted]
         if left_out:
-            sys.stderr.write(f"left out, as `all` installs no toolchain: {', '.join(left_out)}\n")
+            sys.stderr.write(f"left out, to be installed by name: {', '.join(left_out)}\n")
     for name in wanted:
         catalogue.adapter_named(name)
     failed: list[Refusal] = []
