@@ -122,6 +122,7 @@ void SetBuilder::line(const TextRing& vertices, std::string_view line, std::stri
     if (vertices.points[k - 1] == vertices.points[k]) {
       Place where = vertices.place_of(k - 1);
       where.vertices.push_back(k);
+      where.coordinates.push_back(where.coordinates.front());
       input_.refuse("zero-length-edge", "two consecutive vertices are equal", "remove one of them",
                     where);
     }

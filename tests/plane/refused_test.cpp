@@ -86,7 +86,7 @@ TEST(Refused, TooFewVertices) {
   EXPECT_EQ(hole.code, "too-few-vertices");
   EXPECT_EQ(hole.ring, 1U);
   EXPECT_EQ(refusal(raw(rectangle(0, 0, 4, 4), {{}})).ring, 1U);
-  EXPECT_EQ(refusal(together(point_set(0, 0), point_set(1, 1))).code, "too-few-vertices");
+  EXPECT_EQ(refusal(together(point_set(0, 0), point_set(1, 1))).code, "open-lines");
   EXPECT_EQ(refusal(raw({{0, 0}, {1, 0}}, {{{0, 0}, {0, 1}, {1, 1}}})).code, "too-few-vertices");
 }
 

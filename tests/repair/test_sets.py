@@ -71,6 +71,11 @@ def test_changes_have_their_place_and_exact_size(
         assert fields.items() <= change.items()
 
 
+@pytest.mark.parametrize("text", ["LINESTRING(0 0,1 0,1 1)", "MULTIPOINT(0 0,1 0)", "POINT(1 1)"])
+def test_lines_and_points_have_nothing_to_mend(repaired: Repaired, text: str) -> None:
+    assert repaired(text)["changes"] == []
+
+
 def test_a_file_without_faults_stays_byte_for_byte(minkref: Any, tmp_path: Path) -> None:
     text = "polygon ((0 0,  2 0,4 0,4 4.0,0 4,0 0))  \n\n"
     (tmp_path / "a.wkt").write_text(text)

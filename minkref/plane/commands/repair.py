@@ -24,9 +24,10 @@ def run(request: RepairRequest) -> None:
 
 
 def _is_thin(operand: Operand) -> bool:
-    """Tell whether the operand is a point or a segment, not a polygon with as few points."""
+    """Tell whether the operand consists of points and segments, not of polygons with as few
+    points."""
     given = operand.set
-    if given.ring_count != 1 or not (given.is_point or given.is_segment):
+    if not given.is_lines and (given.ring_count != 1 or not (given.is_point or given.is_segment)):
         return False
     try:
         return operand.name == STANDARD_INPUT or as_written(operand.name) is not None
@@ -50,7 +51,7 @@ def _repair(request: RepairRequest) -> Repaired:
             for point, to in moves.items()
         ]
     if operand.set.is_region or not operand.set.is_empty:
-        refusing(source, lambda: found.validate(source))
+        refusing(source, lambda: found.validate(source, found.is_lines))
     return Repaired(
         operand.file if operand.file.is_file() else None,
         2,
@@ -59,5 +60,5 @@ def _repair(request: RepairRequest) -> Repaired:
         {"area": found.area(), "volume": None, "vertices": found.vertices, "faces": None},
         lambda form: _core.write(found, form),
         lambda form: _core.writes_exactly(found, form),
-        lambda text, form: _core.read_text(text, form).validate(),
+        lambda text, form: _core.read_text(text, form).validate("", found.is_lines),
     )

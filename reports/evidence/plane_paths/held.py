@@ -23,8 +23,8 @@ from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, S
 MINUTES = Minutes(0.1, 1.0, 5)
 
 SEED = 3150
-CASES = Counts(8, 130, 1000)
-SLOW = Counts(4, 32, 240)
+CASES = Counts(16, 130, 1000)
+SLOW = Counts(8, 32, 240)
 SLOW_SCALES = 4
 CONTACTS = ("allowed", "forbidden")
 
