@@ -79,13 +79,7 @@ def test_a_drawing_beyond_doubles_is_refused(minkref: Minkref, tmp_path: Path) -
 
 
 @pytest.mark.parametrize(
-    "arguments",
-    [
-        ("path", "disc:1", "g1", "LINESTRING (0 0, 1 1)"),
-        ("fit", "disc:1", "g1", "--at", "0,0"),
-        ("trap", "disc:1", "g1", "--at", "0,0"),
-        ("certify", "g1", "disc:1", "-o", "x.cert.json"),
-    ],
+    "arguments", [("decompose", "disc:1"), ("certify", "g1", "disc:1", "-o", "x.cert.json")]
 )
 def test_commands_without_discs_say_what_takes_one(
     minkref: Minkref, arguments: tuple[str, ...]
