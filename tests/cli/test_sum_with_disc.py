@@ -275,7 +275,6 @@ def test_polygons_are_inside_and_outside(square: str, tolerance: str) -> None:
         (("disc:1", "-o", "sum.wkt", "--tolerance", "0"), "--tolerance"),
         (("disc:1", "-o", "sum.wkt", "--tolerance", "1e-12"), "corners"),
         (("disc:1", "-o", "sum.dwg"), "sum.dwg"),
-        (("g1", "-o", "sum.dxf"), "sum.dxf"),
         (("disc:1", "-o", "sum.dxf", "--tolerance", "1"), "--tolerance"),
         (("disc:1", "--measures"), "--measures"),
         (("g1", "--measures", "--json"), "--measures"),
