@@ -66,7 +66,7 @@ REFUSED = {
         ("shrink", "random:1:1", "--target", "minkref:paper", "-o", "x.png"), "names no format",
     ),
     "a face that crosses itself": (("sum", "bow.off", "gs3"), "edges of a face meet"),
-    "a closed line": (("erode", "LINESTRING(0 0,4 0,4 4,0 0)", SQUARE), "`minkref sum` takes lines"),
+    "a closed line": (("erode", "LINESTRING(0 0,4 0,4 4,0 0)", SQUARE), "sum` takes lines"),
     "decimals": (
         ("sum", "POLYGON((0 0,0.25 0.5,0.5 0,0 0.5,0 0))", SQUARE), "at (0, 0), (0.25, 0.5)",
     ),
