@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import _thread
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 
 SECONDS = 30.0  # between two lines
 
@@ -14,20 +15,24 @@ SECONDS = 30.0  # between two lines
 @contextmanager
 def progress_lines(text: Callable[[], str]) -> Iterator[None]:
     """Writes `text()` and the time so far, as long as the block runs; nothing in a block that ends
-    within SECONDS. A thread writes the lines, also while a single call computes."""
-    over = threading.Event()
+    within SECONDS. A thread writes the lines, also while a single call computes. Under a limit on
+    memory no thread may start: `Thread.start` would then wait for ever, and here no line comes."""
+    over, writing = threading.Event(), threading.Lock()
     began = time.monotonic()
 
     def write() -> None:
-        while not over.wait(SECONDS):
-            minutes, seconds = divmod(round(time.monotonic() - began), 60)
-            sys.stderr.write(f"minkref: {text()}, {minutes}:{seconds:02} min\n")
-            sys.stderr.flush()
+        with suppress(MemoryError, OSError, ValueError):
+            while not over.wait(SECONDS):
+                minutes, seconds = divmod(round(time.monotonic() - began), 60)
+                with writing:
+                    if not over.is_set():
+                        sys.stderr.write(f"minkref: {text()}, {minutes}:{seconds:02} min\n")
+                        sys.stderr.flush()
 
-    writer = threading.Thread(target=write, name="progress", daemon=True)
-    writer.start()
+    with suppress(RuntimeError, MemoryError):
+        _thread.start_new_thread(write, ())
     try:
         yield
     finally:
-        over.set()
-        writer.join(1.0)
+        with writing:
+            over.set()
