@@ -12,10 +12,11 @@ from minkref.cli.memory import Memory
 from minkref.cli.options import Json
 from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_anywhere
-from minkref.disc.disc import read_alpha, read_persistence
+from minkref.disc.disc import read_alpha, read_persistence, read_positive_alpha
 from minkref.verbs.set_request import Format
 
 READ_ALPHA = Read(read_alpha)
+READ_POSITIVE_ALPHA = Read(read_positive_alpha)
 EXAMPLES = """Examples:
 
 minkref decompose g1

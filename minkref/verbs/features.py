@@ -10,11 +10,9 @@ from typing import Annotated
 import typer
 from minkref.cli.memory import Memory
 from minkref.cli.options import Json
-from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_anywhere
-from minkref.disc.disc import read_positive_alpha
 from minkref.plane.commands.scale_index import IndexFile
-from minkref.verbs.decompose import READ_ALPHA
+from minkref.verbs.decompose import READ_ALPHA, READ_POSITIVE_ALPHA
 
 EXAMPLES = """Examples:
 
@@ -41,7 +39,7 @@ Operand = Annotated[str, typer.Argument(help="A set in the plane: a file or a mo
 Alpha = Annotated[
     Fraction | None,
     typer.Option("--alpha", help="Show the features at this diameter, with bridges.", metavar="A"),
-    Read(read_positive_alpha),
+    READ_POSITIVE_ALPHA,
 ]
 Regions = Annotated[
     bool, typer.Option("--regions", help="With --alpha: the region of each feature, and its area.")
