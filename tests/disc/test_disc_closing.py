@@ -11,7 +11,7 @@ from minkref import PolygonSet, _core
 from minkref.disc.closed import DiscClosing, closed_by_disc, opened_by_disc
 from minkref.errors import Refusal
 from minkref.fuzz.judges.disc.closings import closing_faults
-from minkref.fuzz.judges.disc.place_draws import drawn_set, set_of
+from minkref.fuzz.features.place_draws import drawn_set, set_of
 from thoroughness import draws
 
 from tests.disc.sampled_closing import added_area
