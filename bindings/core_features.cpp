@@ -269,12 +269,11 @@ nb::object near_arrays(const BoundFeatures& self, double alpha) {
   if (!(alpha > 0) || !std::isfinite(alpha)) {
     throw BadInput("bad-alpha", "alpha is " + std::to_string(alpha), "give a number above 0");
   }
-  thread_local std::vector<NearBridge> found;
-  self.near.at(alpha / 2, found);
   static_assert(sizeof(NearBridge) == 8 * sizeof(double));
-  auto* all = new std::vector<NearBridge>(found);
+  auto* all = new std::vector<NearBridge>;
   const nb::capsule owner(
       all, [](void* p) noexcept { delete static_cast<std::vector<NearBridge>*>(p); });
+  self.near.at(alpha / 2, *all);
   const double* places = all->empty() ? nullptr : &all->front().from_x;
   const std::uint32_t* owners = all->empty() ? nullptr : &all->front().feature;
   using Places = nb::ndarray<nb::numpy, const double>;

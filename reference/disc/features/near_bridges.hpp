@@ -24,31 +24,42 @@ class NearBridges {
 
   /// All bridges at a radius, features ascending; at an event's own radius those just below. The
   /// features are exact. Coordinates err by at most 2^-41 of the size of P and of the radius, and
-  /// 2^-49 of the coordinates themselves. O(n), some nanoseconds for each part of the diagram.
+  /// 2^-49 of the coordinates themselves. Some nanoseconds for each
+  /// bridge.
   void at(double radius, std::vector<NearBridge>& found) const;
 
  private:
-  /// A vertex of P; or the line u · x = level, with a unit vector u.
+  /// The foot of a place c is base + share (c - (u · c - level) u): a vertex of P, with share 0; or
+  /// a point of the line u · x = level, with a unit vector u and share 1. `error`: of the base.
   struct Feature {
-    bool is_point;
-    double x, y, level;
+    double base_x, base_y, share, x, y, level, error;
   };
+  /// A bridge's whole life, with all that a reading needs side by side in memory.
   struct Rising {
-    std::uint32_t half, low, high, own, across;
+    CornerMotion motion;
+    Feature own, across;
+    std::uint32_t half;
   };
-  /// A tree node lives from its radius to its parent's; a root never.
+  /// A tree node lives up to its parent's radius; a root for ever.
   struct Life {
-    std::uint32_t from, to, parent;
+    std::uint32_t to, parent;
+  };
+  /// A bridge with a corner within a span of gaps, and the feature that it is a part of there: a
+  /// node alive at the span's start, or one that begins later.
+  struct Part {
+    std::uint32_t low, high, rising, node;
   };
   static Feature rounded(const OffsetCurves& curves, std::uint32_t feature);
-  BoundedPoint foot(const Feature& feature, const BoundedPoint& centre) const;
+  void part_gaps(const MergeTree& tree, const std::vector<Feature>& features);
+  static BoundedPoint foot(const Feature& feature, const BoundedPoint& centre);
+  void place(const Rising& own, const FrameRadius& radius, NearBridge& found) const;
 
   const DiscIndex& index_;
   const Barcode& codes_;
-  std::vector<Feature> features_;
-  std::vector<Rising> rising_;         ///< by tree node
-  std::vector<std::uint32_t> starts_;  ///< of nodes
+  std::vector<Rising> rising_;  ///< by tree node
   std::vector<Life> lives_;
+  std::uint32_t gaps_of_span_ = 1;
+  std::vector<std::vector<Part>> spans_;  ///< by tree node
   double scale_ = 1, x_ = 0, y_ = 0, origin_error_ = 0;  ///< from the frame of the curves to P's
 };
 

@@ -11,28 +11,10 @@ namespace minkref::inline disc {
 
 namespace {
 
-constexpr double rounding = 0x1p-48;      // of the numbers of a motion
-constexpr double widest_error = 0x1p-43;  // in the frame, of its size and the radius
+constexpr double rounding = CornerMotion::rounding;
 constexpr double rounded_up = 1 + 0x1p-40;
 constexpr double least = 0x1p-1070;       // more than what is lost below the range of doubles
 constexpr std::uint32_t most_spans = 64;  // of gaps
-
-/// The corner at a radius known up to `off`.
-BoundedPoint corner_of(const CornerMotion& m, const TwoDoubles& rho, double off) {
-  constexpr double turn = 1.5;  // at least the sum of both coordinates of a unit vector
-  const double way = ((rho.high - m.r) - m.r_low) + rho.low;
-  const double way_off = off + 0x1p-50 * std::abs(way) + 0x1p-98 * (rho.high + m.r);
-  const double square = way * (m.k0 + m.k1 * way);
-  const double root = std::sqrt(std::max(square, 0.0));
-  // The square's error; the root errs by this error over the root, or by its square root.
-  const double square_off =
-      (m.k0 + 2.1 * m.k1 * std::abs(way)) * way_off + rounding * std::abs(square) + 0x1p-1000;
-  const double root_off = square > square_off ? 2 * square_off / root : 2 * std::sqrt(square_off);
-  const double speed = std::abs(m.bx) + std::abs(m.by);
-  return {m.ax + way * m.bx + root * m.cx, m.ay + way * m.by + root * m.cy,
-          m.error + 0x1p-50 * (std::abs(m.ax) + std::abs(m.ay)) +
-              rounding * (std::abs(way) * speed + root * turn) + way_off * speed + root_off * turn};
-}
 
 }  // namespace
 
@@ -215,6 +197,15 @@ FrameRadius DiscIndex::in_frame(const Rational& squared_radius) const {
   return {squared, near, 0x1p-99 * near.high + least};
 }
 
+FrameRadius DiscIndex::frame_radius(const Rational& radius) const {
+  const FloatEnvironment standard;
+  const Rational exact = radius * diagram_.factor;
+  const double high = to_double(exact);
+  if (!std::isfinite(high)) return {exact * exact, {high, 0}, high};
+  const double low = to_double(Rational(exact - from_double(high)));
+  return {exact * exact, {high, low}, 0x1p-99 * high + least};
+}
+
 BoundedPoint DiscIndex::rounded_corner(std::uint32_t half, const TwoDoubles& radius,
                                        double off) const {
   return corner_of(motions_[half], radius, off);
@@ -223,7 +214,10 @@ BoundedPoint DiscIndex::rounded_corner(std::uint32_t half, const TwoDoubles& rad
 BoundedPoint DiscIndex::corner(std::uint32_t half, const FrameRadius& radius) const {
   const FloatEnvironment standard;
   const BoundedPoint found = corner_of(motions_[half], radius.near, radius.off);
-  if (found.error <= widest_error * (1 + radius.near.high)) return found;
+  return found.error <= radius.widest_error() ? found : corner_from_roots(half, radius);
+}
+
+BoundedPoint DiscIndex::corner_from_roots(std::uint32_t half, const FrameRadius& radius) const {
   const RootPoint exact = corner_at(diagram_, graph_, half, radius.squared);
   const double x = nearest_double(exact.x), y = nearest_double(exact.y);
   return {x, y, 0x1p-53 * std::max(std::abs(x), std::abs(y)) + least};

@@ -35,16 +35,14 @@ struct IndexBoundary {
   }
 };
 
-/// A point, off by at most `error` along each axis.
-struct BoundedPoint {
-  double x, y, error;
-};
-
 /// A radius within the curves' frame: the square, and the sum of two doubles, off by at most `off`.
 struct FrameRadius {
   Rational squared;
   TwoDoubles near;
   double off;
+
+  /// The most that a corner in doubles may err; one that errs more is found from roots.
+  double widest_error() const { return 0x1p-43 * (1 + near.high); }
 };
 
 /// Built once. Each decision of a query compares the radius with event radii: exact.
@@ -92,10 +90,15 @@ class DiscIndex {
 
   /// Converts a squared radius from coordinates of P to the frame.
   FrameRadius in_frame(const Rational& squared_radius) const;
+  /// The same from the radius itself.
+  FrameRadius frame_radius(const Rational& radius) const;
   /// The corner on a half that has one, within the frame; error as above.
   BoundedPoint corner(std::uint32_t half, const FrameRadius& radius) const;
   /// The same from doubles alone, with whatever error; of a radius known up to `off`.
   BoundedPoint rounded_corner(std::uint32_t half, const TwoDoubles& radius, double off) const;
+  /// The same from roots, as near as a double can be.
+  BoundedPoint corner_from_roots(std::uint32_t half, const FrameRadius& radius) const;
+  const CornerMotion& motion(std::uint32_t half) const { return motions_[half]; }
   /// A point within the frame as one of P's plane; the error grows by what is rounded.
   BoundedPoint as_given(const BoundedPoint& in_frame) const;
 

@@ -168,19 +168,19 @@ int sign(const Surd& a) {
   if (is_terms(a.node_) && a.node_->terms.size() <= 1) {
     return a.node_->terms.empty() ? 0 : a.node_->terms[0].factor.sign();
   }
-  constexpr long first_bits = 192;
+  constexpr long first_bits = 192, longest_trial = 1L << 16;
   constexpr double most_bits = 0x1p24;
   if (const int certain = a.enclosure(first_bits).certain_sign(); certain != 0) return certain;
   const double bits = surd_bits(a.node_);
-  if (bits > most_bits) {
-    throw LimitExceeded("too-many-roots",
-                        "a sign takes more than " + std::to_string(1 << 24) + " bits",
-                        "give operands with fewer digits");
-  }
   for (long precision = 4 * first_bits;; precision *= 4) {
+    if (bits > most_bits && precision > longest_trial) {
+      throw LimitExceeded("too-many-roots",
+                          "a sign takes more than " + std::to_string(1 << 24) + " bits",
+                          "give operands with fewer digits");
+    }
     const MpfrInterval value = a.enclosure(precision);
     if (const int certain = value.certain_sign(); certain != 0) return certain;
-    if (value.is_within(-static_cast<long>(bits))) return 0;
+    if (bits <= most_bits && value.is_within(-static_cast<long>(bits))) return 0;
   }
 }
 

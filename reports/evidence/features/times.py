@@ -55,6 +55,7 @@ def _times(findings: Findings, name: str, size: Size) -> None:
     diameters = diameters_of(P)
     builds, reads = [], []
     for _ in range(size.of(REPETITIONS)):
+        found = None  # what it frees would be sorted within the first reading of the next one
         began = time.perf_counter()
         found = _core.features(P, 2)
         builds.append(time.perf_counter() - began)
