@@ -19,14 +19,18 @@ class ExactRadius:
 
     def compare_square(self, number: Fraction) -> int:
         """The sign of squared radius minus number. Exact if the polynomial has one root between
-        both squared bounds; else 0 there."""
+        both squared bounds, which belong to it; else 0 there."""
         if self.square is not None:
             return (self.square > number) - (self.square < number)
         low, high = self.low**2, self.high**2
-        if not low < number < high:
-            return 1 if number <= low else -1
+        if not low <= number <= high:
+            return 1 if number < low else -1
         at_low, here, at_high = (_sign(self.polynomial, x) for x in (low, number, high))
-        if here == 0 or at_low * at_high >= 0:
+        if here == 0 or low == high:
+            return 0
+        if number in (low, high):
+            return 1 if number == low else -1
+        if at_low * at_high >= 0:
             return 0
         return 1 if here == at_low else -1
 

@@ -166,6 +166,28 @@ def test_radii_are_compared_exactly() -> None:
     assert not Claim.of({"square": "2000001/1000000"}).is_near(root, Fraction(0))  # type: ignore[union-attr]
     ratio = ExactRadius(Fraction(12, 10), Fraction(13, 10), None, (-1, -1, 1))  # type: ignore[arg-type]
     assert [ratio.compare_square(Fraction(x)) for x in ("1618/1000", "1619/1000")] == [1, -1]
+    # A root that is a bound, or both bounds: (x - 1) (x - 3), and another number at a bound.
+    for low, high in (("1", "1"), ("1", "3/2"), ("1/2", "1")):
+        one = ExactRadius(Fraction(low), Fraction(high), None, (3, -4, 1))  # type: ignore[arg-type]
+        assert one.compare_square(Fraction(1)) == 0
+        assert Claim(Fraction(1), Fraction(1)).is_near(one, Fraction(0))
+    one = ExactRadius(Fraction(1, 2), Fraction(3, 2), None, (3, -4, 1))  # type: ignore[arg-type]
+    assert [one.compare_square(Fraction(x)) for x in ("1/4", "9/4")] == [1, -1]
+
+
+@pytest.mark.parametrize("text", [
+    "[[[0,0],[2,0],[5,2],[0,4]],[[4,2],[2,0],[1,1],[1,3]]]",
+    "[[[0,0],[4,0],[4,2],[0,4]],[[4,1],[1,0],[1,2],[2,3]]]",
+    "[[[0,0],[12,0],[19,21],[0,22]],[[0,21],[15,21],[18,18],[1,1]]]",
+])  # fmt: skip
+def test_a_radius_that_is_a_double_and_the_root_of_a_longer_polynomial(
+    text: str, outcomes: Outcomes
+) -> None:
+    """A hole that touches the outline: its bar ends at a whole number."""
+    outer, hole = json.loads(text)
+    P = json.dumps({"polygons": [{"outer": outer, "holes": [hole]}]})
+    said = outcomes("minkref:index", literal(P, "2"))
+    assert [outcome.verdict for outcome in said] == [Verdict.PASS]
 
 
 def test_members_are_paired_as_far_as_they_go() -> None:
