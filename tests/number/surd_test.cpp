@@ -31,6 +31,23 @@ TEST(Surd, TellsNearNumbersApart) {
   EXPECT_EQ(sign(root - sqrt(Surd(2)) - sqrt(Surd(3)) - Surd(tiny)), -1);
 }
 
+/// A sum of many roots of roots: zero could not be told from numbers of millions of bits, yet its
+/// distance from a fraction nearby is told by a few hundred.
+TEST(Surd, TriesMoreBitsBeforeItRefuses) {
+  const FloatEnvironment standard;
+  Surd sum(0);
+  for (const int prime : {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43}) {
+    sum = sum + sqrt(Surd(1) + sqrt(Surd(prime)));
+  }
+  Surd rest = sum;
+  for (int k = 0; k < 8; ++k) {
+    rest = rest - Surd(from_double(rest.enclosure(900).outwards().lower));
+  }
+  EXPECT_EQ(sign(rest), 1);
+  EXPECT_EQ(sign(rest - Surd(Rational(1, Integer(1) << 300U))), -1);
+  EXPECT_THROW(sign(rest * Surd(3) - (rest + rest + rest)), LimitExceeded);
+}
+
 TEST(Surd, RefusesZeroAsDivisorAndRootsOfNegativeNumbers) {
   const FloatEnvironment standard;
   EXPECT_THROW(Surd(1) / Surd(0), std::domain_error);
