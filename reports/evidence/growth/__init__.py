@@ -1,0 +1,1 @@
+"""How the cost of each job grows with its input."""
