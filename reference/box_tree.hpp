@@ -30,6 +30,8 @@ class BasicBoxTree {
   }
 
   std::size_t size() const { return items_.size(); }
+  /// All boxes by number, those near each other in a row.
+  const std::vector<std::uint32_t>& order() const { return items_; }
 
   /// Calls report(i) for every box that overlaps `box`, which report may make smaller meanwhile;
   /// stops early when report returns true, and then returns true.

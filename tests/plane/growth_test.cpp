@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reference/interrupt.hpp"
+#include "reference/plane/critical/pair_events.hpp"
 #include "reference/plane/index/scale_index.hpp"
 #include "reference/plane/sum.hpp"
 #include "tests/plane/shapes.hpp"
@@ -86,6 +87,14 @@ TEST(Growth, SumsAskWhetherAPointIsHeldByATree) {
   const PolygonSet small = plate(16), large = plate(32);
   const auto sum = [](const PolygonSet& P) { (void)minkowski_sum(P, octagon, 1); };
   expect_growth([&] { sum(small); }, [&] { sum(large); });
+}
+
+TEST(Growth, PairsOfEdgesAreFoundByATreeOfMovingBoxes) {
+  const PolygonSet small = comb(100), large = comb(400);
+  const auto find = [](const PolygonSet& P) {
+    (void)pair_events(P, octagon, {Rational(1, 2), Rational(2)});
+  };
+  expect_growth([&] { find(small); }, [&] { find(large); });
 }
 
 TEST(Growth, AnIndexKeepsNoParallelEdgesThatNeverMeet) {

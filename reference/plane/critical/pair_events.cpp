@@ -8,7 +8,7 @@
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/critical/event_scale.hpp"
-#include "reference/plane/critical/pair_filter.hpp"
+#include "reference/plane/critical/moving_pairs.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 #include "reference/plane/routes/convolution_arrangement.hpp"
 
@@ -42,6 +42,11 @@ class Window {
   explicit Window(const ScaleWindow& window) : window_(window) {
     if (window.from) from_ = to_double(*window.from);
     if (window.to) to_ = to_double(*window.to);
+  }
+  /// Doubles around the window.
+  double from() const { return from_ * (1 - 0x1p-50); }
+  double to() const {
+    return window_.to ? to_ * (1 + 0x1p-50) : std::numeric_limits<double>::infinity();
   }
   bool before(const K& kernel, const typename K::Parameter& t) const {
     return window_.from && compare(kernel, t, *window_.from, from_) < 0;
@@ -79,46 +84,46 @@ class PairSearch {
         result_(result) {}
 
   void run() {
-    const auto s_count = static_cast<std::uint32_t>(
-        std::count_if(edges_.begin(), edges_.end(), [](const auto& e) { return e.is_s(); }));
     const auto count = static_cast<std::uint32_t>(edges_.size());
-    EdgeColumns s, t;
-    for (const auto& e : edges_) {
-      (e.is_s() ? s : t)
-          .add(column(e.p.x()), column(e.p.y()), column(e.q.x()), column(e.q.y()), column(e.d.x()),
-               column(e.d.y()));
-    }
-    const PairFilter filter(std::move(s), std::move(t));
-    std::vector<std::uint32_t> found(count + 1);
-    std::uint64_t survivors = 0;
-    const auto candidates = [&](std::uint32_t a, bool b_is_s, std::uint32_t first) -> std::size_t {
-      const bool a_is_s = a < s_count;
-      if (form_ == Form::corrected) {
-        return filter.candidates(a_is_s, a_is_s ? a : a - s_count, b_is_s, first, found.data());
-      }
+    std::uint64_t looked_at = 0;
+    if (form_ == Form::corrected) {
+      looked_at = look_at_those_that_may_meet();
+    } else {
       // The filter proves that edges never meet; the printed rule ignores such proofs.
-      const std::uint32_t last = b_is_s ? s_count : count - s_count;
-      for (std::uint32_t b = first; b < last; ++b) found[b - first] = b;
-      return last - std::min(first, last);
-    };
-    const auto look = [&](std::uint32_t a, bool b_is_s, std::uint32_t first) {
-      look_for_interrupt_now();
-      const std::size_t n = candidates(a, b_is_s, first);
-      for (std::size_t i = 0; i < n; ++i) pair(a, b_is_s ? found[i] : s_count + found[i]);
-      survivors += n;
-    };
-    for (std::uint32_t a = 0; a < s_count; ++a) {
-      look(a, true, a + 1);
-      look(a, false, 0);
+      for (std::uint32_t a = 0; a < count; ++a) {
+        look_for_interrupt_now();
+        for (std::uint32_t b = a + 1; b < count; ++b) pair(a, b);
+        looked_at += count - a - 1;
+      }
     }
-    for (std::uint32_t a = s_count; a < count; ++a) look(a, false, a - s_count + 1);
     result_.pairs = std::uint64_t{count} * (count - (count > 0 ? 1 : 0)) / 2;
-    result_.filtered_pairs = result_.pairs - survivors;
+    result_.filtered_pairs = result_.pairs - looked_at;
     sort();
   }
 
  private:
   using Parameter = typename K::Parameter;
+
+  std::uint64_t look_at_those_that_may_meet() {
+    std::vector<RoundedEdge> rounded;
+    for (const auto& e : edges_) {
+      rounded.push_back({column(e.p.x()), column(e.p.y()), column(e.q.x()), column(e.q.y()),
+                         column(e.d.x()), column(e.d.y()), e.is_s()});
+    }
+    const double from = window_.from(), to = window_.to();
+    const MovingPairs pairs(rounded, from, to);
+    std::uint64_t looked_at = 0;
+    std::vector<std::uint32_t> room;
+    for (std::uint32_t block = 0; block < pairs.blocks(); ++block) {
+      look_for_interrupt_now();
+      pairs.of_block(block, room, [&](std::uint32_t a, std::uint32_t b) {
+        if (pair_range(rounded[a], rounded[b], from, to, pairs.error()).is_empty()) return;
+        pair(a, b);
+        ++looked_at;
+      });
+    }
+    return looked_at;
+  }
 
   void pair(std::uint32_t a, std::uint32_t b) {
     const auto conditions = pair_conditions(kernel_, edges_[a], edges_[b]);

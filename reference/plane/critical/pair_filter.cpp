@@ -34,11 +34,11 @@ MINKREF_INLINE void restrict_to(Range& range, Block slope, Block value, double e
 
 template <bool AIsS, bool BIsS>
 MINKREF_INLINE std::size_t survivors(const EdgeRow& a, const EdgeColumns& b, std::uint32_t first,
-                                     double error, std::uint32_t* out) {
+                                     std::uint32_t last, double error, std::uint32_t* out) {
   std::size_t count = 0;
   // The quotients' relative rounding stays below 2^-50.
   const double slack = 1 + 0x1p-48;
-  for (std::size_t j = first; j < b.size; j += width) {
+  for (std::size_t j = first; j < last; j += width) {
     const Block dx = load_block(&b.dx[j]), dy = load_block(&b.dy[j]);
     const Block px = load_block(&b.px[j]) - a.px, py = load_block(&b.py[j]) - a.py;
     const Block qx = load_block(&b.qx[j]) - a.qx, qy = load_block(&b.qy[j]) - a.qy;
@@ -65,23 +65,23 @@ MINKREF_INLINE std::size_t survivors(const EdgeRow& a, const EdgeColumns& b, std
     const Mask never = (range.lower > range.upper * slack) & (c > error);
     for (std::size_t k = 0; k < width; ++k) {
       out[count] = static_cast<std::uint32_t>(j + k);
-      count += static_cast<std::size_t>(never[k] == 0 && j + k < b.size);
+      count += static_cast<std::size_t>(never[k] == 0 && j + k < last);
     }
   }
   return count;
 }
 
 MINKREF_CLONES std::size_t survivors_ss(const EdgeRow& a, const EdgeColumns& b, std::uint32_t first,
-                                        double error, std::uint32_t* out) {
-  return survivors<true, true>(a, b, first, error, out);
+                                        std::uint32_t last, double error, std::uint32_t* out) {
+  return survivors<true, true>(a, b, first, last, error, out);
 }
 MINKREF_CLONES std::size_t survivors_st(const EdgeRow& a, const EdgeColumns& b, std::uint32_t first,
-                                        double error, std::uint32_t* out) {
-  return survivors<true, false>(a, b, first, error, out);
+                                        std::uint32_t last, double error, std::uint32_t* out) {
+  return survivors<true, false>(a, b, first, last, error, out);
 }
 MINKREF_CLONES std::size_t survivors_tt(const EdgeRow& a, const EdgeColumns& b, std::uint32_t first,
-                                        double error, std::uint32_t* out) {
-  return survivors<false, false>(a, b, first, error, out);
+                                        std::uint32_t last, double error, std::uint32_t* out) {
+  return survivors<false, false>(a, b, first, last, error, out);
 }
 
 double largest(const std::vector<double>& column, double at_least) {
@@ -122,12 +122,12 @@ PairFilter::PairFilter(EdgeColumns s_edges, EdgeColumns t_edges)
 }
 
 std::size_t PairFilter::candidates(bool a_is_s, std::uint32_t a, bool b_is_s, std::uint32_t first,
-                                   std::uint32_t* out) const {
+                                   std::uint32_t last, std::uint32_t* out) const {
   const EdgeColumns& own = a_is_s ? s_ : t_;
   const EdgeRow row{own.px[a], own.py[a], own.qx[a], own.qy[a], own.dx[a], own.dy[a]};
-  if (!a_is_s) return survivors_tt(row, t_, first, error_, out);
-  return b_is_s ? survivors_ss(row, s_, first, error_, out)
-                : survivors_st(row, t_, first, error_, out);
+  if (!a_is_s) return survivors_tt(row, t_, first, last, error_, out);
+  return b_is_s ? survivors_ss(row, s_, first, last, error_, out)
+                : survivors_st(row, t_, first, last, error_, out);
 }
 
 }  // namespace minkref::inline plane

@@ -20,13 +20,14 @@ struct EdgeColumns {
 /// rounding before.
 class PairFilter {
  public:
+  PairFilter() = default;
   /// Requires the nearest double for each exact coordinate.
   PairFilter(EdgeColumns s_edges, EdgeColumns t_edges);
 
-  /// The edges with index from `first` on, of one kind, that edge `a` may meet, as indices within
-  /// the kind. `out` must have room for all.
+  /// The edges from `first` up to `last`, excluded, of one kind, that edge `a` may meet, as indices
+  /// within the kind; of a T-edge among T-edges only. `out` must have room for all.
   std::size_t candidates(bool a_is_s, std::uint32_t a, bool b_is_s, std::uint32_t first,
-                         std::uint32_t* out) const;
+                         std::uint32_t last, std::uint32_t* out) const;
 
   /// Bounds the errors of the doubles c, A and B (docs/definitions.md).
   double error() const { return error_; }

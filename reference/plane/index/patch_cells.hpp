@@ -7,17 +7,13 @@
 #include <vector>
 
 #include "reference/build/build_control.hpp"
+#include "reference/plane/critical/moving_pairs.hpp"
 #include "reference/plane/index/interior_solids.hpp"
 #include "reference/plane/index/interior_tracks.hpp"
 #include "reference/plane/moving/moving_edge.hpp"
 
 namespace minkref::inline plane {
 
-/// A convolution edge in doubles, each within half an ulp: from s p + q along d, or along s d.
-struct RoundedEdge {
-  double px = 0, py = 0, qx = 0, qy = 0, dx = 0, dy = 0;
-  bool is_s = false;
-};
 RoundedEdge rounded(const RationalEdge& edge);
 
 /// Scales from `low` to `high`; the part of the edge from `from` to `to`, 0 being its start and 1

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "reference/build/stage.hpp"
-#include "reference/plane/critical/pair_filter.hpp"
+#include "reference/plane/critical/moving_pairs.hpp"
 #include "reference/plane/index/patch_cells.hpp"
 
 namespace minkref::inline plane {
@@ -20,7 +20,6 @@ struct Subject {
   std::vector<RoundedEdge> edges;
   PatchCells cells;
   std::vector<std::uint32_t> live;  ///< edges that have a cell
-  std::uint32_t s_count = 0;        ///< of these
   double from = 0, to = infinity;
   double length = 0, size = 0;  ///< the greatest coordinates, of directions and of points
 
@@ -36,19 +35,15 @@ struct Subject {
       if (cells.of(e).empty()) continue;
       live.push_back(e);
       const RoundedEdge& r = edges[e];
-      s_count += r.is_s ? 1 : 0;
       length = std::max({length, std::fabs(r.dx), std::fabs(r.dy)});
       size = std::max({size, std::fabs(r.px), std::fabs(r.py), std::fabs(r.qx), std::fabs(r.qy)});
     }
   }
 
-  PairFilter filter() const {
-    EdgeColumns s, t;
-    for (const std::uint32_t k : live) {
-      const RoundedEdge& e = edges[k];
-      (e.is_s ? s : t).add(e.px, e.py, e.qx, e.qy, e.dx, e.dy);
-    }
-    return {std::move(s), std::move(t)};
+  std::vector<RoundedEdge> live_edges() const {
+    std::vector<RoundedEdge> result;
+    for (const std::uint32_t k : live) result.push_back(edges[k]);
+    return result;
   }
 };
 
@@ -60,84 +55,53 @@ struct Found {
 
 class NeighbourSearch {
  public:
-  NeighbourSearch(const Subject& subject, const PairFilter& filter, const BuildControl& control,
+  NeighbourSearch(const Subject& subject, const MovingPairs& pairs, const BuildControl& control,
                   Found& found)
-      : subject_(subject),
-        filter_(filter),
-        control_(control),
-        error_(filter.error()),
-        found_(found),
-        candidates_(subject.live.size() + 1) {}
+      : subject_(subject), pairs_(pairs), control_(control), error_(pairs.error()), found_(found) {}
 
-  /// Finds all pairs of a live edge with later edges.
-  void operator()(std::size_t index) {
-    const auto a = static_cast<std::uint32_t>(index);
-    const std::uint32_t s_count = subject_.s_count;
-    const bool is_s = a < s_count;
-    const std::uint32_t own = is_s ? a : a - s_count;
+  /// Finds all pairs of a block's live edges with each other and with later ones.
+  void operator()(std::size_t block) {
     hints_ = {};
-    if (is_s) {
-      const std::size_t n = filter_.candidates(true, own, true, own + 1, candidates_.data());
-      for (std::size_t k = 0; k < n; ++k) look(subject_.live[a], subject_.live[candidates_[k]]);
-    }
-    const std::size_t n =
-        filter_.candidates(is_s, own, false, is_s ? 0 : own + 1, candidates_.data());
-    for (std::size_t k = 0; k < n; ++k) {
-      look(subject_.live[a], subject_.live[s_count + candidates_[k]]);
-    }
+    pairs_.of_block(static_cast<std::uint32_t>(block), room_,
+                    [&](std::uint32_t a, std::uint32_t b) {
+                      look(subject_.live[a], subject_.live[b]);
+                    });
   }
 
  private:
-  /// slope s + value >= 0 somewhere in [low, high], both coefficients shifted by the error.
-  void restrict_to(double slope, double value, double& low, double& high) const {
-    if (slope > error_) {
-      low = std::max(low, (-value - error_) / (slope + error_));
-    } else if (slope < -error_) {
-      high = std::min(high, (value + error_) / (-slope - error_));
-    }
-  }
-
   void look(std::uint32_t i, std::uint32_t j) {
     control_.look();
     const RoundedEdge &a = subject_.edges[i], &b = subject_.edges[j];
-    const double turn = a.dx * b.dy - a.dy * b.dx, right = turn < 0 ? -1 : 1, c = right * turn;
-    if (c > 64 * error_) {
-      const double px = b.px - a.px, py = b.py - a.py, qx = b.qx - a.qx, qy = b.qy - a.qy;
-      const double a_slope = right * (px * b.dy - py * b.dx),
-                   a_value = right * (qx * b.dy - qy * b.dx),
-                   b_slope = right * (px * a.dy - py * a.dx),
-                   b_value = right * (qx * a.dy - qy * a.dx);
-      double low = subject_.from, high = subject_.to;
-      restrict_to(a_slope, a_value, low, high);
-      restrict_to(a.is_s ? c - a_slope : -a_slope, a.is_s ? -a_value : c - a_value, low, high);
-      restrict_to(b_slope, b_value, low, high);
-      restrict_to(b.is_s ? c - b_slope : -b_slope, b.is_s ? -b_value : c - b_value, low, high);
-      low *= 1 - 0x1p-45;
-      high *= 1 + 0x1p-45;
-      if (low > high) return;
-      ++found_.meeting;
-      if (low > 0 && high < infinity) {
-        if (!passes_cell(i, a_slope, a_value, c, low, high) ||
-            !passes_cell(j, b_slope, b_value, c, low, high)) {
-          ++found_.inside;
-          return;
-        }
-        const double slope = a_slope / c, value = a_value / c;
-        const double ratio = std::max(std::fabs(slope), std::fabs(value));
-        const RoundedTrack track{a.qx + value * a.dx, a.qy + value * a.dy, a.px + slope * a.dx,
-                                 a.py + slope * a.dy,
-                                 subject_.length * (error_ * (2 + 2 * ratio) / c) +
-                                     0x1p-48 * (subject_.size + ratio * subject_.length)};
-        if (subject_.tracks.certainly_inside(track, low, high, hints_)) {
-          ++found_.inside;
-          return;
-        }
-      }
-    } else {
+    const PairRange range = pair_range(a, b, subject_.from, subject_.to, error_);
+    if (range.is_empty()) return;
+    if (range.is_parallel) {
       if (are_apart(a, b)) return;
       ++found_.meeting;
+    } else {
+      ++found_.meeting;
+      if (range.low > 0 && range.high < infinity && meets_inside(i, j, range)) {
+        ++found_.inside;
+        return;
+      }
     }
     found_.kept.emplace_back(i, j);
+  }
+
+  /// Whether two edges certainly meet inside the sum only.
+  bool meets_inside(std::uint32_t i, std::uint32_t j, const PairRange& range) {
+    const auto [c, a_slope, a_value, b_slope, b_value, low, high, is_parallel] = range;
+    if (!passes_cell(i, a_slope, a_value, c, low, high) ||
+        !passes_cell(j, b_slope, b_value, c, low, high)) {
+      return true;
+    }
+    const RoundedEdge& a = subject_.edges[i];
+    const double slope = a_slope / c, value = a_value / c;
+    const double ratio = std::max(std::fabs(slope), std::fabs(value));
+    const RoundedTrack track{
+        a.qx + value * a.dx, a.qy + value * a.dy, a.px + slope * a.dx, a.py + slope * a.dy,
+        subject_.length * (error_ * (2 + 2 * ratio) / c) +
+            0x1p-48 * (subject_.size + ratio * subject_.length)};
+    return subject_.tracks.certainly_inside(track, low, high, hints_);
   }
 
   /// slope s + value > 0 throughout the window, by far more than the errors of both.
@@ -182,12 +146,12 @@ class NeighbourSearch {
   }
 
   const Subject& subject_;
-  const PairFilter& filter_;
+  const MovingPairs& pairs_;
   const BuildControl& control_;
   double error_;
   Found& found_;
   InteriorTracks::Hints hints_;
-  std::vector<std::uint32_t> candidates_;
+  std::vector<std::uint32_t> room_;
 };
 
 PatchNeighbours listed(std::vector<Found>& all, std::size_t count) {
@@ -199,7 +163,7 @@ PatchNeighbours listed(std::vector<Found>& all, std::size_t count) {
     pairs.insert(pairs.end(), found.kept.begin(), found.kept.end());
     found.kept = {};
   }
-  if (all.size() > 1) std::sort(pairs.begin(), pairs.end());
+  std::sort(pairs.begin(), pairs.end());
   result.first.resize(count + 1);
   for (const auto& [a, b] : pairs) {
     ++result.first[a + 1];
@@ -221,10 +185,10 @@ PatchNeighbours patch_neighbours(const InteriorTracks& tracks, InteriorSolids& s
                                  const std::vector<RationalEdge>& edges, const ScaleWindow& window,
                                  const BuildControl& control) {
   Subject subject(tracks, solids, edges, window, control);
-  const PairFilter filter = subject.filter();
+  const MovingPairs pairs(subject.live_edges(), subject.from, subject.to);
   std::vector<Found> found(control.threads());
-  in_parallel(subject.live.size(), control, BuildProgress::Stage::pairs, [&](unsigned thread) {
-    return NeighbourSearch(subject, filter, control, found[thread]);
+  in_parallel(pairs.blocks(), control, BuildProgress::Stage::pairs, [&](unsigned thread) {
+    return NeighbourSearch(subject, pairs, control, found[thread]);
   });
   PatchNeighbours result = listed(found, edges.size());
   result.cells = std::move(subject.cells);

@@ -1,0 +1,106 @@
+// Pairs of convolution edges that may meet at some scale of a window: by a tree of moving boxes,
+// then by the float filter.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "reference/interrupt.hpp"
+#include "reference/moving_box.hpp"
+#include "reference/plane/critical/pair_filter.hpp"
+
+namespace minkref::inline plane {
+
+/// An edge as doubles: from s p + q, along s d for an S-edge, along d for a T-edge.
+struct RoundedEdge {
+  double px = 0, py = 0, qx = 0, qy = 0, dx = 0, dy = 0;
+  bool is_s = false;
+};
+
+/// Two edges as moving half-lines: the place of b's line along a is (a_slope s + a_value) / c, for
+/// an S-edge of s c; `low` to `high` are the scales at which they may meet, within a window.
+struct PairRange {
+  double c, a_slope, a_value, b_slope, b_value, low, high;
+  bool is_parallel;  ///< c is too small to be told from 0; the rest is not set
+
+  bool is_empty() const { return !is_parallel && low > high; }
+};
+
+/// An empty range is certain: each condition slope s + value >= 0 is tested with both coefficients
+/// shifted by the error.
+PairRange pair_range(const RoundedEdge& a, const RoundedEdge& b, double from, double to,
+                     double error);
+
+/// Finds the pairs that may meet at some scale within a closed window; an omitted pair certainly
+/// does not. The plane is looked at divided by 1 + s, where each vertex moves from q to p along a
+/// line: so a window without bounds is one too. Edges near each other share a block with one box:
+/// the float filter looks at whole blocks.
+class MovingPairs {
+ public:
+  /// `to` may be infinite. O(n log n).
+  MovingPairs(const std::vector<RoundedEdge>& edges, double from, double to);
+
+  double error() const { return filter_.error(); }
+  std::size_t blocks() const { return blocks_.size(); }
+
+  /// Calls report(a, b), a < b, for the pairs of a block's edges with each other and with those of
+  /// later blocks: over all blocks, once for each pair. `room` is kept for the next call.
+  template <class Report>
+  void of_block(std::uint32_t number, std::vector<std::uint32_t>& room, Report&& report) const {
+    room.resize(block_size + 1);
+    const Block& own = blocks_[number];
+    for (std::uint32_t a = own.first; a < own.last; ++a) look(own, a, own, a + 1, room, report);
+    tree_.query(own.box, [&](std::uint32_t other) {
+      if (other <= number) return false;
+      const Block& later = blocks_[other];
+      for (std::uint32_t a = own.first; a < own.last; ++a) {
+        if (boxes_[own.is_s][a].overlaps(later.box)) look(own, a, later, later.first, room, report);
+      }
+      return false;
+    });
+  }
+
+ private:
+  static constexpr std::uint32_t block_size = 32;
+  struct Box {
+    static constexpr std::size_t dimensions = 2;
+    std::array<double, 2> low, high;
+    Box();
+    void add(const Box& other);
+    void add(double x, double y, double error);
+    bool is_within(double most) const;
+    double centre(std::size_t axis) const { return low[axis] / 2 + high[axis] / 2; }
+  };
+  using MovingBox = BasicMovingBox<Box>;
+  /// Edges of one kind, by their place in the filter; S-edges have the first blocks.
+  struct Block {
+    bool is_s;
+    std::uint32_t first, last;
+    MovingBox box;
+  };
+  static Box box_at(const RoundedEdge& edge, double of_p, double of_q);
+  static MovingBox box_of(const RoundedEdge& edge, double from, double to);
+
+  template <class Report>
+  void look(const Block& own, std::uint32_t a, const Block& other, std::uint32_t first,
+            std::vector<std::uint32_t>& room, Report& report) const {
+    const std::size_t count =
+        filter_.candidates(own.is_s, a, other.is_s, first, other.last, room.data());
+    const std::uint32_t edge = edges_[own.is_s][a];
+    for (std::size_t k = 0; k < count; ++k) {
+      look_for_interrupt();
+      const std::uint32_t with = edges_[other.is_s][room[k]];
+      report(std::min(edge, with), std::max(edge, with));
+    }
+  }
+
+  std::array<std::vector<std::uint32_t>, 2> edges_;  ///< T-edges, S-edges, in the filter's order
+  std::array<std::vector<MovingBox>, 2> boxes_;      ///< in this order
+  std::vector<Block> blocks_;
+  BasicBoxTree<MovingBox> tree_;  ///< of blocks
+  PairFilter filter_;
+};
+
+}  // namespace minkref::inline plane
