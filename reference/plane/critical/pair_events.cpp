@@ -98,6 +98,10 @@ class PairSearch {
     }
     result_.pairs = std::uint64_t{count} * (count - (count > 0 ? 1 : 0)) / 2;
     result_.filtered_pairs = result_.pairs - looked_at;
+    std::sort(result_.meeting.begin(), result_.meeting.end(),
+              [](const MeetingPair& x, const MeetingPair& y) {
+                return std::tie(x.a, x.b) < std::tie(y.a, y.b);
+              });
     sort();
   }
 
