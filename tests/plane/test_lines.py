@@ -11,7 +11,8 @@ import minkref
 import pytest
 from minkref import PolygonSet, _core
 from minkref.errors import Refusal
-from minkref.fuzz.judges.plane.lines import line_faults
+from minkref.fuzz.judges.plane.flat_remnants import flat_remnants
+from minkref.fuzz.judges.plane.lines import Pieces, line_faults, parts_of_sum, remnant_faults
 from thoroughness import draws
 
 SEED = 5309
@@ -106,6 +107,37 @@ def test_lines_before_their_judge() -> None:
     for number in range(draws(20, 300)):
         compared, faults = line_faults(SEED, number)
         assert compared and not faults, faults
+
+
+def test_the_judge_refuses_lost_invented_and_changed_remnants() -> None:
+    """Each mutant differs from the truth in a single piece. Prints the lines."""
+    dice, tried = random.Random(SEED), 0
+    for _ in range(draws(40, 400)):
+        first, second = drawn_line(dice), drawn_line(dice)
+        region, flat = parts_of_sum(first, [*second, second[0]])
+        rings = [ring for polygon in region.rings() for ring in polygon]
+        truth = flat_remnants(flat, rings)
+        assert remnant_faults(truth, flat, region) == []
+        for mutant in mutants(truth):
+            tried += 1
+            assert remnant_faults(mutant, flat, region), (first, second, mutant)
+    assert tried > 40
+
+
+def mutants(truth: Pieces) -> list[Pieces]:
+    far, inside = (Fraction(99), Fraction(99)), (Fraction(99, 2), Fraction(99))
+    found = [[*truth, [far]], [*truth, [inside, far]]]
+    for k, piece in enumerate(truth):
+        before, after = truth[:k], truth[k + 1 :]
+        (ax, ay), (bx, by) = piece[0], piece[-1]
+        middle, beyond = ((ax + bx) / 2, (ay + by) / 2), (2 * bx - ax, 2 * by - ay)
+        found += [before + after, [*before, piece, *truth[k:]]]
+        if len(piece) > 1:
+            found += [[*before, changed, *after] for changed in (
+                [*piece[:-1], middle], [*piece[:-1], beyond], [piece[0]], piece[::-1],
+                [piece[0], far, *piece[1:]],
+            )]  # fmt: skip
+    return [mutant for mutant in found if mutant != truth]
 
 
 def test_points_are_places() -> None:

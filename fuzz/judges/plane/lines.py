@@ -6,6 +6,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from minkref import _core
+from minkref.fuzz.judges.plane.flat_remnants import flat_remnants
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.families.dice import Dice
 
@@ -13,6 +14,7 @@ FROM = ("random", "holes", "fit", "comb", "lattice", "touching", "nested", "star
 MOST = 40  # vertices
 Corner = tuple[int, int]
 Line = list[Corner]
+Pieces = list[list[tuple[Fraction, Fraction]]]
 
 
 def drawn_line(dice: Dice) -> Line:
@@ -62,6 +64,18 @@ def line_faults(seed: int, index: int) -> tuple[int, list[str]]:
 
 def two_lines(first: Line, second: Line) -> list[str]:
     """Judge the sum of two lines by parallelograms, and its remnants by flat sums."""
+    region, flat = parts_of_sum(first, second)
+    P, Q = set_of_lines(first), set_of_lines(second)
+    if _core.minkowski_sum(P, Q, "1").region != region:
+        return [f"{first} + {second}: the region is another one"]
+    rows = _core.sum_remnants(P, Q, "1", region)
+    remnants = [[(Fraction(x), Fraction(y)) for x, y in points] for points, _ in rows]
+    return [f"{first} + {second}: {fault}" for fault in remnant_faults(remnants, flat, region)]
+
+
+def parts_of_sum(first: Line, second: Line) -> tuple[_core.PolygonSet, Pieces]:
+    """Unite the parallelograms of all pairs of segments, and list the flat sums of parallel ones,
+    each by the sums of the ends."""
     found, flat = [], []
     for (ax, ay), (bx, by) in pairwise(first):
         for (cx, cy), (dx, dy) in pairwise(second):
@@ -74,26 +88,22 @@ def two_lines(first: Line, second: Line) -> list[str]:
             if (bx - ax) * (dy - cy) != (by - ay) * (dx - cx):
                 found.append(_core.PolygonSet(corners))
             else:
-                flat.append(corners)
-    P, Q = set_of_lines(first), set_of_lines(second)
-    region = _core.combined("union", found)[0] if found else _core.PolygonSet()
-    if _core.minkowski_sum(P, Q, "1").region != region:
-        return [f"{first} + {second}: the region is another one"]
-    ways = [points for points, _ in _core.sum_remnants(P, Q, "1", region)]
-    for corners in flat:
-        mean = tuple(Fraction(sum(c[k] for c in corners), 4) for k in (0, 1))
-        points: list[tuple[Fraction | int, ...]] = [*corners, mean]
-        for point in points:
-            if point not in region and not any(is_on(point, way) for way in ways):
-                return [f"{first} + {second}: {point} is in no remnant"]
-    return []
+                flat.append([(Fraction(x), Fraction(y)) for x, y in corners])
+    return _core.combined("union", found)[0] if found else _core.PolygonSet(), flat
 
 
-def is_on(point: tuple[Fraction | int, ...], way: list[tuple[str, str]]) -> bool:
-    """Tell whether a point lies on a polyline, or is its only point."""
-    corners = [(Fraction(x), Fraction(y)) for x, y in way]
-    return point in corners or any(
-        (b[0] - a[0]) * (point[1] - a[1]) == (b[1] - a[1]) * (point[0] - a[0])
-        and min(a, b) <= point <= max(a, b)
-        for a, b in pairwise(corners)
-    )
+def remnant_faults(remnants: Pieces, flat: Pieces, region: _core.PolygonSet) -> list[str]:
+    """Compare remnants with what flat sums have beside a region: none lost, none invented."""
+    rings = [ring for polygon in region.rings() for ring in polygon]
+    expected = flat_remnants(flat, rings)
+    lost = [piece for piece in expected if piece not in remnants]
+    invented = [piece for piece in remnants if piece not in expected]
+    faults = [f"the remnant {told(piece)} is lost" for piece in lost]
+    faults += [f"the remnant {told(piece)} is invented" for piece in invented]
+    if not faults and remnants != expected:
+        faults.append("the remnants are in another order, or twice")
+    return faults
+
+
+def told(piece: list[tuple[Fraction, Fraction]]) -> str:
+    return " ".join(f"({x}, {y})" for x, y in piece)
