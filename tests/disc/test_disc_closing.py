@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import math
 import random
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 from minkref import PolygonSet, _core
 from minkref.disc.closed import DiscClosing, closed_by_disc, opened_by_disc
 from minkref.errors import Refusal
-from minkref.fuzz.judges.disc.closings import closing_faults
 from minkref.fuzz.features.place_draws import drawn_set, set_of
+from minkref.fuzz.judges.disc.closings import closing_faults, faults_of
+from minkref.fuzz.judges.disc.insets import inset_case
 from thoroughness import draws
 
 from tests.disc.sampled_closing import added_area
@@ -99,6 +101,22 @@ def test_polygons_lie_inside_and_around() -> None:
     for number in range(draws(12, 120)):
         compared, faults = closing_faults(SEED, number)
         assert compared and not faults, faults
+
+
+def test_the_judge_refuses_a_lost_ring_an_invented_one_and_a_moved_one() -> None:
+    """Prints the case."""
+    tried = 0
+    for number in range(draws(4, 40)):
+        P, square, _ = inset_case(SEED, number)
+        found = opened_by_disc(P, square, "P", 1)
+        away = math.sqrt(Fraction(square)) / 2
+        for k, ring in enumerate(found.rings):
+            moved = [(s[0], *(x + away for x in s[1:])) for s in ring]
+            for rings in ([moved], [ring, moved], []):
+                mutant = replace(found, rings=[*found.rings[:k], *rings, *found.rings[k + 1 :]])
+                tried += 1
+                assert faults_of(P, square, "opening", mutant), (number, k)
+    assert tried > 6
 
 
 def test_an_opening_is_what_a_closing_of_the_outside_leaves() -> None:

@@ -7,8 +7,9 @@ from fractions import Fraction
 
 import minkref
 import pytest
-from minkref import PolygonSet
-from minkref.fuzz.judges.disc.insets import inset_faults
+from minkref import PolygonSet, _core
+from minkref.fuzz.judges.disc.inset_remnants import remnant_faults
+from minkref.fuzz.judges.disc.insets import inset_case, inset_faults
 from thoroughness import draws
 
 SEED = 3321
@@ -63,3 +64,29 @@ def test_nothing_is_left_of_a_segment() -> None:
     left = minkref.inset(PolygonSet("LINESTRING(0 0,3 1)"), 1)
     assert (left.components, left.holes, left.curves) == (0, 0, 0)
     assert left.tight_passages() == []
+
+
+def test_the_judge_refuses_lost_invented_and_changed_remnants() -> None:
+    """Prints the case."""
+    tried = 0
+    for index in range(2, 3 * draws(20, 100), 3):
+        P, square, around = inset_case(SEED, index)
+        truth = [spots for _, spots, _ in _core.inset(P, square).tight_passages()]
+        assert not list(remnant_faults(P, Fraction(square), around, truth)), index
+        for mutant in mutants(truth):
+            tried += 1
+            assert list(remnant_faults(P, Fraction(square), around, mutant)), (index, mutant)
+    assert tried > 20
+
+
+def mutants(truth: list[list[tuple[float, float]]]) -> list[list[list[tuple[float, float]]]]:
+    found = [[*truth, [(99.0, 99.0)]]]
+    for k, one in enumerate(truth):
+        before, after = truth[:k], truth[k + 1 :]
+        (ax, ay), (bx, by) = one[0], one[-1]
+        moved = [(x + 1e-3, y + 1e-3) for x, y in one]
+        found += [[*before, *after], [*before, moved, *after]]
+        if len(one) > 1:
+            middle, beyond = ((ax + bx) / 2, (ay + by) / 2), (2 * bx - ax, 2 * by - ay)
+            found += [[*before, [one[0], end], *after] for end in (middle, beyond)]
+    return found

@@ -24,6 +24,7 @@ def test_each_kind_of_damage_becomes_the_promised_set(index: int, tmp_path: Path
     assert not found.again, case.name
     assert not repaired_sets.unlisted(case, found), case.name
     assert not repaired_sets.missing(case, found), case.name
+    assert not repaired_sets.invented(case, found), case.name
     assert repaired_sets.is_operand(found), case.name
 
 

@@ -17,6 +17,7 @@ from minkref.disc.closed import (
 )
 from minkref.disc.disc import read_disc
 from minkref.errors import Refusal
+from minkref.fuzz.judges.disc.enclosed_places import misplaced
 from minkref.fuzz.judges.disc.insets import inset_case
 
 SHARE = 16  # of the radius, for polygons
@@ -46,7 +47,8 @@ def faults_of(P: _core.PolygonSet, square: str, name: str, found: DiscClosing) -
     disc = read_disc(f"disc:sqrt:{square}")
     within = disc.bounds(20)[0] / SHARE
     near = opening_near if name == "opening" else closing_near
-    inner, outer = (float(Fraction(near(P, disc, within, way).area())) for way in (False, True))
+    bounds = [near(P, disc, within, way) for way in (False, True)]
+    inner, outer = (float(Fraction(one.area())) for one in bounds)
     low, high = found.area
     slack = 1e-9 * max(outer, 1e-9)
     if not inner - slack <= high or not low <= outer + slack:
@@ -57,6 +59,7 @@ def faults_of(P: _core.PolygonSet, square: str, name: str, found: DiscClosing) -
     own = float(Fraction(P.area()))
     if (low > own + slack) if name == "opening" else (high < own - slack):
         faults.append("the set grows or shrinks the wrong way")
+    faults += misplaced(found.rings, bounds[0], bounds[1])
     rings = found.components + found.holes
     if is_apart(found) and len(found.rings) != rings:
         faults.append(f"{len(found.rings)} rings, not {rings}")

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from itertools import pairwise
 from typing import TypeVar
 
 from minkref import _core
 from minkref.disc.disc import Disc
 from minkref.disc.polygons import inset_near
 from minkref.errors import Refusal
+from minkref.fuzz.judges.disc.inset_remnants import remnant_faults, sides_of
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.families.dice import Dice
 
@@ -76,15 +76,20 @@ def inset_faults(seed: int, index: int) -> tuple[int, list[str]]:
     expect("more than the inradius leaves a remnant", not above.tight_passages())
     _vertices(expect, found, P, float(Fraction(square)))
     _polygons(expect, found, P, Fraction(square), Dice(f"minkref inset points {seed} {index}"))
-    for points, _, contacts in found.tight_passages():
+    passages = found.tight_passages()
+    for points, _, contacts in passages:
         expect("a remnant without two contacts", len(points) in (1, 2) and len(contacts) > 1)
+    spots = [spots for _, spots, _ in passages]
+    told = list(remnant_faults(P, Fraction(square), around, spots))
+    for fault in told or [""]:
+        expect(fault, not fault)
     return count, faults
 
 
 def _vertices(expect: object, found: _core.Offset, P: _core.PolygonSet, square: float) -> None:
     """Check that drawn corners keep the radius as distance, up to rounding."""
     assert callable(expect)
-    sides = [[(float(x), float(y)) for x, y in side] for side in _sides(P)]
+    sides = [[(float(x), float(y)) for x, y in side] for side in sides_of(P)]
     size = max(abs(c) for side in sides for point in side for c in point) + 1
     for rings in found.drawn_rings():
         for ring in rings:
@@ -105,7 +110,7 @@ def _polygons(
         inner, outer = (inset_near(P, disc, within, outside) for outside in (False, True))
     except Refusal:
         return
-    sides = _sides(P)
+    sides = sides_of(P)
     for polygon in inner.rings():
         for x in (x for ring in polygon for x in ring):
             expect("a corner inside is too near", x in P and _nearest(x, sides) >= square)
@@ -122,11 +127,6 @@ def _polygons(
         expect("a point with room is outside", away < square or x in outer)
         bound = max(low - within, Fraction(0)) ** 2
         expect("a point around is too near", x not in outer or away >= bound)
-
-
-def _sides(P: _core.PolygonSet) -> list[tuple[Place, Place]]:
-    rings = [ring for polygon in P.rings() for ring in polygon]
-    return [side for ring in rings for side in pairwise([*ring, ring[0]])]
 
 
 def _nearest(x: Place, sides: list[tuple[Place, Place]]) -> Fraction:

@@ -22,6 +22,7 @@ from minkref.oracle.distances import (
 CELLS = 40
 SLACK = 1e-9  # of the grid's doubles
 CLEARANCES = tuple(map(Fraction, ("1/7", "1/2", "1", "5/3")))
+LADDER = tuple(map(Fraction, ("1/9", "1/3", "3/5", "1", "5/3", "4")))
 CONTACTS = ("allowed", "forbidden")
 
 
@@ -144,13 +145,16 @@ def _is_clear(square: Fraction, clearance: Fraction, contact: str) -> bool:
 
 
 def _scales(found: Any) -> list[Fraction]:
-    """Doubles beside each end, and a scale between any two ends."""
+    """Doubles beside each end, a scale between any two ends, and some that no answer chose, where
+    a lost range would show."""
     ends = [tuple(map(Fraction, each.scale.bounds)) for each in found.bounds]
     ends = sorted({end for end in ends if end[0] > 0})
     if not ends:
-        return [Fraction(1, 3), Fraction(1), Fraction(4)]
+        return list(LADDER)
     middles = [(a[1] + b[0]) / 2 for a, b in pairwise(ends)]
-    return sorted({ends[0][0] / 2, *(c for end in ends for c in end), *middles, 2 * ends[-1][1]})
+    return sorted(
+        {ends[0][0] / 2, *(c for end in ends for c in end), *middles, 2 * ends[-1][1], *LADDER}
+    )
 
 
 def _square(found: Any) -> Fraction:

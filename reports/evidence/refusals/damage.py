@@ -157,6 +157,7 @@ def _cross(dice: random.Random, found: Damaged) -> None:
 
 def _turn(dice: random.Random, found: Damaged) -> None:
     dice.choice(dice.choice(found.polygons)).reverse()
+    found.expected.add("turned")
 
 
 def _hole_outside(dice: random.Random, found: Damaged) -> None:

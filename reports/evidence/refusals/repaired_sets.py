@@ -16,10 +16,16 @@ from minkref.reports.evidence.refusals.repairing import Repair, repair
 
 MINUTES = Minutes(0.05, 0.5, 4)
 FILES = Counts(32, 208, 2000)
+LEADS_TO = {
+    "spike": {"repeated-point"},
+    "no-area": {"spike", "repeated-point"},
+    "self-crossing": {"turned"},
+    "welded": {"repeated-point"},
+}
 
 
 def run(findings: Findings, size: Size) -> None:
-    wrong, again, unsaid, silent, invalid = [], [], [], [], []
+    wrong, again, unsaid, silent, invalid, made_up = [], [], [], [], [], []
     kinds: Counter[str] = Counter()
     count = size.of(FILES)
     with TemporaryDirectory() as folder:
@@ -31,11 +37,13 @@ def run(findings: Findings, size: Size) -> None:
             again += [case.name] * bool(found.again)
             unsaid += [case.name] * bool(unlisted(case, found))
             silent += [case.name] * bool(missing(case, found))
+            made_up += [case.name] * bool(invented(case, found))
             invalid += [case.name] * (not is_operand(found))
     findings.none("sets other than the rings describe", wrong)
     findings.none("repaired files that need repair", again)
     findings.none("files with rings that changed unlisted", unsaid)
     findings.none("files with damage that no change names", silent)
+    findings.none("files with a change of a kind that the damage does not lead to", made_up)
     findings.none("repaired files that are no operands", invalid)
     findings.figures |= {"files": count, "kinds of damage": len(KINDS)}
     findings.figures["files with a change, by kind"] = dict(sorted(kinds.items()))
@@ -80,6 +88,12 @@ def _with_outer(case: Damaged) -> list[set[int]]:
 
 def missing(case: Damaged, found: Repair) -> set[str]:
     return case.expected - {change["kind"] for change in found.changes}
+
+
+def invented(case: Damaged, found: Repair) -> set[str]:
+    """Return kinds of changes that neither the damage nor its repair leads to."""
+    led_to = {kind for cause in case.expected for kind in LEADS_TO.get(cause, ())}
+    return {change["kind"] for change in found.changes} - case.expected - led_to
 
 
 def is_operand(found: Repair) -> bool:

@@ -21,6 +21,11 @@ POINTS = 24
 SEED = 978
 Point = tuple[Fraction, Fraction, Fraction]
 WELD = Fraction(1, 10**6)
+LEADS_TO = {
+    "zero-area": {"edge-split"},
+    "opposite-face": {"joined"},
+    "split-vertex": {"joined", "unused-vertex"},
+}
 CORNERS = [(k & 1, k >> 1 & 1, k >> 2 & 1) for k in range(8)]
 FACES = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
 
@@ -171,7 +176,7 @@ KINDS: dict[str, Callable[[random.Random, Solid], None]] = {
 
 
 def run(findings: Findings, size: Size) -> None:
-    wrong, again, silent = [], [], []
+    wrong, again, silent, made_up = [], [], [], []
     kinds: Counter[str] = Counter()
     with TemporaryDirectory() as folder:
         for index in range(size.of(FILES)):
@@ -181,10 +186,13 @@ def run(findings: Findings, size: Size) -> None:
             kinds.update(told)
             wrong += [name] * bool(other_solid(solid, found, random.Random(index)))
             again += [name] * bool(found.again)
-            silent += [name] * (not told >= {solid.expected or "joined"})
+            expected = {solid.expected or "joined"}
+            silent += [name] * (not told >= expected)
+            made_up += [name] * (not told <= expected | LEADS_TO.get(solid.expected, set()))
     findings.none("solids other than those that were damaged", wrong)
     findings.none("repaired files that need repair", again)
     findings.none("files with damage that no change names", silent)
+    findings.none("files with a change of a kind that the damage does not lead to", made_up)
     findings.figures |= {"files": size.of(FILES), "kinds of damage": len(KINDS)}
     findings.figures["files with a change, by kind"] = dict(sorted(kinds.items()))
 
