@@ -124,6 +124,10 @@ from minkref.scene.scene_values import read_scene as read_scene
 from minkref.space.ball_sum import Between as Between
 from minkref.space.ball_values import Ball as Ball
 from minkref.space.ball_values import ball_sum as ball_sum
+from minkref.space.remaining_values import ball_erosion as ball_erosion
+from minkref.space.remaining_values import polyhedral_closing as polyhedral_closing
+from minkref.space.remaining_values import polyhedral_erosion as polyhedral_erosion
+from minkref.space.remaining_values import polyhedral_opening as polyhedral_opening
 from minkref.space.shown_values import show_values as show_convex_sums
 
 BadInput = _core.BadInput

@@ -58,9 +58,11 @@ from minkref.schemas.scene.view import SceneViewDocument
 from minkref.schemas.space.ball import BallErodeDocument, BallSumDocument
 from minkref.schemas.space.convolution import SpaceConvolutionDocument
 from minkref.schemas.space.erode import (
+    SpaceClosingDocument,
     SpaceErodeDocument,
     SpaceInnerFitDocument,
     SpaceNoFitDocument,
+    SpaceOpeningDocument,
 )
 from minkref.schemas.space.events import SpaceEventsDocument
 from minkref.schemas.space.sum import SpaceSumDocument
@@ -78,6 +80,7 @@ DOCUMENTS = {
     "certify": CertifyDocument,
     "check": CheckDocument,
     "closing": ClosingDocument,
+    "closing_in_space": SpaceClosingDocument,
     "closing_with_disc": DiscClosingDocument,
     "convolution": ConvolutionDocument,
     "convolution_in_space": SpaceConvolutionDocument,
@@ -111,6 +114,7 @@ DOCUMENTS = {
     "nofit": NoFitDocument,
     "nofit_in_space": SpaceNoFitDocument,
     "opening": OpeningDocument,
+    "opening_in_space": SpaceOpeningDocument,
     "opening_with_disc": DiscOpeningDocument,
     "path": PathDocument,
     "path_in_space": SpacePathDocument,

@@ -30,22 +30,23 @@ class Ball:
         object.__setattr__(self, "squared_radius", square)
 
     def __repr__(self) -> str:
-        radius = self._disc.radius
+        radius = self.disc.radius
         is_root = radius.startswith("sqrt:")
         return f"Ball(squared_radius='{self.squared_radius}')" if is_root else f"Ball('{radius}')"
 
     def inside(self, tolerance: Number) -> _core.ConvexPolyhedron:
         """Make a convex polyhedron within the ball, no point of the ball farther than `tolerance`
         from the polyhedron. About 5 R / `tolerance` facets. Raises BadInput for too many."""
-        return polyhedron_near(self._disc, _within(tolerance), False)
+        return polyhedron_near(self.disc, _within(tolerance), False)
 
     def around(self, tolerance: Number) -> _core.ConvexPolyhedron:
         """Make a convex polyhedron around the ball, no point of the polyhedron farther than
         `tolerance` from the ball. As inside."""
-        return polyhedron_near(self._disc, _within(tolerance), True)
+        return polyhedron_near(self.disc, _within(tolerance), True)
 
     @property
-    def _disc(self) -> Disc:
+    def disc(self) -> Disc:
+        """The ball as commands know it."""
         return Disc(f"the ball of squared radius {self.squared_radius}", self.squared_radius)
 
 
@@ -67,7 +68,7 @@ def ball_sum(
     surface.validate_summand("P")
     operand = SpaceOperand("P", Path(), surface, _body(surface))
     by, count = factors("scaling", scaling), max(1, whole("threads", threads))
-    return sum_between(operand, ball._disc, _within(tolerance), by, count)
+    return sum_between(operand, ball.disc, _within(tolerance), by, count)
 
 
 def _body(surface: _core.Polyhedron) -> _core.ConvexPolyhedron | None:

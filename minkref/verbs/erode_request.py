@@ -227,13 +227,16 @@ class InnerFitRequest:
     json: Json = False
 
 
-def without_space(command: str) -> dict[Setting, Verb | Absent]:
+def morphology(command: str) -> dict[Setting, Verb | Absent]:
     """Make the table for an opening or a closing."""
-    mend = "give two sets in the plane; `minkref erode` and `minkref sum` also take polyhedra"
     return {
         PLANE: Verb(MorphologyRequest, f"minkref.plane.commands.erode:run_{command}"),
         DISC: Verb(MorphologyWithDisc, f"minkref.disc.commands.closing:run_{command}"),
-        SPACE: Absent(f"`minkref {command}` is of the plane", mend),
+        SPACE: Verb(
+            ErodeInSpace,
+            f"minkref.space.commands.erode:run_{command}",
+            why=dict.fromkeys(("--plot", "--only-region"), "no picture is drawn"),
+        ),
     }
 
 

@@ -232,6 +232,26 @@ def test_openings_and_closings_by_a_disc(minkref: Minkref, tmp_path: Path) -> No
         assert float(Fraction(near.area())) <= value["area"]["high"]
 
 
+def test_openings_and_closings_in_space(minkref: Minkref, tmp_path: Path) -> None:
+    """A cube has sheets of places in arms of its width, and a larger one fills the notch."""
+    ell = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 4), (0, 4)]
+    (tmp_path / "ell.off").write_text(prism(ell, 2))
+    for size in (1, 2):
+        (tmp_path / f"cube{size}.off").write_text(cube(size))
+    two = (str(tmp_path / "ell.off"), str(tmp_path / "cube1.off"))
+    left = minkref("opening", *two, "--json", "--passages").json
+    jsonschema.validate(left, schema("opening_in_space"))
+    assert (left["volume"], left["components"]) == ("0", 0)
+    assert len(left["exact_fits"]["sheets"]) == 2
+    filled = minkref("closing", two[0], str(tmp_path / "cube2.off"), "--json").json
+    jsonschema.validate(filled, schema("closing_in_space"))
+    assert (filled["volume"], filled["remnants"]) == ("14", None)
+    told = minkref("opening", *two, "--scale", "2", "-o", str(tmp_path / "open.off"))
+    assert "exact fits" in told.out and "not looked for" in told.out
+    read = minkref("sum", str(tmp_path / "open.off"), two[1], "--json").json
+    assert read["components"] == 1
+
+
 def test_fits_in_space(minkref: Minkref, tmp_path: Path) -> None:
     """A unit cube has one place in itself, and 8 times its volume of places beside itself."""
     file = tmp_path / "cube.off"

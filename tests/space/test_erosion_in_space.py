@@ -9,10 +9,12 @@ from pathlib import Path
 import minkref
 import pytest
 from minkref import _core
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.cells import surface_of
+from minkref.fuzz.space.general_pairs import general_pair
 from minkref.fuzz.space.generators.polycube import frame, hollow_box, random_polycube
-from minkref.space.commands.erode import eroded
 from minkref.space.operand import SpaceOperand
+from minkref.space.remaining import Find, closed, eroded, opened
 from minkref.verbs.erode_request import SPACE_ROUTES
 from thoroughness import draws
 
@@ -84,3 +86,52 @@ def test_a_cube_in_a_hollow_cube_goes_all_around() -> None:
     walls = swollen(frozenset(set(product(range(3), repeat=3)) - {(1, 1, 1)}), 2)
     found, _, _ = eroded(operand(walls), operand(frozenset({(0, 0, 0)})), ONE, "edges", False)
     assert (found.volume(), found.surface().topology()) == ("98", (1, 1, 0))
+
+
+def summed(P: Cells, Q: Cells) -> Cells:
+    """The sum of blocks of cells, as cells."""
+    corners = list(product((0, 1), repeat=3))
+    block = {tuple(map(sum, zip(q, corner, strict=True))) for q in Q for corner in corners}
+    return frozenset(tuple(map(sum, zip(p, step, strict=True))) for p in P for step in block)
+
+
+def by_cells(Q: Cells, is_opening: bool, P: Cells) -> Cells:
+    return summed(left(P, Q), Q) if is_opening else left(summed(P, Q), Q)
+
+
+CASES = [(index, which) for index in range(draws(4, 24)) for which in ("opening", "closing")]
+
+
+@pytest.mark.parametrize(("index", "which"), CASES)
+def test_openings_and_closings_are_those_of_cells(index: int, which: str) -> None:
+    """Places at which Q just fits have no volume, and cells do not show them."""
+    dice = random.Random(f"cells to open {index}")
+    kind = (random_polycube, hollow_box, frame)[index % 3]
+    P = swollen(kind(dice, 3), dice.choice((2, 3)))
+    Q = random_polycube(dice, dice.randint(1, 2))
+    expected = by_cells(Q, which == "opening", P)
+    find: Find = opened if which == "opening" else closed
+    forms = set()
+    for route in SPACE_ROUTES if index == 0 else SPACE_ROUTES[:1]:
+        found, _, _ = find(operand(P), operand(Q), ONE, route, False)
+        assert found.volume() == str(len(expected)), index
+        forms.add(found.canonical_json())
+    assert len(forms) == 1
+    if expected:
+        assert forms == {_core.polyhedral_set(mesh(expected)).canonical_json()}
+
+
+@pytest.mark.parametrize("index", range(draws(3, 20)))
+def test_laws_of_openings_and_closings(index: int) -> None:
+    """The opening lies within P, P within the closing; both again change nothing."""
+    pair = general_pair(1964, index)
+    P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q).scaled(("1/9", "1/7", "1/8"))
+    inner = minkref.polyhedral_opening(P, Q)
+    outer = minkref.polyhedral_closing(P, Q)
+    own = minkref.PolyhedralSet(P)
+    assert inner.volume <= own.volume <= outer.volume, pair.name
+    for small, large in ((inner, own), (own, outer)):
+        points = small.surface().mesh(True).points()
+        assert all(point in large for point in points), pair.name
+    for find, found in ((minkref.polyhedral_opening, inner), (minkref.polyhedral_closing, outer)):
+        assert find(found.surface().mesh(True), Q) == found, pair.name

@@ -25,7 +25,15 @@ class BallDistance:
             return _to_segment(x, self._ends[0], self._ends[-1])
         if self._inside.contains(x):
             return Fraction(0)
+        return self.squared_from_surface(x)
+
+    def squared_from_surface(self, x: Point) -> Fraction:
+        """The squared distance of a point from the solid's boundary. The erosion by a ball of
+        radius R has the points inside the solid for which this is at least R²."""
         return min(_to_triangle(x, *corners) for corners in self._triangles)
+
+    def contains(self, x: Point) -> bool:
+        return bool(self._triangles) and self._inside.contains(x)
 
 
 def _to_triangle(x: Point, a: Point, b: Point, c: Point) -> Fraction:

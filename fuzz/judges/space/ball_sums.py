@@ -1,4 +1,5 @@
-"""Seeded sums of solids of any shape and balls, before the definition at exact points."""
+"""Seeded sums of solids of any shape and balls, and erosions by balls, before the definition at
+exact points."""
 
 from __future__ import annotations
 
@@ -27,31 +28,26 @@ class BallTrial:
 
 
 def ball_trial(seed: int, index: int, points: int) -> BallTrial:
-    """Sums the first solid of a pair and a ball of a random radius, half of them roots, and asks
-    for points near the surface of the sum, of both sets and by distances. Exact."""
+    """Sums the first solid of a pair and a ball of a random radius, or erodes it, in turn; half of
+    the radii are roots. Asks for points near the surface of the answer, of both sets and by
+    distances. Exact."""
     pair = general_pair(seed, index)
     dice = random.Random(f"minkref balls {seed} {index}")
-    solid = pair.P
+    solid, erodes = pair.P, index % 2 == 1
     size = max(max(c) - min(c) for c in zip(*solid.vertices, strict=True))
-    square = (size * Fraction(dice.randrange(2, 30), 40)) ** 2
+    square = (size * Fraction(dice.randrange(2, 30), 400 if erodes else 40)) ** 2
     if dice.random() < 0.5:
         square *= Fraction(dice.randrange(3, 9), 5)
     R = Fraction(math.isqrt(int(square * 4**40))) / 2**40  # below the radius by 2^-40 at most
-    T = dice.choice(SHARES) * R
-    found = minkref.ball_sum(
-        core_polyhedron(solid), minkref.Ball(squared_radius=square), T.limit_denominator(1000)
-    )
-    T = T.limit_denominator(1000)
+    T = (dice.choice(SHARES) * R).limit_denominator(1000)
+    ball, P = minkref.Ball(squared_radius=square), core_polyhedron(solid)
+    found = minkref.ball_erosion(P, ball, T) if erodes else minkref.ball_sum(P, ball, T)
     distance, trial = BallDistance(solid), BallTrial(pair.name)
+    laws_at = _eroded if erodes else _summed
     for _ in range(points):
-        x = _near(dice, solid.vertices, R, T)
-        at, inner, outer = distance.squared(x), x in found.inner, x in found.outer
-        laws = {
-            "inner within the sum": at <= square or not inner,
-            "the sum within outer": outer or at > square,
-            "inner as near as promised": inner or at > max(R - T, Fraction(0)) ** 2,
-            "outer as near as promised": not outer or at <= (R + Fraction(1, 2**40) + T) ** 2,
-        }
+        x = _near(dice, solid.vertices, -R if erodes else R, T)
+        inner, outer = x in found.inner, x in found.outer
+        laws = laws_at(distance, x, inner, outer, (R, square, T))
         trial.faults += [f"{pair.name}: {law} at {x}" for law, holds in laws.items() if not holds]
         trial.points += 1
         trial.places[0 if inner else 1 if outer else 2] += 1
@@ -59,6 +55,35 @@ def ball_trial(seed: int, index: int, points: int) -> BallTrial:
     if not low <= high:
         trial.faults.append(f"{pair.name}: volumes {low} and {high}")
     return trial
+
+
+Size = tuple[Fraction, Fraction, Fraction]  # the radius, its square, the tolerance
+
+
+def _summed(
+    distance: BallDistance, x: Point, inner: bool, outer: bool, size: Size
+) -> dict[str, bool]:
+    (R, square, T), at = size, distance.squared(x)
+    return {
+        "inner within the sum": at <= square or not inner,
+        "the sum within outer": outer or at > square,
+        "inner as near as promised": inner or at > max(R - T, Fraction(0)) ** 2,
+        "outer as near as promised": not outer or at <= (R + Fraction(1, 2**40) + T) ** 2,
+    }
+
+
+def _eroded(
+    distance: BallDistance, x: Point, inner: bool, outer: bool, size: Size
+) -> dict[str, bool]:
+    (R, square, T), at = size, Fraction(-1)
+    if distance.contains(x):
+        at = distance.squared_from_surface(x)
+    return {
+        "inner within the erosion": at >= square or not inner,
+        "the erosion within outer": outer or at <= square,
+        "inner as near as promised": inner or at <= (R + Fraction(1, 2**40) + T) ** 2,
+        "outer as near as promised": not outer or at >= max(R - T, Fraction(0)) ** 2,
+    }
 
 
 def _near(dice: random.Random, vertices: tuple[Point, ...], R: Fraction, T: Fraction) -> Point:

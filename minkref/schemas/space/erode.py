@@ -1,4 +1,4 @@
-"""Documents: `erode`, `nofit` and `innerfit` in space."""
+"""Documents: `erode`, `opening`, `closing`, `nofit` and `innerfit` in space."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SpaceErodeRoute = Literal["edges", "definition"]
 
 
 class RemainingInSpace(Head, InSpace, Written, SpaceScaling):
-    """What all three documents have."""
+    """What all these documents have."""
 
     output_exact: FileIsExact
     rounding: Annotated[Rounding | None, Meta(description="As `minkref sum` tells it.")]
@@ -60,6 +60,26 @@ class SpaceErodeDocument(RemainingInSpace, Operands):
     """The document of `minkref erode --json` in space."""
 
     command: Literal["erode"]
+    remnants: SpaceFits
+
+
+class SpaceOpeningDocument(RemainingInSpace, Operands):
+    """The document of `minkref opening --json` in space."""
+
+    command: Literal["opening"]
+    exact_fits: Annotated[
+        SpacePassages | None,
+        Meta(
+            description="The erosion's remnants: places at which Q just fits. Copies there are "
+            "left out. Null where they were not looked for (--passages)."
+        ),
+    ]
+
+
+class SpaceClosingDocument(RemainingInSpace, Operands):
+    """The document of `minkref closing --json` in space."""
+
+    command: Literal["closing"]
     remnants: SpaceFits
 
 

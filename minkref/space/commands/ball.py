@@ -18,13 +18,13 @@ from minkref.plane.commands.scale_index import cores
 from minkref.plane.commands.sweep_folder import SPACE_FORMATS
 from minkref.plane.place import place_rows, placed_between
 from minkref.space.ball import is_ball, read_ball
-from minkref.space.ball_sum import Between, ball_operand, polyhedra_near, sum_between
-from minkref.space.commands.erode import eroded
+from minkref.space.ball_sum import Between, sum_between
 from minkref.space.commands.rounding import beyond_doubles, rounding_of, rounding_rows
 from minkref.space.commands.set_fields import mesh_of, set_fields
+from minkref.space.erosion_between import erosion_between
 from minkref.space.operand import SpaceOperand, read_summand
 from minkref.space.scaling import UNIT, Scaling, text_of
-from minkref.verbs.erode_request import SPACE_ROUTES, ErodeWithBall
+from minkref.verbs.erode_request import ErodeWithBall
 from minkref.verbs.sum import SumWithBall
 
 COUNTS = ("components", "cavities", "tunnels")
@@ -57,10 +57,7 @@ def run_erode(request: ErodeWithBall) -> None:
     ball, scaling = read_ball(request.Q), request.scale
 
     def between_of(operand: SpaceOperand, within: Fraction) -> Between:
-        inside, around = (ball_operand(ball, body) for body in polyhedra_near(ball, within))
-        return Between(
-            *(eroded(operand, Q, scaling, SPACE_ROUTES[0], False)[0] for Q in (around, inside))
-        )
+        return erosion_between(operand, ball, within, scaling, cores(), told_of)
 
     _run("erode", request, request.P, ball, between_of)
 

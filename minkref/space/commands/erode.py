@@ -1,8 +1,7 @@
-"""`minkref erode`, `nofit` and `innerfit` of polyhedra."""
+"""`minkref erode`, `opening`, `closing`, `nofit` and `innerfit` of polyhedra."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,15 +16,10 @@ from minkref.plane.commands.scale_index import cores
 from minkref.plane.commands.sweep_folder import SPACE_FORMATS
 from minkref.space.commands.rounding import beyond_doubles, rounding_of, rounding_rows
 from minkref.space.commands.set_fields import mesh_of, set_fields
-from minkref.space.eroded import cavities, negated, outside_of, room
-from minkref.space.general_sum import general_sum
-from minkref.space.operand import SpaceOperand, read_summand
-from minkref.space.scaling import Scaling, text_of
-from minkref.space.tight_passages import NONE, tight_passages
+from minkref.space.operand import read_summand
+from minkref.space.remaining import Find, closed, eroded, no_fit, opened
+from minkref.space.scaling import text_of
 from minkref.verbs.erode_request import SPACE_ROUTES, ErodeInSpace, InnerFitInSpace, NoFitInSpace
-
-Passages = dict[str, Any] | None
-Found = tuple[_core.PolyhedralSet, float, Passages]
 
 
 @dataclass(frozen=True)
@@ -37,11 +31,21 @@ class Question:
     operands: tuple[str, str]
     fits: str
     told: str
-    find: Callable[[SpaceOperand, SpaceOperand, Scaling, str, bool], Found]
+    find: Find
 
 
 def run(request: ErodeInSpace) -> None:
     asked = Question("erode", ("P", "Q"), "remnants", "{0} less {1}", eroded)
+    _answer(asked, request.P, request.Q, request)
+
+
+def run_opening(request: ErodeInSpace) -> None:
+    asked = Question("opening", ("P", "Q"), "exact_fits", "{0} by {1}", opened)
+    _answer(asked, request.P, request.Q, request)
+
+
+def run_closing(request: ErodeInSpace) -> None:
+    asked = Question("closing", ("P", "Q"), "remnants", "{0} by {1}", closed)
     _answer(asked, request.P, request.Q, request)
 
 
@@ -72,7 +76,9 @@ def _answer(
         first, second = read_summand(P), read_summand(Q)
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])
-        found, seconds, fits = asked.find(first, second, scaling, route, request.passages)
+        found, seconds, fits = asked.find(
+            first, second, scaling, route, request.passages, cores(), told_of
+        )
         mesh = mesh_of(found, request.triangles)
         fields = set_fields(found)
     exact = rounding = None
@@ -101,32 +107,6 @@ def _answer(
         **{asked.fits: fits},
     )
     give(value, request.json, lambda value: _print(asked, value, text_of(scaling)))
-
-
-def no_fit(A: SpaceOperand, B: SpaceOperand, scaling: Scaling, route: str, passages: bool) -> Found:
-    """Find the places at which B meets A: the sum of A and -B."""
-    turned = negated(B)
-    with told_of(f"route {route}") as tell:
-        summed = general_sum(A, turned, scaling, route, cores(), tell)
-    tight = tight_passages(A, turned, scaling) if passages else None
-    return summed.set, summed.seconds, tight
-
-
-def eroded(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str, passages: bool) -> Found:
-    """Erode: the set, its sum's seconds, and remnants if wanted or known to be none."""
-    if Q.surface.vertices == 0:
-        what = "Q is empty, so that every place is in the erosion"
-        mend = "give a polyhedron, a plane polygon, a segment or a point"
-        raise Refusal(what, Q.name, mend, "empty-operand")
-    if P.surface.vertices == 0:
-        return _core.PolyhedralSet(P.surface), 0.0, NONE
-    outside, turned, places = outside_of(P), negated(Q), room(P, Q, scaling)
-    if places.is_empty:
-        return _core.PolyhedralSet(_core.Polyhedron([], [])), 0.0, NONE
-    with told_of(f"route {route}") as tell:
-        summed = general_sum(outside, turned, scaling, route, cores(), tell)
-    tight = tight_passages(outside, turned, scaling) if passages else None
-    return cavities(summed.set, places), summed.seconds, tight
 
 
 def _print(asked: Question, value: dict[str, Any], scaling: str) -> None:

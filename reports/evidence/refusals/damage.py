@@ -8,6 +8,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from minkref.reports.evidence.refusals.judge import doubled_area
+
 Point = tuple[Fraction, Fraction]
 Ring = list[Point]
 Polygon = list[Ring]  # the outer ring, then holes; closed without a repeated point
@@ -71,7 +73,12 @@ def damaged(index: int) -> Damaged:
 
 
 def _outer(dice: random.Random, found: Damaged) -> Ring:
-    return dice.choice(found.polygons)[0]
+    return dice.choice(_with_area(found))[0]
+
+
+def _with_area(found: Damaged) -> list[Polygon]:
+    """Leave out the polygons that a damage made flat."""
+    return [polygon for polygon in found.polygons if doubled_area(polygon[0])]
 
 
 def _open(dice: random.Random, found: Damaged) -> None:
@@ -129,7 +136,7 @@ def _overlap(dice: random.Random, found: Damaged) -> None:
 
 
 def _copy(dice: random.Random, found: Damaged) -> None:
-    found.polygons.append([list(ring) for ring in dice.choice(found.polygons)])
+    found.polygons.append([list(ring) for ring in dice.choice(_with_area(found))])
     found.expected.add("polygons-overlap")
 
 
@@ -166,7 +173,7 @@ def _hole_outside(dice: random.Random, found: Damaged) -> None:
 
 
 def _hole_across(dice: random.Random, found: Damaged) -> None:
-    polygon = dice.choice(found.polygons)
+    polygon = dice.choice(_with_area(found))
     polygon.append(_star(dice, dice.choice(polygon[0]), 1, 2)[::-1])
     found.expected.add("hole-outside")
 
