@@ -9,6 +9,7 @@ from coordinates, compared as point sets, copied and pickled. Source: docs/defin
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
@@ -329,12 +330,16 @@ def sum_remnants(P: PolygonSet, Q: PolygonSet, scale: PlaneScale = 1) -> list[di
 
 def read_file(path: str | os.PathLike[str]) -> PolygonSet:
     """Read the polygon set in a file, exactly as written; the ending gives the format (`.wkt`,
-    `.geojson`, `.poly`, `.json`; `.dxf` and `.svg` without curves). Not validated. Linear in the
-    file's length. Raises BadInput (Refusal for a file whose name is not UTF-8, and for drawings).
-    docs/formats.md."""
+    `.geojson`, `.poly`, `.json`; `.dxf` and `.svg` without curves). Not validated. The set's
+    `warnings` tell what the reader dropped; those of a drawing are issued (UserWarning). Linear in
+    the file's length. Raises BadInput (Refusal for a file whose name is not UTF-8, and for
+    drawings). docs/formats.md."""
     name = os.fsdecode(path)
     if is_drawing(Path(name)):
-        return read_drawing(Path(name))[0]
+        found, told = read_drawing(Path(name))
+        for each in told:
+            warnings.warn(each, UserWarning, stacklevel=2)
+        return found
     return _core.read_file(name) if is_utf8(name) else read_set(Path(name))
 
 

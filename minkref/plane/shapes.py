@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import struct
+import warnings
 from collections.abc import Mapping, Set
 from decimal import Decimal
 from fractions import Fraction
@@ -37,6 +38,9 @@ _COLLECTIONS = {"FeatureCollection": "features", "GeometryCollection": "geometri
 #: Geometries of several parts, and the type of a part.
 _SEVERAL = {"MultiPoint": "Point", "MultiLineString": "LineString", "MultiPolygon": "Polygon"}
 _GEOMETRIES = ("Point", "LineString", "Polygon", *_SEVERAL)
+#: Levels of sequences above a geometry's points.
+_POINTS_AT = {"Point": 0, "MultiPoint": 1, "LineString": 1, "MultiLineString": 2, "Polygon": 2,
+              "MultiPolygon": 3}  # fmt: skip
 
 
 def set_or_parts(shape: Any) -> _core.PolygonSet | list[Part]:
@@ -53,19 +57,26 @@ def set_or_parts(shape: Any) -> _core.PolygonSet | list[Part]:
 def parts_of(shape: Any) -> list[Part]:
     """Split a shape into parts, with coordinates as exact texts, oriented as given. A sequence's
     depth decides: a point, a ring of points, a polygon, polygons; drops a first point repeated at
-    the end of a ring. A mapping is GeoJSON, or the project's JSON. Does not check that the parts
-    form a set: the file readers do. Linear. Raises Refusal for anything else, naming the place."""
+    the end of a ring. A mapping is GeoJSON, or the project's JSON; drops coordinates of GeoJSON
+    beyond x and y, with a warning (UserWarning), as the file readers do. Does not check that the
+    parts form a set: the file readers do. Linear. Raises Refusal for anything else, naming the
+    place."""
     if not isinstance(shape, Mapping) and hasattr(shape, "__geo_interface__"):
         shape = shape.__geo_interface__
     if isinstance(shape, Mapping):
-        return _of_mapping(shape, 0)
+        dropped: list[int] = []
+        parts = _of_mapping(shape, 0, dropped)
+        if dropped:
+            told = f"dropped: {sum(dropped):,} coordinates beyond x and y"
+            warnings.warn(told, UserWarning, stacklevel=3)
+        return parts
     levels = _depth(shape)
     if levels > DEEPEST or levels < 0:
         raise _no_shape(shape)
     return _of_sequences(shape, levels) if levels else []
 
 
-def _of_mapping(shape: Mapping[str, Any], depth: int) -> list[Part]:
+def _of_mapping(shape: Mapping[str, Any], depth: int, dropped: list[int]) -> list[Part]:
     if depth > MOST_NESTED:
         what = f"collections are nested deeper than {MOST_NESTED}"
         raise Refusal(what, "PolygonSet", "flatten the collection", "too-deep")
@@ -79,10 +90,10 @@ def _of_mapping(shape: Mapping[str, Any], depth: int) -> list[Part]:
         geometry = shape.get("geometry")
         if geometry is None:  # the empty set
             return []
-        return _of_mapping(_mapping(geometry, "the geometry of the Feature"), depth + 1)
+        return _of_mapping(_mapping(geometry, "the geometry of the Feature"), depth + 1, dropped)
     if kind in _COLLECTIONS:
         parts = _members(shape, _COLLECTIONS[kind], ())
-        return [polygon for part in parts for polygon in _of_mapping(part, depth + 1)]
+        return [polygon for part in parts for polygon in _of_mapping(part, depth + 1, dropped)]
     if kind not in _GEOMETRIES:
         what = f"a mapping of the type {kind!r} is no set of polygons"
         mend = f"give a geometry of {', '.join(_GEOMETRIES)}"
@@ -90,11 +101,24 @@ def _of_mapping(shape: Mapping[str, Any], depth: int) -> list[Part]:
     coordinates = _sequence(shape.get("coordinates"), f"the coordinates of the {kind}")
     if len(coordinates) == 0:
         return []
+    coordinates = _flattened(coordinates, _POINTS_AT[kind], dropped)
     if kind in _SEVERAL:
         part = _SEVERAL[kind]
         named = enumerate(coordinates)
         return [_of_geometry(part, each, f"{part.lower()} {k}, ") for k, each in named]
     return [_of_geometry(kind, coordinates, "")]
+
+
+def _flattened(given: Any, levels: int, dropped: list[int]) -> Any:
+    """Cut the points of a geometry to x and y; lists how many coordinates each one loses."""
+    if not _is_sequence(given):
+        return given
+    if levels:
+        return [_flattened(each, levels - 1, dropped) for each in given]
+    if len(given) > 2:
+        dropped.append(len(given) - 2)
+        return given[:2]
+    return given
 
 
 def _of_geometry(kind: str, coordinates: Any, where: str) -> Part:

@@ -302,3 +302,31 @@ def test_a_sum_of_boxes_by_the_public_functions(scaling: Any, tmp_path: Path) ->
     assert repr(body) == "<ConvexPolyhedron: 8 vertices, 12 edges, 6 facets>"
     with pytest.raises(TypeError, match="scaling has to be an exact number"):
         minkref.convex_sum(body, body, (1, 2))
+
+
+@pytest.mark.parametrize("kind", ["Polygon", "Point", "LineString", "MultiPoint", "MultiPolygon"])
+def test_coordinates_beyond_x_and_y_are_dropped_with_a_warning(kind: str) -> None:
+    """Shapes of other libraries have a Z; files with one are read with the same warning."""
+    ring = [(0, 0), (4, 0), (0, 4), (0, 0)]
+    flat = {
+        "Polygon": [ring],
+        "Point": (1, 2),
+        "LineString": ring,
+        "MultiPoint": ring[:3],
+        "MultiPolygon": [[ring]],
+    }[kind]
+
+    def raised(given: Any) -> Any:
+        if isinstance(given[0], int):
+            return (*given, 7)
+        return [raised(each) for each in given]
+
+    with pytest.warns(UserWarning, match="dropped: [0-9]+ coordinates beyond x and y"):
+        found = PolygonSet({"type": kind, "coordinates": raised(flat)})
+    assert found == PolygonSet({"type": kind, "coordinates": flat})
+
+
+def test_shapely_shapes_with_z_are_taken() -> None:
+    with pytest.warns(UserWarning, match="dropped: 4 coordinates"):
+        found = PolygonSet(shapely.Polygon([(0, 0, 5), (1, 0, 5), (0, 1, 6)]))
+    assert found == TRIANGLE

@@ -289,6 +289,13 @@ def test_python_reads_drawings_by_their_ending(tmp_path: Path) -> None:
     assert read_file(tmp_path / "a.dxf").area() == "1/2"
 
 
+def test_read_file_issues_the_warnings_of_a_drawing(tmp_path: Path) -> None:
+    text = '<svg xmlns="http://www.w3.org/2000/svg"><text>a</text><path d="M0 0L9 0L0 9Z"/></svg>'
+    (tmp_path / "a.svg").write_text(text)
+    with pytest.warns(UserWarning, match="a.svg: left out: 1 text"):
+        assert read_file(tmp_path / "a.svg").vertices == 3
+
+
 def test_options_of_drawings_are_refused_for_other_operands(minkref: Any) -> None:
     ran = minkref("repair", "POINT (0 0)", "--layer", "a", "--tolerance", "1")
     assert ran.code == 2 and "no drawing" in ran.err
