@@ -1,4 +1,4 @@
-"""Scales at which a part is held by an assembly, as values: in the plane and in space."""
+"""Scales at which obstacles hold a part, as values: in the plane and in space."""
 
 from __future__ import annotations
 

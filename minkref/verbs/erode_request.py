@@ -40,6 +40,14 @@ Fixed = Annotated[
 Moving = Annotated[
     str, typer.Argument(help="The shape that is moved, never turned: given in the same ways.")
 ]
+Container = Annotated[
+    str,
+    typer.Argument(
+        help="What the part lies in, which is scaled: a file, a model, the WKT or JSON text "
+        "itself, or `-` for standard input."
+    ),
+]
+Part = Annotated[str, typer.Argument(help="The part, never turned: given in the same ways.")]
 Output = Annotated[
     Path | None,
     typer.Option(
@@ -160,8 +168,8 @@ class NoFitInSpace:
 
 @dataclass(frozen=True)
 class InnerFitInSpace:
-    container: Fixed
-    part: Moving
+    container: Container
+    part: Part
     scale: ScaleInSpace = UNIT
     route: Route = None
     output: Output = None
@@ -216,8 +224,8 @@ class NoFitRequest:
 
 @dataclass(frozen=True)
 class InnerFitRequest:
-    container: Fixed
-    part: Moving
+    container: Container
+    part: Part
     scale: ScaleInPlane = ONE
     output: Output = None
     form: Format = None

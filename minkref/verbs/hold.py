@@ -24,12 +24,12 @@ minkref hold pin.wkt assembly.wkt way.wkt --certify held.cert.json
 minkref hold part.off assembly.off "LINESTRING Z (0 0 0, 0 0 9)" --json"""
 
 TOLD = """\
-Find all scales at which an assembly holds a part: the part fits at the way's first vertex, and
-the given way out is blocked. In the plane or in space. Exact: the scales that fit, those of the
-way, those that are held, and the contacts that cause them. Another way may still be open: `minkref
-trap` asks for all ways."""
+Find all scales at which obstacles hold a part: the part fits at the way's first vertex, and the
+given way out is blocked. In the plane or in space. Exact: the scales that fit, those of the way,
+those that are held, and the contacts that cause them. Another way may still be open: `minkref trap`
+asks for all ways."""
 
-Assembly = Annotated[str, typer.Argument(help="What may hold the part: a file or a model.")]
+Holding = Annotated[str, typer.Argument(help="What may hold the part: a file or a model.")]
 Way = Annotated[
     str,
     typer.Argument(
@@ -52,14 +52,14 @@ Certify = Annotated[
 
 @dataclass(frozen=True)
 class HoldInPlane(PathInPlane):
-    obstacles: Assembly
+    obstacles: Holding
     path: Way
     certify: Certify = None
 
 
 @dataclass(frozen=True)
 class HoldInSpace(PathInSpace):
-    obstacles: Assembly
+    obstacles: Holding
     path: Way
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -113,6 +114,18 @@ def test_no_word_of_a_help_is_taken_for_markup(name: str) -> None:
         commands += getattr(command, "commands", {}).values()
         for text in (command.help, *(getattr(option, "help", "") for option in command.params)):
             assert Text.from_markup(text or "").plain == (text or "")
+
+
+@pytest.mark.parametrize("name", ["path", "fit", "trap", "hold", "innerfit"])
+def test_what_moves_is_a_part_among_obstacles_or_in_a_container(name: str) -> None:
+    """One word for one thing; examples name files as they like."""
+    command = load(name)
+    told = (command.help or "").split("Examples")[0]
+    texts = [told, *(getattr(option, "help", None) or "" for option in command.params)]
+    names = [str(option.name) for option in command.params]
+    words = set(re.findall("[a-z]+", " ".join([*texts, *names]).lower()))
+    assert not words & {"robot", "tool", "cutter", "workpiece", "assembly", "shape", "environment"}
+    assert {"part", "container" if name in ("fit", "innerfit") else "obstacles"} <= words
 
 
 @pytest.mark.parametrize("command", COMMANDS)

@@ -1,4 +1,4 @@
-"""`minkref hold`: the scales at which an assembly holds a part, in the plane and in space."""
+"""`minkref hold`: the scales at which obstacles hold a part, in the plane and in space."""
 
 from __future__ import annotations
 
