@@ -1,4 +1,4 @@
-"""Targets asked to grow a set by a disc."""
+"""Targets asked to grow or erode a set by a disc."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class OffsetAsking(UnionAsking):
 
     def expected(self, outcomes: list[Outcome]) -> str:
         case: AskedOffset = self.case
-        return form_of(case.expected.canonical_json())
+        return case.form
 
     @cached_property
     def _doubt(self) -> str | None:
@@ -31,7 +31,9 @@ class OffsetAsking(UnionAsking):
     def _asked(self, name: str, case: AskedOffset) -> Answer:  # type: ignore[override]
         target = self.target(name)
         if isinstance(target, ReferenceTarget):
-            answer = target.offset(case.set, str(case.radius**2))
+            if case.is_nothing:
+                return Answer(curves=case.form)
+            answer = target.offset(case.set, str(case.radius**2), case.inward)
             if answer.curves is None:
                 return answer
             return replace(answer, curves=form_of(answer.curves))

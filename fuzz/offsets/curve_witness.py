@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -23,12 +23,14 @@ ROUNDED = 2.0**-40  # of the coordinates
 class CurveWitness:
     """Looks beside the pieces of rings that only the answer or only the sum has, and on a grid.
     Doubles tell whether the answer has a point, fractions whether the grown set has it. To find
-    none proves nothing. O(k (n + k)) for k pieces, n edges."""
+    none proves nothing. O(k (n + k)) for k pieces, n edges. Of an erosion `near` measures from the
+    outside, and the rings, which have it on their right, bound what it leaves out: `turned`."""
 
     near: Distances
     answer: str
     truth: str
     radius: Fraction
+    turned: bool = False
 
     def differing_point(self, half: Fraction) -> Breach | None:
         """A point of one only, farther than `half` within, or outside."""
@@ -54,7 +56,8 @@ class CurveWitness:
 
     @cached_property
     def _own(self) -> DrawnCurves:
-        return drawn_curves(self.answer, self.radius, self.near.origin)
+        drawn = drawn_curves(self.answer, self.radius, self.near.origin)
+        return replace(drawn, around=1) if self.turned else drawn
 
     @cached_property
     def _spots(self) -> list[Spot]:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import ClassVar
 
 from minkref.fuzz.geometry.plane import Point, Shape, Vector, contains, dot, edges, minus
 
 ROUNDED = 1e-11  # times the largest coordinate: more than doubles lose in a distance
-INSIDE = ("inside",)
+INSIDE, OUTSIDE = ("inside",), ("outside",)
 Spot = tuple[float, float]
 Exact = Vector[Fraction]
 ExactEdge = tuple[Exact, Exact]
@@ -17,7 +18,8 @@ ExactEdge = tuple[Exact, Exact]
 
 @dataclass(frozen=True)
 class Distance:
-    """`nearest`: "inside"; "vertex" and its coordinates; "edge" and those of both ends."""
+    """`nearest`: "inside", or "outside" of a region whose outside is meant; "vertex" and its
+    coordinates; "edge" and those of both ends."""
 
     square: Fraction
     nearest: tuple[str, ...]
@@ -33,10 +35,20 @@ class Distances:
         self.walls = [(self.spot(a), self.spot(b)) for a, b in self.edges]
         self.size = max(abs(x) for wall in self.walls for spot in wall for x in spot)
 
+    inner: ClassVar[tuple[str, ...]] = INSIDE  # the nearest feature of a point of the set
+
+    def has(self, point: Point) -> bool:
+        """Whether the set has a point; either answer serves on the boundary."""
+        return contains(self.shape, point)
+
+    def seeds(self) -> list[Exact]:
+        """Finds a point of each component."""
+        return [exact(polygon[0][0]) for polygon in self.shape]
+
     def of(self, point: Point) -> Distance:
         """O(n) in doubles; exact for the edges that doubles leave open."""
-        if contains(self.shape, point):
-            return Distance(Fraction(0), INSIDE)
+        if self.has(point):
+            return Distance(Fraction(0), self.inner)
         spot, place = self.spot(point), exact(point)
         rounded = [spot_distance(spot, *wall) for wall in self.walls]
         most = min(rounded) + ROUNDED * (self.size + abs(spot[0]) + abs(spot[1]))
@@ -50,6 +62,20 @@ class Distances:
     def spot(self, point: Point) -> Spot:
         """The point from the origin of the set, rounded."""
         return (float(point[0] - self.origin[0]), float(point[1] - self.origin[1]))
+
+
+class OutsideDistances(Distances):
+    """Distances from the outside of a region: the closure of its complement. A region eroded by a
+    disc has the points farther than the radius, and those just as far."""
+
+    inner = OUTSIDE
+
+    def has(self, point: Point) -> bool:
+        return not contains(self.shape, point)
+
+    def seeds(self) -> list[Exact]:
+        """Finds a point of each hole; the component around all holds no result wholly."""
+        return [exact(hole[0]) for polygon in self.shape for hole in polygon[1:]]
 
 
 def exact(point: Point) -> Exact:

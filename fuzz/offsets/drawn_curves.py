@@ -81,18 +81,20 @@ class Piece:
 
 @dataclass(frozen=True)
 class DrawnCurves:
-    """`rings` of each component, the outer one first. `broken`: rings whose curves do not meet."""
+    """`rings` of each component, the outer one first. `broken`: rings whose curves do not meet.
+    `around`: how often all is wound around, beside what the rings do."""
 
     origin: Point
     radius: float
     rings: list[list[list[Piece]]]
     broken: int
+    around: int = 0
 
     def pieces(self) -> list[Piece]:
         return [piece for rings in self.rings for ring in rings for piece in ring]
 
     def winding(self, spot: Spot) -> int:
-        return sum(piece.crossings(spot, self.radius) for piece in self.pieces())
+        return self.around + sum(piece.crossings(spot, self.radius) for piece in self.pieces())
 
 
 def drawn_curves(text: str, radius: Fraction, origin: Point) -> DrawnCurves:

@@ -1,4 +1,5 @@
-"""A point of each hole of a set grown by a disc, as the reference draws the holes' boundaries."""
+"""A point of each hole of a set grown by a disc, or of each component of a set eroded by one, as
+the reference draws the boundaries: what is looked for lies to the right of them."""
 
 from __future__ import annotations
 
@@ -15,23 +16,24 @@ STEPS = 40
 ON_ARC = 8  # points of a rounded arc
 
 
-def places_in_holes(grown: _core.Offset) -> list[list[Place]]:
-    """Some places for each hole, by doubles in a frame about as large as the hole, those farthest
-    from a piece first; the caller measures distances. None serves only if the hole is thinner than
-    doubles tell."""
-    if not grown.holes:
+def places_in_rings(grown: _core.Offset, outer: bool = False) -> list[list[Place]]:
+    """Some places for each hole, or `outer` ring of an erosion, by doubles in a frame about as
+    large as the ring, those farthest from a piece first; the caller measures distances. None serves
+    only if what the ring bounds is thinner than doubles tell."""
+    if not (grown.components if outer else grown.holes):
         return []
     return [
         _in_frame_of(grown, ring, (i, j))
         for i, rings in enumerate(grown.drawn_rings())
-        for j, ring in enumerate(rings[1:], 1)
+        for j, ring in enumerate(rings)
+        if (j == 0) == outer
     ]
 
 
 def _in_frame_of(
     grown: _core.Offset, ring: Sequence[Piece], number: tuple[int, int]
 ) -> list[Place]:
-    """Measures the hole again from a corner, in units near the hole's size."""
+    """Measures the ring again from a corner, in units near its size."""
     origin = (Fraction(ring[0][1]), Fraction(ring[0][2]))
     x0, y0 = ring[0][1], ring[0][2]
     size = max(max(abs(x - x0), abs(y - y0)) for _, x, y, *_ in ring)

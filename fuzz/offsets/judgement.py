@@ -1,4 +1,4 @@
-"""The verdict on a target's set grown by a disc."""
+"""The verdict on a target's set grown or eroded by a disc."""
 
 from __future__ import annotations
 
@@ -13,10 +13,8 @@ from minkref.fuzz.geometry.plane import Shape
 from minkref.fuzz.geometry.region import Region
 from minkref.fuzz.offsets.asked_offset import AskedOffset
 from minkref.fuzz.offsets.curve_witness import CurveWitness
-from minkref.fuzz.offsets.curves import NOTHING, counts_of, form_of
-from minkref.fuzz.offsets.distance import Distances
+from minkref.fuzz.offsets.curves import NOTHING, counts_of
 from minkref.fuzz.offsets.distance_check import holds
-from minkref.fuzz.offsets.event_window import event_within
 from minkref.fuzz.offsets.sandwich import Breach, Sandwich
 from minkref.fuzz.plane.comparison import WitnessRefuted
 from minkref.fuzz.plane.judgement import DOUBT, REFEREE, too_large, without_answer
@@ -47,11 +45,11 @@ def _judged(case: AskedOffset, name: str, answer: Answer) -> Outcome:
         return _refuted(case, name, answer, some_point(case), (Reason.REJECTED_VALID,))
     if answer.curves is None and answer.region is None:
         return without_answer(name, answer)
-    half = answer.declaration.offset_tolerance(case.magnitude, case.radius)
-    if half >= case.radius:
+    half = answer.declaration.offset_tolerance(case.magnitude, abs(case.radius))
+    if half >= abs(case.radius):
         message = "its tolerance is not less than the radius"
         return Outcome(name, Verdict.SKIPPED, message=message, seconds=answer.seconds)
-    if case.set.is_empty:
+    if case.is_nothing:
         return _of_nothing(case, name, answer)
     if answer.curves is not None:
         return _Curves(case, name, answer, half).judged(answer.curves)
@@ -69,15 +67,15 @@ class _Polygons:
     def judged(self, region: Region) -> Outcome:
         case, half = self.case, self.half
         result: Shape = [[[*ring] for ring in polygon] for polygon in region.set.rings()]
-        near = Distances(case.shape)
+        near = case.near
         if sum(len(r) for p in result for r in p) * len(near.edges) > MOST_PAIRS:
             message = f"more than {MOST_PAIRS:,} pairs of edges are not judged"
             return Outcome(self.name, Verdict.SKIPPED, message=message)
-        low, high = case.radius - half, case.radius + half
-        breaches = Sandwich(near, low, high, result).breaches(case.holes_at(high))
+        low, high = abs(case.radius) - half, abs(case.radius) + half
+        breaches = Sandwich(near, low, high, result, case.inward).breaches(case.beyond(high))
         if breaches:
             reasons = tuple(dict.fromkeys(self._reason(region, each) for each in breaches))
-            witness = witness_of(case, near, breaches[0], half)
+            witness = witness_of(case, breaches[0], half)
             return _refuted(case, self.name, self.answer, witness, reasons)
         return Outcome(
             self.name, Verdict.PASS_WITHIN, seconds=self.answer.seconds, digest=region.digest
@@ -85,7 +83,7 @@ class _Polygons:
 
     def _reason(self, region: Region, breach: Breach) -> Reason:
         components, holes = self.case.counts
-        if breach.missing:
+        if breach.missing != self.case.inward:
             if region.holes > holes:
                 return Reason.HOLE_INVENTED
             lost = breach.whole or region.components < components
@@ -104,22 +102,22 @@ class _Curves:
 
     def judged(self, curves: str) -> Outcome:
         case, half = self.case, self.half
-        truth = form_of(case.expected.canonical_json())
+        truth = case.form
         seconds, own = self.answer.seconds, digest(curves)
         if curves == truth:
             return Outcome(self.name, Verdict.PASS, seconds=seconds, digest=own)
-        near = Distances(case.shape)
-        search = CurveWitness(near, curves, truth, case.radius)
+        search = CurveWitness(case.near, curves, truth, abs(case.radius), case.inward)
         found = search.differing_point(half)
         if found is not None:
-            witness = witness_of(case, near, found, half)
+            witness = witness_of(case, found, half)
             return _refuted(case, self.name, self.answer, witness, (self._reason(curves, found),))
         overlap = search.overlap()
         if overlap is not None:
-            inside = near.of(overlap).square <= case.radius**2
-            witness = _witness(case, overlap, near, inside, Fraction(0))
+            square, bound = case.near.of(overlap).square, case.radius**2
+            in_truth = square >= bound if case.inward else square <= bound
+            witness = _witness(case, overlap, in_truth, Fraction(0))
             return _refuted(case, self.name, self.answer, witness, (Reason.SELF_INTERSECTING,))
-        if half and event_within(case.set, case.radius - half, case.radius + half):
+        if half and case.has_event(half):
             return Outcome(self.name, Verdict.PASS_WITHIN, seconds=seconds, digest=own)
         return _undecided(self.name, self.answer, "no point tells the curves apart")
 
@@ -129,42 +127,39 @@ class _Curves:
             return Reason.HOLE_LOST if holes < wanted_holes else Reason.HOLE_INVENTED
         if components != wanted:
             return Reason.COMPONENT
-        return Reason.MISSING if breach.missing else Reason.EXTRA
+        return Reason.MISSING if breach.missing != self.case.inward else Reason.EXTRA
 
 
 def _of_nothing(case: AskedOffset, name: str, answer: Answer) -> Outcome:
-    """The empty set grows to nothing."""
+    """The empty set grows to nothing, and nothing is left of a set without interior."""
     region = answer.region
     point = None if region is None else _core.inner_point(region.set)
     is_empty = point is None and answer.curves in (None, NOTHING)
     if is_empty:
         return Outcome(name, Verdict.PASS, seconds=answer.seconds, digest=answer.digest)
-    witness = Witness(point or ("0", "0"), False, radius=str(case.radius))
-    return _refuted(case, name, answer, witness, (Reason.EXTRA,))
+    x, y = map(Fraction, point or ("0", "0"))
+    return _refuted(case, name, answer, _witness(case, (x, y), False, Fraction(0)), (Reason.EXTRA,))
 
 
 def some_point(case: AskedOffset) -> Witness:
-    """A vertex of the set; of the empty set the origin, outside."""
-    if case.set.is_empty:
-        return Witness(("0", "0"), False, radius=str(case.radius))
-    near = Distances(case.shape)
-    return _witness(case, near.origin, near, True, Fraction(0))
+    """A vertex of the set, which an erosion lacks; of the empty set the origin, outside."""
+    nothing = (Fraction(0), Fraction(0))
+    point = nothing if case.set.is_empty else case.near.origin
+    return _witness(case, point, not (case.set.is_empty or case.inward), Fraction(0))
 
 
-def witness_of(case: AskedOffset, near: Distances, breach: Breach, half: Fraction) -> Witness:
+def witness_of(case: AskedOffset, breach: Breach, half: Fraction) -> Witness:
     """Raises WitnessRefuted if plain fractions do not confirm it."""
-    return _witness(case, breach.point, near, breach.missing, half)
+    return _witness(case, breach.point, breach.missing != case.inward, half)
 
 
 def _witness(
-    case: AskedOffset,
-    point: tuple[Fraction | int, Fraction | int],
-    near: Distances,
-    in_truth: bool,
-    half: Fraction,
+    case: AskedOffset, point: tuple[Fraction | int, Fraction | int], in_truth: bool, half: Fraction
 ) -> Witness:
-    found = near.of(point)
     x, y = map(str, point)
+    if case.set.is_empty:
+        return Witness((x, y), in_truth, radius=str(case.radius))
+    found = case.near.of(point)
     witness = Witness(
         (x, y), in_truth, tolerance=str(half), radius=str(case.radius),
         squared_distance=str(found.square), nearest=found.nearest,
@@ -185,7 +180,7 @@ def _refuted(
         seconds=answer.seconds,
         witness=witness,
         digest=answer.digest,
-        expected_digest=digest(form_of(case.expected.canonical_json())),
+        expected_digest=digest(case.form),
         got=answer.text,
     )
 
@@ -209,7 +204,9 @@ def doubt_about(case: AskedOffset) -> str | None:
     comparison: one small case among PROVED, chosen by name, gets one."""
     if zlib.crc32(case.name.text.encode()) % PROVED or case.set.vertices > MOST_VERTICES:
         return None
-    other = _core.offset(case.set, str(case.radius**2), 1, "paper")
+    if case.is_nothing:
+        return None
+    other = case.by_disc(case.radius, 1, "paper")
     if other.canonical_json() == case.expected.canonical_json():
         return None
     return "the two routes of the reference differ"

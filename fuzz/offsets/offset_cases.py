@@ -1,4 +1,5 @@
-"""Sets to grow, small ones first: two thirds of degenerate kinds in turn, a third of any shape."""
+"""Sets to grow or erode, small ones first: two thirds of degenerate kinds in turn, a third of any
+shape."""
 
 from __future__ import annotations
 
@@ -9,17 +10,24 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.grid import rounded, unit_for
 from minkref.fuzz.geometry.plane import Point, Shape, extent, mapped, moved, scaled
 from minkref.fuzz.offsets.asked_offset import AskedOffset
+from minkref.fuzz.offsets.degenerate_insets import KINDS as INSET_KINDS
+from minkref.fuzz.offsets.degenerate_insets import degenerate_inset
 from minkref.fuzz.offsets.degenerate_offsets import KINDS, degenerate_set
-from minkref.fuzz.offsets.radii import drawn_radius
+from minkref.fuzz.offsets.radii import drawn_inward, drawn_radius
 from minkref.fuzz.plane.families.dice import Dice
 from minkref.fuzz.plane.families.drawing import convex, is_valid, shape_text
 from minkref.fuzz.plane.families.holed_pairs import plate
 from minkref.fuzz.plane.families.integer_rings import scattered, untangled
 
 FAMILY, GRID = "offsets", "-grid"  # `offset` is a family of pairs
+INSETS = "insets"
 FAMILIES = {
     FAMILY: "sets to grow by a disc: degenerate ones, and any, at and beside their events",
     FAMILY + GRID: "the same on a grid of 24 bits",
+}
+INWARD = {
+    INSETS: "sets to erode by a disc, likewise: necks about to open, parts about to vanish",
+    INSETS + GRID: "the same on a grid of 24 bits",
 }
 GENERAL = "general"
 FACTORS = tuple(map(Fraction, ("1", "1", "1/3", "7/5", "1000/7", "1/1000000", "10000000000/3")))
@@ -33,19 +41,24 @@ def drawn_offset(name: CaseName, family: str, seed: int, index: int) -> AskedOff
     """The same one for the same numbers. RuntimeError if nothing valid is drawn."""
     dice = Dice(f"minkref {family} {seed} {index}")
     turn, which = divmod(index, 3)
-    kind = GENERAL if which == 2 else tuple(KINDS)[(2 * turn + which) % len(KINDS)]
+    inward = family in INWARD
+    kinds = tuple(INSET_KINDS if inward else KINDS)
+    kind = GENERAL if which == 2 else kinds[(2 * turn + which) % len(kinds)]
+    degenerate = degenerate_inset if inward else degenerate_set
     on_grid = family.endswith(GRID)
     for _ in range(PATIENCE):
-        shape = _general(dice, index) if which == 2 else degenerate_set(dice, kind)
+        shape = _general(dice, index) if which == 2 else degenerate(dice, kind)
         shape = _on_grid(dice, shape) if on_grid else _in_fractions(dice, shape)
         text = shape_text(shape)
         if not is_valid(text):
             continue
         P = _core.PolygonSet.from_json(text)
         _, _, wide, high = extent([p for polygon in shape for p in polygon[0]])
-        radius, position = drawn_radius(dice, P, Fraction(max(wide, high, 1)))
+        radius, position = (drawn_inward if inward else drawn_radius)(
+            dice, P, Fraction(max(wide, high, 1))
+        )
         if on_grid:
-            radius = rounded(radius, unit_for(radius, BITS))
+            radius = rounded(radius, unit_for(abs(radius), BITS))
         return AskedOffset(name, P, radius, family, f"{kind}, {position}")
     raise RuntimeError(f"{family}:{seed}:{index} draws nothing valid")
 

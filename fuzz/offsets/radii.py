@@ -15,6 +15,14 @@ WEIGHTS = (3, 4, 3, 1, 1)
 PARTS = tuple(Fraction(1, n) for n in (12, 25, 60, 400, 10**4, 10**6, 10**9, 10**13))
 
 
+def drawn_inward(dice: Dice, P: _core.PolygonSet, size: Fraction) -> tuple[Fraction, str]:
+    """Draws a radius below 0, likewise; most lie above minus the inradius, the last event."""
+    outside = _core.Outside(P).set
+    largest = max(_event_radii(outside), default=size / 4)
+    radius, position = drawn_radius(dice, outside, largest * Fraction(9, 8))
+    return -radius, position
+
+
 def drawn_radius(dice: Dice, P: _core.PolygonSet, size: Fraction) -> tuple[Fraction, str]:
     """Draws a radius; also names its position. `size`: the box's. At an event that has no rational
     radius, the double next to it stands for it. Without events any radius."""

@@ -6,6 +6,9 @@ is a whole hole of the grown set inside R'. The interior of P grown by `low` lie
 outside R' has d < low. Connected parts of {d < low} hold a polygon of P each; so each of them meets
 the boundary of R', or leaves R' with a whole polygon of P. So edges of R', a point for each hole,
 and a point for each polygon of P decide.
+
+Erosion is the same, turned inside out: d is the distance from the outside of P, R' is what the
+result leaves out, and both have the edges that P and the result have.
 """
 
 from __future__ import annotations
@@ -49,12 +52,17 @@ class Breach:
 
 @dataclass
 class Sandwich:
-    """`low`, above zero, and `high`: the radii."""
+    """`low`, above zero, and `high`: the radii. `turned`: what the result leaves out is meant."""
 
     near: Distances
     low: Fraction
     high: Fraction
     result: Shape
+    turned: bool = False
+
+    def _has(self, point: Point) -> bool:
+        """Whether R' has a point; either answer serves on its boundary."""
+        return contains(self.result, point) != self.turned
 
     def breaches(self, holes: Iterable[Exact]) -> list[Breach]:
         """A point too much and a missing point, if any; exact, and about the worst. `holes`: a
@@ -110,7 +118,7 @@ class Sandwich:
 
     def _filled(self, holes: Iterable[Exact]) -> Iterator[Breach]:
         for point in holes:
-            if contains(self.result, point):
+            if self._has(point):
                 yield Breach(point, False, self.near.of(point).square, whole=True)
 
     def _inside(self) -> Iterator[Breach]:
@@ -131,13 +139,12 @@ class Sandwich:
                 yield Breach(place, True, square, (a, b))
         for rings in self.result:
             for ring in rings:  # off the boundary of P, so wholly in P if one vertex is
-                if contains(self.near.shape, ring[0]):
+                if self.near.has(ring[0]):
                     yield Breach(exact(ring[0]), True, Fraction(0), _first(ring))
 
     def _lost(self) -> Iterator[Breach]:
-        for polygon in self.near.shape:
-            point = exact(polygon[0][0])
-            if not contains(self.result, point):
+        for point in self.near.seeds():
+            if not self._has(point):
                 yield Breach(point, True, Fraction(0), whole=True)
 
     def _short(self, one: Breach) -> Breach:
@@ -145,7 +152,7 @@ class Sandwich:
         beside it."""
 
         def serves(x: Exact) -> bool:
-            if contains(self.result, x) == one.missing:
+            if self._has(x) == one.missing:
                 return False
             square = self.near.of(x).square
             return square < self.low**2 if one.missing else square > self.high**2

@@ -84,21 +84,28 @@ class SetAndRadius:
 
 
 def read_set_and_radius(
-    value: dict[str, Any], verb: str, where: str
+    value: dict[str, Any], verb: str, where: str, inward: bool = False
 ) -> tuple[_core.PolygonSet, Fraction]:
-    """Reads the set and the radius of a JSON value. Refuses other values."""
+    """Reads the set and the radius of a JSON value; `inward` radii may lie below 0. Refuses other
+    values."""
     given, radius = value[verb], value.get("radius")
     mend = f'write {{"{verb}":{{"polygons":[...]}},"radius":"7/5"}}'
     if not isinstance(given, dict) or "polygons" not in given:
         raise Refusal("this is not a polygon set", where, mend)
-    try:
-        number = number_of(str(radius))
-    except ValueError as error:
-        raise Refusal(f"the radius is no number: {error}", where, mend) from error
-    if number <= 0:
-        raise Refusal("the radius is not above 0", where, mend)
+    number = read_radius(radius, where, mend, inward)
     read: _core.PolygonSet = refusing(
         where, lambda: _core.read_text(json.dumps(given), "json", where)
     )
     refusing(where, lambda: read.validate(where))
     return read, number
+
+
+def read_radius(radius: Any, where: str, mend: str, inward: bool) -> Fraction:
+    """Reads a radius above 0; `inward`, also one below 0. Refuses other values."""
+    try:
+        number = number_of(str(radius))
+    except ValueError as error:
+        raise Refusal(f"the radius is no number: {error}", where, mend) from error
+    if number == 0 or (number < 0 and not inward):
+        raise Refusal("the radius is 0" if inward else "the radius is not above 0", where, mend)
+    return number

@@ -56,7 +56,7 @@ class SmallOffset:
         return json.dumps(value, separators=(",", ":"))
 
     def valid(self) -> bool:
-        return self.radius > 0 and is_valid_operand(self.set)
+        return self.radius != 0 and is_valid_operand(self.set)
 
     def scaled(self, factor: Fraction) -> SmallOffset:
         return replace(self, set=scaled_operand(self.set, factor), radius=self.radius * factor)
@@ -88,7 +88,7 @@ def _simpler_numbers(case: SmallOffset) -> Iterator[SmallOffset]:
     yield replace(case, set=move(case.set))
     if factor is not None:
         yield case.scaled(factor)
-    yield case.scaled(1 / case.radius)
+    yield case.scaled(1 / abs(case.radius))
     for most in LIMITS:
         yield replace(case, radius=case.radius.limit_denominator(most))
     for unit in map(Fraction, (256, 64, 16, 8, 4, 2, 1)):

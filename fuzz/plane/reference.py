@@ -53,15 +53,16 @@ class ReferenceTarget:
             lambda: _core.minkowski_sum(case.P, case.Q, case.scale, self.route, "rational")
         )
 
-    def offset(self, P: _core.PolygonSet, squared_radius: str) -> Answer:
-        """The canonical text of P grown by a disc."""
-        if self.route not in OFFSETTING:
-            return skipped("does not declare offset")
+    def offset(self, P: _core.PolygonSet, squared_radius: str, inward: bool) -> Answer:
+        """The canonical text of P grown or, inward, eroded by a disc."""
+        if self.route not in OFFSETTING or (inward and self.route == INDEX):
+            return skipped(f"does not declare {'inset' if inward else 'offset'}")
         try:
             if self.route == INDEX:
                 text = _core.disc_index(P).canonical_json(squared_radius)
             else:
-                text = _core.offset(P, squared_radius, 1, self.route).canonical_json()
+                of = _core.inset if inward else _core.offset
+                text = of(P, squared_radius, 1, self.route).canonical_json()
         except MemoryError as error:
             return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
         except Exception as error:  # noqa: BLE001 any exception is the target's fault

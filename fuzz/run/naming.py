@@ -20,6 +20,7 @@ path-ranges:SEED:INDEX    the same, all valid scales of a window (path-ranges-gr
 union:SEED:INDEX          sets to unite (union-grid: on a grid of 24 bits; union-known: known)
 {"sets":[...]}            such sets themselves
 offsets:SEED:INDEX        a set to grow by a disc (offsets-grid: on a grid; offsets-known: known)
+insets:SEED:INDEX         a set to erode by a disc (insets-grid: on a grid)
 {"offset":{...},"radius":"7/5"}   such a set itself
 features:SEED:INDEX       concave features of a set, bridges at a radius (features-grid: on a grid)
 {"features":{...},"radius":"7/5"}   such a set itself

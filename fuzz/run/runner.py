@@ -23,6 +23,7 @@ from minkref.fuzz.cases.verbs import (
     is_union,
 )
 from minkref.fuzz.invalid.invalid_case import FAMILY as INVALID
+from minkref.fuzz.offsets.question import OFFSETS
 from minkref.fuzz.plane.judgement import REFEREE
 from minkref.fuzz.run.case_list import CaseList, Wait
 from minkref.fuzz.run.catalogue import Catalogue
@@ -129,7 +130,7 @@ def verb_of(text: str) -> str:
     verbs |= {f"{INVALID}:": REJECTS}
     verbs |= {f"{RANGES}:": RANGES, f"{RANGES}-": RANGES, f"{PATH}:": PATH, f"{PATH}-grid": PATH}
     verbs |= {f"{UNION}:": UNION, f"{UNION}-": UNION}
-    verbs |= {"offsets:": OFFSET, "offsets-": OFFSET}  # `offset` is a family of pairs
+    verbs |= dict.fromkeys((f"{family}:" for family in OFFSETS.families), OFFSET)
     verbs |= {f"{FEATURES}:": FEATURES, f"{FEATURES}-": FEATURES}
     if is_union(text):
         return UNION

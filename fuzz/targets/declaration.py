@@ -34,6 +34,7 @@ CAPABILITIES = {
     "path-ranges": "all scales at which a part passes along a path, in the plane",
     "union": "sets to unite, in the plane",
     "offset": "a set to grow by a disc, in the plane",
+    "inset": "a set to erode by a disc, by `offset` with a radius below 0",
     "features": "concave features of a set under a growing disc, in the plane",
 }
 PLANE = frozenset(

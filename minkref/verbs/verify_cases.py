@@ -7,16 +7,7 @@ from collections.abc import Iterable
 from minkref.errors import Refusal, choice, nearest
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import (
-    EVENTS,
-    FEATURES,
-    OFFSET,
-    PAIR_EVENTS,
-    PATH,
-    RANGES,
-    UNION,
-    UPDATE,
-)
+from minkref.fuzz.cases.verbs import EVENTS, FEATURES, PAIR_EVENTS, PATH, RANGES, UNION, UPDATE
 from minkref.fuzz.features.question import FEATURES as OF_FEATURES
 from minkref.fuzz.offsets.question import OFFSETS
 from minkref.fuzz.plane.families.catalogue import FAMILIES
@@ -59,7 +50,7 @@ def case_list(asked: Cases, declared: Iterable[Declaration]) -> CaseList:
         *(FAMILIES if plane else ()),
         *(SPACE_FAMILIES if space else ()),
         *(UNIONS.families if UNION in able else ()),
-        *(OFFSETS.families if OFFSET in able else ()),
+        *OFFSETS.families_for(able),
         *(OF_FEATURES.families if FEATURES in able else ()),
     ]
     fuzz = suite in ("fuzz", "all")

@@ -28,7 +28,12 @@ from minkref.reports.conformance.feature_words import (
     features_set,
 )
 from minkref.reports.conformance.offset_pictures import offset_pictures
-from minkref.reports.conformance.offset_words import offset_argument, offset_question, offset_set
+from minkref.reports.conformance.offset_words import (
+    is_inward,
+    offset_argument,
+    offset_question,
+    offset_set,
+)
 from minkref.reports.conformance.path_words import path_argument, path_question
 from minkref.reports.conformance.plane_pictures import (
     Picture,
@@ -118,7 +123,8 @@ class CaseView:
         has = "has" if witness.in_truth else "does not have"
         wrong = "; the result is wrong there" if self.outcome.got else ""
         what = "sum" if witness.sets is None else "union"
-        what = what if witness.radius is None else "grown set"
+        if witness.radius is not None:
+            what = "erosion" if is_inward(witness.radius) else "grown set"
         return f"The {what} {has} the point x = {point_text(witness.point)}{wrong}."
 
     @property

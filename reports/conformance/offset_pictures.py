@@ -1,4 +1,4 @@
-"""Pictures of a set grown by a disc: arcs as paths of many short steps."""
+"""Pictures of a set grown or eroded by a disc: arcs as paths of many short steps."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def offset_pictures(expected: str, radius: Fraction, outcome: Outcome) -> list[P
 def _polygons(text: str, radius: Fraction) -> str:
     """Curves as polygons, in canonical JSON."""
     origin = _origin(text)
-    drawn = drawn_curves(text, radius, origin)
+    drawn = drawn_curves(text, abs(radius), origin)
     rings = [
         [
             [(origin[0] + Fraction(x), origin[1] + Fraction(y)) for x, y in path]
@@ -33,7 +33,7 @@ def _polygons(text: str, radius: Fraction) -> str:
         ]
         for rings in drawn.rings
     ]
-    found, *_ = _core.region_of_rings([each for each in rings if each], False)
+    found, *_ = _core.region_of_rings([each for each in rings if each], radius < 0)
     canonical: str = found.canonical_json()
     return canonical
 

@@ -1,4 +1,5 @@
-"""Sets grown by a disc in a report: the question, and why the witness proves its claim."""
+"""Sets grown or eroded by a disc in a report: the question, and why the witness proves its
+claim."""
 
 from __future__ import annotations
 
@@ -12,8 +13,14 @@ def offset_witness_text(witness: Witness) -> str:
     point = f"({', '.join(witness.point)})"
     if witness.squared_distance is None:
         return f"witness {point} is outside: the empty set grows to nothing"
-    side = "is in the set grown" if witness.in_truth else "is outside the set grown"
-    return f"witness {point} {side} by {_radius(witness)}: {_nearest(witness)}"
+    what = "the set eroded" if is_inward(str(witness.radius)) else "the set grown"
+    side = "in" if witness.in_truth else "outside"
+    return f"witness {point} is {side} {what} by {_radius(witness)}: {_nearest(witness)}"
+
+
+def is_inward(radius: str) -> bool:
+    """Whether a disc of this radius erodes."""
+    return radius.startswith("-")
 
 
 def offset_argument(witness: Witness) -> list[str]:
@@ -21,16 +28,21 @@ def offset_argument(witness: Witness) -> list[str]:
     sentences = [offset_witness_text(witness).removeprefix("witness ") + "."]
     if witness.squared_distance is None:
         return sentences
+    inward, radius = is_inward(str(witness.radius)), str(witness.radius).removeprefix("-")
     sign, word = ("-", "at most") if witness.in_truth else ("+", "more than")
-    bound = f"({witness.radius} {sign} {witness.tolerance})²"
+    if inward:
+        sign, word = ("+", "at least") if witness.in_truth else ("-", "less than")
+    bound = f"({radius} {sign} {witness.tolerance})²"
     if witness.tolerance == "0":
-        bound = f"{witness.radius}²"
+        bound = f"{radius}²"
     return [*sentences, f"Its squared distance, {witness.squared_distance}, is {word} {bound}."]
 
 
 def offset_question(literal: str) -> list[str]:
     """A case's lines besides its set."""
-    return [f"the set grown by a disc of radius {json.loads(literal)['radius']}"]
+    radius = str(json.loads(literal)["radius"])
+    done = "eroded" if is_inward(radius) else "grown"
+    return [f"the set {done} by a disc of radius {radius.removeprefix('-')}"]
 
 
 def offset_set(literal: str) -> str:
@@ -39,16 +51,18 @@ def offset_set(literal: str) -> str:
 
 
 def _radius(witness: Witness) -> str:
-    if witness.tolerance == "0":
-        return str(witness.radius)
-    return f"{witness.radius}, give or take {witness.tolerance}"
+    radius = str(witness.radius).removeprefix("-")
+    return radius if witness.tolerance == "0" else f"{radius}, give or take {witness.tolerance}"
 
 
 def _nearest(witness: Witness) -> str:
     nearest = witness.nearest or ("inside",)
     if nearest[0] == "inside":
         return "the set has it"
-    far = f"its squared distance from the set is {witness.squared_distance}"
+    if nearest[0] == "outside":
+        return "the set does not have it"
+    of = "outside" if is_inward(str(witness.radius)) else "set"
+    far = f"its squared distance from the {of} is {witness.squared_distance}"
     if nearest[0] == "vertex":
         return f"{far}, to the vertex ({', '.join(nearest[1:])})"
     ends = f"({', '.join(nearest[1:3])}) to ({', '.join(nearest[3:])})"

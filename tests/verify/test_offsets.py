@@ -238,7 +238,6 @@ def test_cases_have_names_that_reproduce_them() -> None:
     "text",
     [
         literal(FRAME, "0"),
-        literal(FRAME, "-1"),
         literal(FRAME, "x"),
         '{"offset":7,"radius":"1"}',
         '{"offset":{"polygons":[{"outer":[[0,0],[1,1]],"holes":[[[0,0]]]}]}}',

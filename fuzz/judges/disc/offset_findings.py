@@ -1,5 +1,6 @@
-"""Findings about sets grown by a disc, judged once more: the distance of the witness from the set,
-by the definition, in plain fractions. Shares no code with the judge of `verify`."""
+"""Findings about sets grown or eroded by a disc, judged once more: the distance of the witness from
+the set or its outside, by the definition, in plain fractions. Shares no code with the judge of
+`verify`."""
 
 from __future__ import annotations
 
@@ -15,16 +16,22 @@ def confirmed(finding: dict[str, Any]) -> bool:
         return not operand["polygons"]
     x, y = map(Fraction, witness["point"])
     radius, half = Fraction(witness["radius"]), Fraction(witness.get("tolerance", "0"))
-    square = squared(operand["polygons"], x, y)
+    square = squared(operand["polygons"], x, y, radius < 0)
     if Fraction(witness["squared_distance"]) != square:
         return False
+    if radius < 0:
+        bound = half - radius if witness["in_truth"] else -radius - half
+        return bool(bound > 0 and (square >= bound**2) == witness["in_truth"])
     bound = radius - half if witness["in_truth"] else radius + half
     return bool(bound > 0 and (square <= bound**2) == witness["in_truth"])
 
 
-def squared(polygons: list[dict[str, Any]], x: Fraction, y: Fraction) -> Fraction:
-    """0 in the set: rays to the right cross each polygon an odd number of times."""
-    least = None
+def squared(
+    polygons: list[dict[str, Any]], x: Fraction, y: Fraction, from_outside: bool = False
+) -> Fraction:
+    """0 in the set: rays to the right cross each polygon an odd number of times. Outside, 0 there
+    and the distance from the boundary in the set."""
+    least, is_in = None, False
     for polygon in polygons:
         crossings = 0
         for ring in (polygon["outer"], *polygon.get("holes", [])):
@@ -36,8 +43,9 @@ def squared(polygons: list[dict[str, Any]], x: Fraction, y: Fraction) -> Fractio
                     crossings += 1
                 far = _from_origin(a, b, c, d)
                 least = far if least is None or far < least else least
-        if crossings % 2:
-            return Fraction(0)
+        is_in = is_in or crossings % 2 == 1
+    if is_in != from_outside:
+        return Fraction(0)
     assert least is not None
     return least
 

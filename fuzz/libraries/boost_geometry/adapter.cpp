@@ -111,7 +111,9 @@ int run(std::string_view mode) {
   if (mode == "buffer") {
     json value = hello("boost-geometry-buffer");
     value["tolerance"]["radius"] = "0.00096";
-    for (const char* more : {"point", "segment", "offset"}) value["capabilities"].push_back(more);
+    for (const char* more : {"point", "segment", "offset", "inset"}) {
+      value["capabilities"].push_back(more);
+    }
     return serve(value, {nullptr, nullptr, grow});
   }
   std::cerr << "usage: boost_geometry_adapter union|buffer\n";

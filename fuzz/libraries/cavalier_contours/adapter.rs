@@ -62,7 +62,7 @@ fn main() {
         "grid": {"unit": "1/1024", "largest": "10000"},
         "tolerance": {"absolute": "0.001", "relative": "0", "radius": "0.0005"},
         "sum": "none",
-        "capabilities": ["plane", "non-convex", "holes", "components", "offset"],
+        "capabilities": ["plane", "non-convex", "holes", "components", "offset", "inset"],
     });
     serve(hello, &[("offset", offset_of)]);
 }

@@ -107,13 +107,14 @@ json unite(const std::vector<Polygons>& sets) {
 }
 
 json grow(const Polygons& P, double radius) {
-  const IntegerGrid grid(largest_coordinate(P) + radius, bits);
+  const IntegerGrid grid(largest_coordinate(P) + std::abs(radius), bits);
   Paths64 paths;
   for (const Ring& ring : rings_of(P)) paths.push_back(to_path(ring, grid));
   const double delta = grid.scaled(radius);
   constexpr double miter_limit = 2;  // of no use here
   return result_of(
-      InflatePaths(paths, delta, JoinType::Round, EndType::Polygon, miter_limit, delta / 1000),
+      InflatePaths(paths, delta, JoinType::Round, EndType::Polygon, miter_limit,
+                   std::abs(delta) / 1000),
       grid);
 }
 
@@ -172,7 +173,7 @@ int run(std::string_view mode) {
     value["grid"] = {{"bits", bits - 2}};
     value["tolerance"] = {{"absolute", "0"}, {"relative", "1/134217728"}, {"radius", "0.001"}};
     for (const char* more :
-         {"holes", "components", "touching", "empty", "point", "segment", "offset"}) {
+         {"holes", "components", "touching", "empty", "point", "segment", "offset", "inset"}) {
       value["capabilities"].push_back(more);
     }
     return serve(value, {nullptr, nullptr, grow});

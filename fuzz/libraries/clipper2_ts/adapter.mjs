@@ -26,11 +26,11 @@ function unionOf(sets) {
 }
 
 function offsetOf(P, radius) {
-  const grid = new IntegerGrid(largest([P]) + radius, BITS);
+  const grid = new IntegerGrid(largest([P]) + Math.abs(radius), BITS);
   const delta = radius / grid.unit;
   const paths = ringsOf(P).map((ring) => toPath(ring, grid));
   const found = Clipper.inflatePaths(
-    paths, delta, JoinType.Round, EndType.Polygon, 2, delta / 1000,
+    paths, delta, JoinType.Round, EndType.Polygon, 2, Math.abs(delta) / 1000,
   );
   return { rings: toRings(found, grid) };
 }
@@ -51,7 +51,7 @@ const MODES = {
   ],
   union: [{ name: "clipper2-ts-union", capabilities: [...ALL, "union"] }, { unionOf }],
   inflate: [
-    { name: "clipper2-ts-inflate", capabilities: [...ALL, "point", "segment", "offset"] },
+    { name: "clipper2-ts-inflate", capabilities: [...ALL, "point", "segment", "offset", "inset"] },
     { offsetOf },
   ],
 };

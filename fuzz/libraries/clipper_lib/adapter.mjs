@@ -36,9 +36,9 @@ function unionOf(sets) {
 
 function offsetOf(P, radius) {
   if (ringsOf(P).some((ring) => ring.length < 3)) throw new Skipped("no points or segments");
-  const grid = new IntegerGrid(largest([P]) + radius, BITS);
+  const grid = new IntegerGrid(largest([P]) + Math.abs(radius), BITS);
   const delta = radius / grid.unit;
-  const one = new clipper.ClipperOffset(2, delta / 1000);
+  const one = new clipper.ClipperOffset(2, Math.abs(delta) / 1000);
   for (const ring of ringsOf(P)) {
     one.AddPath(toPath(ring, grid), clipper.JoinType.jtRound, clipper.EndType.etClosedPolygon);
   }
@@ -62,7 +62,7 @@ const MODES = {
     { sumOf },
   ],
   union: [{ name: "clipper-lib-union", capabilities: [...ALL, "union"] }, { unionOf }],
-  inflate: [{ name: "clipper-lib-inflate", capabilities: [...ALL, "offset"] }, { offsetOf }],
+  inflate: [{ name: "clipper-lib-inflate", capabilities: [...ALL, "offset", "inset"] }, { offsetOf }],
 };
 
 const mode = process.argv[2];

@@ -85,7 +85,7 @@ def main(mode: str) -> None:
             "components",
             "touching",
             "empty",
-            *(("point", "segment", "offset") if mode == "buffer" else ("union",)),
+            *(("point", "segment", "offset", "inset") if mode == "buffer" else ("union",)),
         ],
     }
     if mode == "buffer":

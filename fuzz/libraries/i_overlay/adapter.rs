@@ -44,8 +44,9 @@ fn main() {
         "sum": "none",
         "capabilities": ["plane", "non-convex", "holes", "components", "touching", "empty"],
     });
-    let verb = if outline { "offset" } else { "union" };
-    hello["capabilities"].as_array_mut().expect("a list").push(json!(verb));
+    let verbs: &[&str] = if outline { &["offset", "inset"] } else { &["union"] };
+    let able = hello["capabilities"].as_array_mut().expect("a list");
+    able.extend(verbs.iter().map(|verb| json!(verb)));
     if outline {
         hello["tolerance"]["radius"] = json!("0.005");
         serve(hello, &[("offset", offset_of)]);

@@ -76,7 +76,7 @@ const MODES = {
     {
       name: "jsts-buffer",
       tolerance: { relative: "1e-7", radius: "0.0125" },
-      capabilities: [...ALL, "point", "segment", "offset"],
+      capabilities: [...ALL, "point", "segment", "offset", "inset"],
     },
     { offsetOf },
   ],

@@ -115,7 +115,7 @@ public final class Adapter {
   private static JsonObject hello(boolean union) {
     String tolerance =
         union ? "{\"relative\":\"1e-7\"}" : "{\"relative\":\"1e-7\",\"radius\":\"0.0125\"}";
-    String more = union ? "\"union\"" : "\"point\",\"segment\",\"offset\"";
+    String more = union ? "\"union\"" : "\"point\",\"segment\",\"offset\",\"inset\"";
     String text =
         "{\"protocol\":\"adapter-v1\",\"name\":\"" + (union ? "jts" : "jts-buffer")
             + "\",\"version\":\"" + JTSVersion.CURRENT_VERSION

@@ -24,7 +24,16 @@ HELLO = {
     "grid": {"unit": "1/100000000", "largest": "1e7"},  # beyond it doubles have fewer decimals
     "tolerance": {"absolute": "4e-8", "relative": "1e-12", "radius": "0.00031"},
     "sum": "none",
-    "capabilities": ["plane", "non-convex", "holes", "components", "touching", "empty", "offset"],
+    "capabilities": [
+        "plane",
+        "non-convex",
+        "holes",
+        "components",
+        "touching",
+        "empty",
+        "offset",
+        "inset",
+    ],
 }
 
 

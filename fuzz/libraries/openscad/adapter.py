@@ -121,7 +121,7 @@ def main(mode: str) -> None:
     hello["grid"] = {"unit": "1/65536", "largest": "30000"}  # of the unit, within 31 bits
     # Discs of few units get few vertices, so eight units.
     hello["tolerance"] = {"absolute": "1/8192", "relative": "1e-5", "radius": "0.001"}
-    hello["capabilities"] = "plane non-convex holes components offset".split()
+    hello["capabilities"] = "plane non-convex holes components offset inset".split()
     serve(hello, None, offset_of=offset_of)
 
 

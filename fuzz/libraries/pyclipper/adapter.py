@@ -70,9 +70,9 @@ def offset_of(P: Set, radius: float) -> dict[str, Any]:
         raise Skipped("no points or segments")
     if not rings:
         return {"rings": []}
-    grid = Grid(largest(P) + radius)
+    grid = Grid(largest(P) + abs(radius))
     delta = math.ldexp(radius, grid.shift)
-    one = pyclipper.PyclipperOffset(2.0, delta / 1000)
+    one = pyclipper.PyclipperOffset(2.0, abs(delta) / 1000)
     how = (pyclipper.JT_ROUND, pyclipper.ET_CLOSEDPOLYGON)
     one.AddPaths([grid.path(ring) for ring in rings], *how)
     return grid.rings(one.Execute(delta))
@@ -96,7 +96,7 @@ def main(mode: str) -> None:
         serve({**hello, "capabilities": [*ALL, "union"]}, None, union_of=union_of)
     else:
         hello["tolerance"]["radius"] = "0.0025"
-        serve({**hello, "capabilities": [*ALL, "offset"]}, None, offset_of=offset_of)
+        serve({**hello, "capabilities": [*ALL, "offset", "inset"]}, None, offset_of=offset_of)
 
 
 if __name__ == "__main__":

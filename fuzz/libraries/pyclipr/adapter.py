@@ -25,7 +25,16 @@ HELLO = {
     "grid": {"bits": BITS - 2},
     "tolerance": {"absolute": "0", "relative": "1/134217728", "radius": "0.001"},
     "sum": "none",
-    "capabilities": ["plane", "non-convex", "holes", "components", "touching", "empty", "offset"],
+    "capabilities": [
+        "plane",
+        "non-convex",
+        "holes",
+        "components",
+        "touching",
+        "empty",
+        "offset",
+        "inset",
+    ],
 }
 
 
@@ -35,13 +44,13 @@ def offset_of(P: Set, radius: float) -> dict[str, Any]:
         raise Skipped("no points or segments")
     if not rings:
         return {"rings": []}
-    size = max(abs(number) for ring in rings for point in ring for number in point) + radius
+    size = max(abs(number) for ring in rings for point in ring for number in point) + abs(radius)
     if not math.isfinite(size):
         raise Skipped("coordinates exceed the doubles")
     factor = math.ldexp(1.0, BITS - math.frexp(size)[1])
     one = pyclipr.ClipperOffset()
     one.scaleFactor = factor
-    one.arcTolerance = radius * factor / 1000
+    one.arcTolerance = abs(radius) * factor / 1000
     one.addPaths(
         [np.array(ring) for ring in rings], pyclipr.JoinType.Round, pyclipr.EndType.Polygon
     )
