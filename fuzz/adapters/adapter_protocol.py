@@ -15,9 +15,10 @@ Set = dict[str, Any]  # {"polygons": ...} or {"vertices": ..., "faces": ...}
 Sum = Callable[[Set, Set], dict[str, Any]]
 Path = Callable[[Set, Set, dict[str, Any]], dict[str, Any]]
 Union = Callable[[list[Set]], dict[str, Any]]
-Offset = Callable[[Set, Any], dict[str, Any]]
+Offset = Callable[..., dict[str, Any]]  # from P, the radius, and perhaps joins and caps
 Verbs = Mapping[str, Path]
 LONGEST_REASON = 4000  # characters
+JOINS = ("join", "limit", "cap")  # of an offset
 
 
 class Skipped(Exception):
@@ -41,7 +42,8 @@ class Adapter:
     each function of `verbs`, by verb, a result's members from P, Q and the request: `path`,
     `update`, or `at` itself for an implementation that scales P by itself. `union_of(sets)` returns
     the members of a union, `offset_of(P, radius)` those of P grown by a disc, and
-    `features_of(P, radius)` bars and bridges."""
+    `features_of(P, radius)` bars and bridges. If an offset's request says joins or caps,
+    `offset_of` gets them in a dictionary after the radius."""
 
     def __init__(
         self,
@@ -73,7 +75,9 @@ class Adapter:
                 return {"status": "result", **self.union_of(request["sets"])}
             answer_of = self.with_radius.get(str(verb))
             if answer_of is not None:
-                return {"status": "result", **answer_of(request["P"], request["radius"])}
+                how = {word: request[word] for word in JOINS if word in request}
+                more = (how,) if how else ()
+                return {"status": "result", **answer_of(request["P"], request["radius"], *more)}
             if isinstance(verb, str) and verb in self.verbs:
                 if self.P is None or self.Q is None:
                     raise ValueError(f"`{verb}` before any `load`")

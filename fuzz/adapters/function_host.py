@@ -67,7 +67,7 @@ def other_verbs(declared: dict[str, Any], sum_of: Any) -> dict[str, Any]:
         return {}
     for verb in ("offset", "features"):
         if verb in able:
-            return {f"{verb}_of": lambda P, radius: sum_of.answered(P, radius)}
+            return {f"{verb}_of": lambda P, radius, *how: sum_of.answered(P, radius, *how)}
     return {"union_of": lambda sets: sum_of.answered(sets)} if "union" in able else {}
 
 

@@ -6,6 +6,7 @@ PAIR_EVENTS = "pair-events"  # of edges of the reduced convolution
 PATH, RANGES = "path", "path-ranges"  # the verb `path`: single scales, or all of a window
 UNION = "union"  # of two or more sets
 OFFSET = "offset"  # a set grown by a disc
+LINES = "line-offset"  # the capability that open lines ask for
 INSET = "inset"  # the capability that a radius below 0 asks for
 FEATURES = "features"  # of a set, under a growing disc
 REJECTS = "rejects-invalid"  # the capability that invalid cases ask for

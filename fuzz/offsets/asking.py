@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from minkref.fuzz.cases.verbs import LINES
 from minkref.fuzz.offsets.asked_offset import AskedOffset
 from minkref.fuzz.offsets.curves import form_of
+from minkref.fuzz.offsets.join_judgement import due_set
 from minkref.fuzz.offsets.judgement import doubt_about, in_doubt, judge_offset
-from minkref.fuzz.plane.reference import ReferenceTarget
+from minkref.fuzz.plane.reference import INDEX, ReferenceTarget
 from minkref.fuzz.targets.adapter import ProgramTarget
 from minkref.fuzz.targets.answer import Answer, skipped
 from minkref.fuzz.unions.asking import UnionAsking
@@ -21,7 +23,7 @@ class OffsetAsking(UnionAsking):
 
     def expected(self, outcomes: list[Outcome]) -> str:
         case: AskedOffset = self.case
-        return case.form
+        return case.form if case.manner.is_round else due_set(case).to_json()
 
     @cached_property
     def _doubt(self) -> str | None:
@@ -31,6 +33,8 @@ class OffsetAsking(UnionAsking):
     def _asked(self, name: str, case: AskedOffset) -> Answer:  # type: ignore[override]
         target = self.target(name)
         if isinstance(target, ReferenceTarget):
+            if not case.manner.is_round or (case.lines and target.route == INDEX):
+                return skipped("does not declare " + ", ".join(sorted(case.manner.needs | {LINES})))
             if case.is_nothing:
                 return Answer(curves=case.form)
             answer = target.offset(case.set, str(case.radius**2), case.inward)
@@ -39,7 +43,9 @@ class OffsetAsking(UnionAsking):
             return replace(answer, curves=form_of(answer.curves))
         if not isinstance(target, ProgramTarget):
             return skipped("does not declare offset")
-        return self._in_time(name, lambda: target.offset(case, case.P_json, case.radius))
+        return self._in_time(
+            name, lambda: target.offset(case, case.asked_json, case.radius, case.manner.members)
+        )
 
     def _judged(  # type: ignore[override]
         self, case: AskedOffset, answers: dict[str, Answer], names: list[str]

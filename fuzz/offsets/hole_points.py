@@ -8,12 +8,24 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from minkref import _core
+from minkref.fuzz.offsets.distance import Distances, Exact
 
 Piece = tuple[str, float, float, float, float, float, float, float]
 Spot = tuple[float, float]
 Place = tuple[Fraction, Fraction]
 STEPS = 40
 ON_ARC = 8  # points of a rounded arc
+
+
+def far_points(
+    grown: _core.Offset, near: Distances, radius: Fraction, outer: bool = False
+) -> list[Exact]:
+    """Finds a point farther than a radius in each hole, or `outer` ring of an erosion, exactly."""
+    found = (
+        next((x for x in places if near.of(x).square > radius**2), None)
+        for places in places_in_rings(grown, outer)
+    )
+    return [point for point in found if point is not None]
 
 
 def places_in_rings(grown: _core.Offset, outer: bool = False) -> list[list[Place]]:

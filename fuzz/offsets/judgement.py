@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from minkref import _core
@@ -15,6 +15,9 @@ from minkref.fuzz.offsets.asked_offset import AskedOffset
 from minkref.fuzz.offsets.curve_witness import CurveWitness
 from minkref.fuzz.offsets.curves import NOTHING, counts_of
 from minkref.fuzz.offsets.distance_check import holds
+from minkref.fuzz.offsets.join_check import holds as shows
+from minkref.fuzz.offsets.join_judgement import join_breaches
+from minkref.fuzz.offsets.join_pieces import is_plain
 from minkref.fuzz.offsets.sandwich import Breach, Sandwich
 from minkref.fuzz.plane.comparison import WitnessRefuted
 from minkref.fuzz.plane.judgement import DOUBT, REFEREE, too_large, without_answer
@@ -51,10 +54,19 @@ def _judged(case: AskedOffset, name: str, answer: Answer) -> Outcome:
         return Outcome(name, Verdict.SKIPPED, message=message, seconds=answer.seconds)
     if case.is_nothing:
         return _of_nothing(case, name, answer)
+    if not case.manner.is_round and (message := _unjudged(case, answer)):
+        return Outcome(name, Verdict.SKIPPED, message=message, seconds=answer.seconds)
     if answer.curves is not None:
         return _Curves(case, name, answer, half).judged(answer.curves)
     assert answer.region is not None
     return _Polygons(case, name, answer, half).judged(answer.region)
+
+
+def _unjudged(case: AskedOffset, answer: Answer) -> str | None:
+    """Why an answer with joins and caps is not judged; None if it is."""
+    if answer.curves is not None:
+        return "curves have round joins and caps"
+    return None if is_plain(case) else "its joins depend on short sides or nearly straight corners"
 
 
 @dataclass(frozen=True)
@@ -71,8 +83,11 @@ class _Polygons:
         if sum(len(r) for p in result for r in p) * len(near.edges) > MOST_PAIRS:
             message = f"more than {MOST_PAIRS:,} pairs of edges are not judged"
             return Outcome(self.name, Verdict.SKIPPED, message=message)
-        low, high = abs(case.radius) - half, abs(case.radius) + half
-        breaches = Sandwich(near, low, high, result, case.inward).breaches(case.beyond(high))
+        if case.manner.is_round:
+            low, high = abs(case.radius) - half, abs(case.radius) + half
+            breaches = Sandwich(near, low, high, result, case.inward).breaches(case.beyond(high))
+        else:
+            breaches = join_breaches(case, half, result)
         if breaches:
             reasons = tuple(dict.fromkeys(self._reason(region, each) for each in breaches))
             witness = witness_of(case, breaches[0], half)
@@ -82,6 +97,8 @@ class _Polygons:
         )
 
     def _reason(self, region: Region, breach: Breach) -> Reason:
+        if not self.case.manner.is_round:
+            return Reason.MISSING if breach.missing else Reason.EXTRA
         components, holes = self.case.counts
         if breach.missing != self.case.inward:
             if region.holes > holes:
@@ -164,7 +181,10 @@ def _witness(
         (x, y), in_truth, tolerance=str(half), radius=str(case.radius),
         squared_distance=str(found.square), nearest=found.nearest,
     )  # fmt: skip
-    if not holds(case.P_json, witness):
+    if not case.manner.is_round:
+        witness = replace(witness, manner=str(case.manner))
+    sure = holds(case.P_json, witness) if case.manner.is_round else shows(case.literal, witness)
+    if not sure:
         raise WitnessRefuted(f"the point ({x}, {y}) on {case.name.text}")
     return witness
 
@@ -180,7 +200,7 @@ def _refuted(
         seconds=answer.seconds,
         witness=witness,
         digest=answer.digest,
-        expected_digest=digest(case.form),
+        expected_digest=digest(case.form) if case.manner.is_round else None,
         got=answer.text,
     )
 
@@ -204,7 +224,7 @@ def doubt_about(case: AskedOffset) -> str | None:
     comparison: one small case among PROVED, chosen by name, gets one."""
     if zlib.crc32(case.name.text.encode()) % PROVED or case.set.vertices > MOST_VERTICES:
         return None
-    if case.is_nothing:
+    if case.is_nothing or not case.manner.is_round:
         return None
     other = case.by_disc(case.radius, 1, "paper")
     if other.canonical_json() == case.expected.canonical_json():

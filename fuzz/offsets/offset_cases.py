@@ -35,6 +35,7 @@ SHIFTS = tuple(map(Fraction, ("0", "0", "0", "1/3", "-22/7", "1234567", "1/10000
 TURNS: tuple[Point, ...] = ((1, 0), (1, 0), (Fraction(3, 5), Fraction(4, 5)), (2, 1))
 BITS = 24
 PATIENCE = 200
+REGIONS = tuple(kind for kind in KINDS if kind != "a point or a segment")
 
 
 def drawn_offset(name: CaseName, family: str, seed: int, index: int) -> AskedOffset:
@@ -61,6 +62,16 @@ def drawn_offset(name: CaseName, family: str, seed: int, index: int) -> AskedOff
             radius = rounded(radius, unit_for(abs(radius), BITS))
         return AskedOffset(name, P, radius, family, f"{kind}, {position}")
     raise RuntimeError(f"{family}:{seed}:{index} draws nothing valid")
+
+
+def drawn_shape(dice: Dice, index: int, on_grid: bool) -> tuple[Shape, Fraction]:
+    """A set of a degenerate kind or of any shape, perhaps not valid, and its size."""
+    shape = (
+        _general(dice, index) if dice.random() < 0.5 else degenerate_set(dice, dice.choice(REGIONS))
+    )
+    shape = _on_grid(dice, shape) if on_grid else _in_fractions(dice, shape)
+    _, _, wide, high = extent([p for polygon in shape for p in polygon[0]])
+    return shape, Fraction(max(wide, high, 1))
 
 
 def _general(dice: Dice, index: int) -> Shape:

@@ -68,9 +68,14 @@ class Sandwich:
         """A point too much and a missing point, if any; exact, and about the worst. `holes`: a
         point of each hole of the set grown by `high`. O(m n) in doubles for m edges of the result
         and n of the set, and as many exact tests as doubles leave open."""
-        extra = next(chain(self._filled(holes), self._outside()), None)
         missing = next(chain(self._lost(), self._inside()), None)
-        return [self._short(one) for one in (extra, missing) if one is not None]
+        extra = self.too_far(holes)
+        return ([extra] if extra else []) + ([self._short(missing)] if missing else [])
+
+    def too_far(self, holes: Iterable[Exact]) -> Breach | None:
+        """A point too much, if any; `low` does not matter."""
+        extra = next(chain(self._filled(holes), self._outside()), None)
+        return None if extra is None else self._short(extra)
 
     def __post_init__(self) -> None:
         own = exact_edges(self.result)

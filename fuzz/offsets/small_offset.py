@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from typing import Any
 
 from minkref.fuzz.cases.verbs import OFFSET
 from minkref.fuzz.plane.smaller_operands import (
@@ -38,12 +39,14 @@ class SmallOffset:
     set: Operand
     radius: Fraction
     verb: str = OFFSET
+    more: tuple[tuple[str, Any], ...] = ()  # joins, as the case's text has them
 
     @staticmethod
     def read(literal: str, verb: str = OFFSET) -> SmallOffset:
         value = json.loads(literal)
         given = read_operand_text(json.dumps(value[verb]))
-        return SmallOffset(given, Fraction(str(value["radius"])), verb)
+        more = tuple((key, value[key]) for key in ("join", "limit") if key in value)
+        return SmallOffset(given, Fraction(str(value["radius"])), verb, more)
 
     @cached_property
     def size(self) -> tuple[int, int, int, str]:
@@ -52,7 +55,7 @@ class SmallOffset:
 
     @cached_property
     def literal(self) -> str:
-        value = {self.verb: plain_operand(self.set), "radius": str(self.radius)}
+        value = {self.verb: plain_operand(self.set), "radius": str(self.radius), **dict(self.more)}
         return json.dumps(value, separators=(",", ":"))
 
     def valid(self) -> bool:

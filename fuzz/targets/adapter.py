@@ -20,6 +20,7 @@ from minkref.fuzz.verdicts.verdict import Verdict
 
 MOST_FAILED_STARTS = 3
 T = TypeVar("T")
+Manner = Callable[[Callable[[Fraction], Any]], dict[str, Any]]
 
 
 @dataclass
@@ -53,18 +54,22 @@ class ProgramTarget:
 
         return self._asked_at_once(case, UNION, fields)
 
-    def offset(self, case: AnyCase, text: str, radius: Fraction) -> Answer:
-        """Asks for a set grown by a disc: without `load`, and no state changes."""
-        return self._asked_with_radius(case, OFFSET, text, radius)
+    def offset(self, case: AnyCase, text: str, radius: Fraction, manner: Manner) -> Answer:
+        """Asks for a set grown by a disc: without `load`, and no state changes. `manner` writes
+        the members about joins and caps, its numbers by the function that it gets."""
+        return self._asked_with_radius(case, OFFSET, text, radius, manner)
 
     def features(self, case: AnyCase, text: str, radius: Fraction) -> Answer:
         """Asks for the concave features of a set, likewise."""
         return self._asked_with_radius(case, FEATURES, text, radius)
 
-    def _asked_with_radius(self, case: AnyCase, verb: str, text: str, radius: Fraction) -> Answer:
+    def _asked_with_radius(
+        self, case: AnyCase, verb: str, text: str, radius: Fraction, manner: Manner = lambda _: {}
+    ) -> Answer:
         def fields(declaration: Declaration) -> dict[str, Any]:
             P = case.exchange.sent(text, declaration)
-            return {"P": P, "radius": sent_number(radius, declaration)}
+            more = manner(lambda number: sent_number(number, declaration))
+            return {"P": P, "radius": sent_number(radius, declaration), **more}
 
         return self._asked_at_once(case, verb, fields)
 

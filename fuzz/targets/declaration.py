@@ -35,6 +35,12 @@ CAPABILITIES = {
     "union": "sets to unite, in the plane",
     "offset": "a set to grow by a disc, in the plane",
     "inset": "a set to erode by a disc, by `offset` with a radius below 0",
+    "line-offset": "open lines to grow by a disc, in the plane",
+    "join-mitre": "an offset with mitred corners",
+    "join-bevel": "an offset with bevelled corners",
+    "join-square": "an offset with squared corners",
+    "cap-flat": "an offset of lines that end flat",
+    "cap-square": "an offset of lines with squared ends",
     "features": "concave features of a set under a growing disc, in the plane",
 }
 PLANE = frozenset(

@@ -74,6 +74,7 @@ class Witness:
     sets: int | None = None  # for a union: how many sets it unites; p and q are None
     of_set: int | None = None  # the number of a set with the point, from 1; None if no set has it
     radius: str | None = None  # of an offset; p and q are None
+    manner: str | None = None  # joins and caps, if not all are round
     squared_distance: str | None = None  # from the set that is grown
     nearest: tuple[str, ...] | None = None  # its feature: "inside", "vertex" x y, "edge" x y x y
     feature: FeatureClaim | None = None  # bars, bridges or counts; `point` shows where
@@ -99,6 +100,8 @@ class Witness:
             nearest = list(self.nearest) if self.nearest else None
             value |= {"radius": self.radius, "squared_distance": self.squared_distance}
             value["nearest"] = nearest
+        if self.manner is not None:
+            value["manner"] = self.manner
         if self.feature is not None:
             value["feature"] = self.feature.document()
         return value if self.scale is None else {**value, "scale": self.scale}

@@ -22,7 +22,9 @@ def offset_pictures(expected: str, radius: Fraction, outcome: Outcome) -> list[P
 
 
 def _polygons(text: str, radius: Fraction) -> str:
-    """Curves as polygons, in canonical JSON."""
+    """Curves as polygons, in canonical JSON; polygons as they are."""
+    if "polygons" in json.loads(text):
+        return text
     origin = _origin(text)
     drawn = drawn_curves(text, abs(radius), origin)
     rings = [

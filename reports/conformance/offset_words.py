@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import json
 
+from minkref.fuzz.offsets.lines import read_lines
+from minkref.fuzz.offsets.manner import read_manner
 from minkref.fuzz.verdicts.verdict import Witness
 
 
@@ -28,6 +30,8 @@ def offset_argument(witness: Witness) -> list[str]:
     sentences = [offset_witness_text(witness).removeprefix("witness ") + "."]
     if witness.squared_distance is None:
         return sentences
+    if witness.manner is not None:
+        return sentences
     inward, radius = is_inward(str(witness.radius)), str(witness.radius).removeprefix("-")
     sign, word = ("-", "at most") if witness.in_truth else ("+", "more than")
     if inward:
@@ -40,18 +44,27 @@ def offset_argument(witness: Witness) -> list[str]:
 
 def offset_question(literal: str) -> list[str]:
     """A case's lines besides its set."""
-    radius = str(json.loads(literal)["radius"])
+    value = json.loads(literal)
+    radius = str(value["radius"])
     done = "eroded" if is_inward(radius) else "grown"
-    return [f"the set {done} by a disc of radius {radius.removeprefix('-')}"]
+    what = "lines" if "lines" in value["offset"] else "set"
+    manner = read_manner(value, what == "lines", "the case")
+    end = "" if manner.is_round else f", with {manner}"
+    return [f"the {what} {done} by a disc of radius {radius.removeprefix('-')}{end}"]
 
 
 def offset_set(literal: str) -> str:
-    """The set's JSON text."""
-    return json.dumps(json.loads(literal)["offset"])
+    """The JSON text of the set, or of the lines' segments."""
+    given = json.loads(literal)["offset"]
+    if "lines" in given:
+        return str(read_lines(given["lines"], "the case")[1].to_json())
+    return json.dumps(given)
 
 
 def _radius(witness: Witness) -> str:
     radius = str(witness.radius).removeprefix("-")
+    if witness.manner is not None:
+        radius += f" with {witness.manner}"
     return radius if witness.tolerance == "0" else f"{radius}, give or take {witness.tolerance}"
 
 

@@ -8,7 +8,7 @@ up to five times with ten times as much each time: in all less than 1e-7.
 grid: the same snap-rounded to a grid of 2^-40 times the largest coordinate, by which vertices and
 edges move at most a unit or two.
 
-buffer: round joins and caps, 16 segments for a quarter of a circle. Before, GEOS takes shallow
+buffer: 16 segments for a quarter of a circle; joins and caps as asked. Before, GEOS takes shallow
 bends away, up to a hundredth of the radius (BufferParameters: "provides an accuracy of about 1%"),
 and joins vertices closer than a thousandth. Polygons for arcs miss 1 - cos(pi / 64) = 0.0012.
 Together less than 0.0125 of the radius. If that fails, GEOS rounds to 12 digits, then to fewer.
@@ -28,6 +28,9 @@ BITS = 40
 QUARTER = 16  # segments
 OF_RADIUS = "0.0125"
 TOLERANCES = {"floating": "1e-7", "grid": f"1/{1 << (BITS - 2)}", "buffer": "1e-7"}
+BUFFER = (
+    "offset", "inset", "line-offset", "join-mitre", "join-bevel", "cap-flat", "cap-square",
+)  # fmt: skip
 NAMES = {"floating": "geos", "grid": "geos-grid", "buffer": "geos-buffer"}
 
 
@@ -45,8 +48,24 @@ def shape(polygons: list[dict[str, Any]]) -> Any:
     return area(polygons)
 
 
-def grown(P: Set, radius: float) -> dict[str, Any]:
-    return {"polygons": polygons_of(shape(P["polygons"]).buffer(radius, quad_segs=QUARTER))}
+def lines_of(lines: list[list[list[float]]]) -> Any:
+    """A line, or several, perhaps with points."""
+    parts = [shapely.LineString(line) if line[1:] else shapely.Point(line[0]) for line in lines]
+    if len(parts) == 1:
+        return parts[0]
+    if all(part.geom_type == "LineString" for part in parts):
+        return shapely.MultiLineString(parts)
+    return shapely.GeometryCollection(parts)
+
+
+def grown(P: Set, radius: float, how: dict[str, Any] | None = None) -> dict[str, Any]:
+    given = lines_of(P["lines"]) if "lines" in P else shape(P["polygons"])
+    how = how or {}
+    found = given.buffer(
+        radius, quad_segs=QUARTER, cap_style=how.get("cap", "round"),
+        join_style=how.get("join", "round"), mitre_limit=how.get("limit", 5.0),
+    )  # fmt: skip
+    return {"polygons": polygons_of(found)}
 
 
 def unit(sets: list[Set]) -> float:
@@ -85,7 +104,7 @@ def main(mode: str) -> None:
             "components",
             "touching",
             "empty",
-            *(("point", "segment", "offset", "inset") if mode == "buffer" else ("union",)),
+            *(("point", "segment", *BUFFER) if mode == "buffer" else ("union",)),
         ],
     }
     if mode == "buffer":

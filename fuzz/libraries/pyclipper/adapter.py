@@ -19,6 +19,15 @@ from adapter_protocol import Set, Skipped, serve  # type: ignore[import-not-foun
 
 BITS = 30
 ALL = ["plane", "non-convex", "holes", "components", "touching", "empty"]
+OFFSETS = (
+    "offset", "inset", "line-offset", "join-mitre", "join-square", "cap-flat", "cap-square",
+)  # fmt: skip
+JOINS = {"round": pyclipper.JT_ROUND, "mitre": pyclipper.JT_MITER, "square": pyclipper.JT_SQUARE}
+ENDS = {
+    "round": pyclipper.ET_OPENROUND,
+    "flat": pyclipper.ET_OPENBUTT,
+    "square": pyclipper.ET_OPENSQUARE,
+}
 NAMES = {"boundary": "pyclipper", "union": "pyclipper-union", "inflate": "pyclipper-inflate"}
 
 
@@ -64,17 +73,19 @@ def union_of(sets: list[Set]) -> dict[str, Any]:
     return grid.rings(one.Execute(pyclipper.CT_UNION, rule, rule))
 
 
-def offset_of(P: Set, radius: float) -> dict[str, Any]:
-    rings = rings_of(P)
-    if any(len(ring) < 3 for ring in rings):
-        raise Skipped("no points or segments")
+def offset_of(P: Set, radius: float, how: dict[str, Any] | None = None) -> dict[str, Any]:
+    how = how or {}
+    rings, end = P.get("lines"), ENDS[how.get("cap", "round")]
+    if rings is None:
+        rings, end = rings_of(P), pyclipper.ET_CLOSEDPOLYGON
+        if any(len(ring) < 3 for ring in rings):
+            raise Skipped("no points or segments")
     if not rings:
         return {"rings": []}
-    grid = Grid(largest(P) + abs(radius))
+    grid = Grid(max(abs(x) for ring in rings for p in ring for x in p) + abs(radius))
     delta = math.ldexp(radius, grid.shift)
-    one = pyclipper.PyclipperOffset(2.0, abs(delta) / 1000)
-    how = (pyclipper.JT_ROUND, pyclipper.ET_CLOSEDPOLYGON)
-    one.AddPaths([grid.path(ring) for ring in rings], *how)
+    one = pyclipper.PyclipperOffset(how.get("limit", 2.0), abs(delta) / 1000)
+    one.AddPaths([grid.path(ring) for ring in rings], JOINS[how.get("join", "round")], end)
     return grid.rings(one.Execute(delta))
 
 
@@ -96,7 +107,7 @@ def main(mode: str) -> None:
         serve({**hello, "capabilities": [*ALL, "union"]}, None, union_of=union_of)
     else:
         hello["tolerance"]["radius"] = "0.0025"
-        serve({**hello, "capabilities": [*ALL, "offset", "inset"]}, None, offset_of=offset_of)
+        serve({**hello, "capabilities": [*ALL, *OFFSETS]}, None, offset_of=offset_of)
 
 
 if __name__ == "__main__":

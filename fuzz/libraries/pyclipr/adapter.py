@@ -1,4 +1,5 @@
-"""Clipper2 by the Python package pyclipr: offsets of doubles by `scaleFactor`, with round joins.
+"""Clipper2 by the Python package pyclipr: offsets of doubles by `scaleFactor`, joins and ends as
+asked.
 
 The package multiplies by the factor and rounds to integers. The factor is chosen for each call, a
 power of two, so that sizes have 30 bits: numbers on that grid are not rounded. Arcs: the tolerance
@@ -16,6 +17,16 @@ import pyclipr  # type: ignore[import-not-found,unused-ignore]
 from adapter_protocol import Set, Skipped, serve  # type: ignore[import-not-found,unused-ignore]
 
 BITS = 30
+JOINS = {
+    "round": pyclipr.JoinType.Round,
+    "mitre": pyclipr.JoinType.Miter,
+    "square": pyclipr.JoinType.Square,
+}
+ENDS = {
+    "round": pyclipr.EndType.Round,
+    "flat": pyclipr.EndType.Butt,
+    "square": pyclipr.EndType.Square,
+}
 HELLO = {
     "name": "pyclipr-inflate",
     "version": f"{version('pyclipr')} (Clipper2 {pyclipr.clipperVersion})",
@@ -34,14 +45,25 @@ HELLO = {
         "empty",
         "offset",
         "inset",
+        "line-offset",
+        "join-mitre",
+        "join-square",
+        "cap-flat",
+        "cap-square",
     ],
 }
 
 
-def offset_of(P: Set, radius: float) -> dict[str, Any]:
-    rings = [ring for polygon in P["polygons"] for ring in (polygon["outer"], *polygon["holes"])]
-    if any(len(ring) < 3 for ring in rings):
-        raise Skipped("no points or segments")
+def offset_of(P: Set, radius: float, how: dict[str, Any] | None = None) -> dict[str, Any]:
+    how = how or {}
+    rings, end = P.get("lines"), ENDS[how.get("cap", "round")]
+    if rings is None:
+        rings = [
+            ring for polygon in P["polygons"] for ring in (polygon["outer"], *polygon["holes"])
+        ]
+        end = pyclipr.EndType.Polygon
+        if any(len(ring) < 3 for ring in rings):
+            raise Skipped("no points or segments")
     if not rings:
         return {"rings": []}
     size = max(abs(number) for ring in rings for point in ring for number in point) + abs(radius)
@@ -51,9 +73,8 @@ def offset_of(P: Set, radius: float) -> dict[str, Any]:
     one = pyclipr.ClipperOffset()
     one.scaleFactor = factor
     one.arcTolerance = abs(radius) * factor / 1000
-    one.addPaths(
-        [np.array(ring) for ring in rings], pyclipr.JoinType.Round, pyclipr.EndType.Polygon
-    )
+    one.miterLimit = how.get("limit", 2.0)
+    one.addPaths([np.array(ring) for ring in rings], JOINS[how.get("join", "round")], end)
     return {"rings": [np.asarray(path)[:, :2].tolist() for path in one.execute(radius)]}
 
 

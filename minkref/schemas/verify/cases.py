@@ -155,17 +155,25 @@ class Witness(TypedDict):
             Meta(description="The number of a set with the point, from 1; null if no set has it."),
         ]
     ]
-    radius: NotRequired[Annotated[Number, Meta(description="For an offset: that of the disc.")]]
+    radius: NotRequired[
+        Annotated[Number, Meta(description="For an offset: that of the disc; below 0, to erode.")]
+    ]
+    manner: NotRequired[
+        Annotated[str, Meta(description="Joins and caps of an offset, if not all are round.")]
+    ]
     squared_distance: NotRequired[
         Annotated[
             Number | None,
-            Meta(description="From the set that is grown; null where this is the empty set."),
+            Meta(
+                description="From the set that is grown, or from the outside of one that is "
+                "eroded; null where the set is empty."
+            ),
         ]
     ]
     nearest: NotRequired[
         Annotated[
             list[str] | None,
-            Meta(description="Its nearest feature: inside, vertex x y, or edge x y x y."),
+            Meta(description="Its nearest feature: inside, outside, vertex x y, or edge x y x y."),
         ]
     ]
     feature: NotRequired[FeatureClaim]

@@ -1,0 +1,49 @@
+"""Whether polygons are a set or lines grown with joins and caps: they have what every right answer
+has, deeper than the tolerance, and nothing beyond what one may have."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import lru_cache
+
+from minkref import _core
+from minkref.fuzz.geometry.plane import Shape
+from minkref.fuzz.offsets.asked_offset import AskedOffset
+from minkref.fuzz.offsets.distance import Distances, OutsideDistances
+from minkref.fuzz.offsets.hole_points import far_points
+from minkref.fuzz.offsets.join_pieces import JoinPieces
+from minkref.fuzz.offsets.sandwich import Breach, Sandwich
+
+DEEP = Fraction(3, 2)  # tolerances: a square around the point lies inside, not only a disc
+ROUNDED = Fraction(1, 1 << 30)  # of the radius: more than normals lose
+
+
+def join_breaches(case: AskedOffset, half: Fraction, result: Shape) -> list[Breach]:
+    """A point too much and a missing point (`missing`), if any."""
+    little = case.radius * ROUNDED
+    too_much = _beyond(_union(case, case.radius + half, False), half + little, result)
+    lack = _lacking(_union(case, case.radius, True), DEEP * half + little, result)
+    return [one for one in (too_much, lack) if one is not None]
+
+
+def due_set(case: AskedOffset) -> _core.PolygonSet:
+    """What every right answer has."""
+    return _union(case, case.radius, True)
+
+
+@lru_cache(4)
+def _union(case: AskedOffset, reach: Fraction, due: bool) -> _core.PolygonSet:
+    return JoinPieces(reach, case.manner, due).of(case)
+
+
+def _beyond(allowed: _core.PolygonSet, most: Fraction, result: Shape) -> Breach | None:
+    near = Distances(allowed.rings())
+    holes = far_points(_core.offset(allowed, str(most**2)), near, most)
+    return Sandwich(near, most, most, result).too_far(holes)
+
+
+def _lacking(due: _core.PolygonSet, deep: Fraction, result: Shape) -> Breach | None:
+    near = OutsideDistances(due.rings())
+    left = far_points(_core.inset(due, str(deep**2)), near, deep, outer=True)
+    found = Sandwich(near, deep, deep, result, turned=True).too_far(left)
+    return None if found is None else Breach(found.point, True, found.square, whole=found.whole)
