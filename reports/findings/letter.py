@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from minkref.reports.findings.command import shown
 from minkref.reports.findings.entry import Entry
 from minkref.reports.findings.running import Ran
 
@@ -33,6 +34,7 @@ def letter(entry: Entry, ran: Ran | None = None) -> str:
     text = entry.path.read_text(encoding="utf-8").rstrip()
     parts.append(f"This program uses {entry.library} alone:")
     parts.append(f"```{entry.language}\n{text}\n```")
+    parts.append(f"It is run so:\n\n```sh\n{shown(entry)}\n```")
     if ran is not None and ran.said:
         parts.append(f"It prints:\n\n```\n{ran.said}\n```")
     if entry.issue is not None:

@@ -1,8 +1,8 @@
 """Runs the program of a finding with the installed library: `still`, `mended`, or `absent`.
 
 A program ends with 0 if the library is right about the case, with 1 or by a signal if the fault
-still shows; any other end is a fault of ours. Programs in C++ and Rust are compiled first, and
-binaries kept.
+still shows; any other end is a fault of ours. Programs in C++ and Rust are compiled first; one
+binary, which is kept, serves all findings of its program.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from pathlib import Path
 from minkref.errors import Refusal
 from minkref.fuzz.isolation.own_folders import adapters_folder
 from minkref.fuzz.libraries import catalogue, installation
+from minkref.reports.findings.command import FLAGS, arguments, libraries
 from minkref.reports.findings.entry import Entry
 
 STILL, MENDED, ABSENT = "still", "mended", "absent"
 SECONDS = 600
-FLAGS = ("-std=c++20", "-O0", "-w", "-frounding-math")
 COMPILED = (".cpp", ".rs")
 BROKEN = ("Traceback", "ERR_MODULE_NOT_FOUND", "error: ")  # the program itself
 
@@ -49,6 +49,7 @@ def ran(entry: Entry, compiling: bool = True) -> Ran:
             words = _words(entry, home, Path(folder))
             if words is None:
                 return Ran(ABSENT, "there is no compiler, or the library's headers are missing")
+            words += arguments(entry)
             done = subprocess.run(
                 words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False
             )
@@ -103,8 +104,7 @@ def _compiled(entry: Entry, home: Path, folder: Path) -> Path | None:
         compiler = shutil.which("g++") or shutil.which("c++")
         if compiler is None:
             return None
-        words = [compiler, *FLAGS, str(entry.path), "-o", str(made)]
-        words += ["-lmpfr", "-lgmp"] if entry.adapter.startswith("cgal") else []
+        words = [compiler, *FLAGS, "-w", str(entry.path), "-o", str(made), *libraries(entry)]
     done = subprocess.run(
         words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False
     )

@@ -12,6 +12,7 @@ import pytest
 from minkref.errors import Refusal
 from minkref.fuzz.libraries import catalogue
 from minkref.reports.findings import page
+from minkref.reports.findings.command import arguments, shown
 from minkref.reports.findings.entry import FOLDER, Entry, entries
 from minkref.reports.findings.letter import letter
 from minkref.reports.findings.reports import write_findings
@@ -68,6 +69,20 @@ def test_the_fault_still_shows(entry: Entry) -> None:
     assert found.state == STILL, found.said
 
 
+def test_a_program_is_given_the_case_as_its_library_reads_it() -> None:
+    given = {each.id: arguments(each) for each in entries()}
+    assert given["cgal-hole-lost"] == [
+        "299/100 199/100", "out", "3 0 0 7/12 0 7/12 7/12 0",
+        "4 0 0 9 0 10 7 0 8 1 4 3 2 9 3 1 1 9 7", "reduced",
+    ]  # fmt: skip
+    assert given["geos-octagon"][-1] == "2.9"
+    assert given["boost-geometry-signal"][:2] == ["0 0", "any"]
+    assert given["boost-geometry-needle"][3] == (
+        "MULTIPOLYGON (((0 4398046511104,0 4194304,2709985951448 4194304,0 4398046511104)))"
+    )
+    assert given["manifold-copy"][2].startswith('{"vertices":[[0.0,0.0,0.0],')
+
+
 def test_a_program_that_breaks_shows_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -97,3 +112,4 @@ def test_reports_to_send(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     first = (tmp_path / f"finding-{entries()[0].id}.md").read_text(encoding="utf-8")
     assert first == letter(entries()[0], Ran(STILL, "x: out"))
     assert entries()[0].path.read_text(encoding="utf-8").rstrip() in first
+    assert shown(entries()[0]) in first
