@@ -1,7 +1,8 @@
-"""Judges the witness of a finding by definition, in fractions: crossings of rays, and distances.
+"""Judges witnesses in the plane by definition, in fractions: crossings of rays, and distances.
 
-Standard library only; written apart from every other judge. `judge.py FINDINGS.json` prints a line
-for each finding, and ends with 1 if a witness is refuted.
+Standard library only; written apart from every other judge. `judge.py FILE` takes findings.json, or
+a document of `minkref verify --json` with its shrunk findings. It prints a line for each witness,
+and ends with 1 if one is refuted.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import json
 import sys
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 Point = tuple[Fraction, Fraction]
@@ -71,34 +73,43 @@ def in_union(case: dict[str, Any], x: Point, half: Fraction) -> bool | None:
     return False if all(clear) and not any(odd(r, x) for r in all_rings) else None
 
 
-def in_sum(case: dict[str, Any], x: Point, half: Fraction) -> bool | None:
-    """Whether sP and x - Q meet, at x and at the corners of the square around it: one answer."""
-    Q = read(case["Q"])
-    P = read(case["P"], Fraction(case["scale"]))
+def in_sum(case: dict[str, Any], x: Point, half: Fraction, curves: bool = False) -> bool | None:
+    """Whether sP and x - Q meet, or their boundaries alone: at x and at the corners of the square
+    around it, one answer."""
+    P, Q = read(case["P"], Fraction(case["scale"])), read(case["Q"])
     answers = set()
-    for i, j in ((0, 0), (1, 1), (1, -1), (-1, 1), (-1, -1)):
-        y = (x[0] + i * half, x[1] + j * half)
-        turned = [[[(y[0] - a, y[1] - b) for a, b in r] for r in rings] for rings in Q]
-        crossed = any(meet(*e, *f) for e in edges(P) for f in edges(turned))
-        inside = any(odd(r, t[0][0]) for r in P for t in turned)
-        answers.add(crossed or inside or any(odd(t, r[0][0]) for r in P for t in turned))
+    for i, j in [(0, 0), *product((1, -1), repeat=2)]:
+        turned = [
+            [[(x[0] + i * half - a, x[1] + j * half - b) for a, b in r] for r in rings]
+            for rings in Q
+        ]
+        found = any(meet(*e, *f) for e in edges(P) for f in edges(turned))
+        if not curves:
+            found = found or any(odd(r, t[0][0]) or odd(t, r[0][0]) for r in P for t in turned)
+        answers.add(found)
     return answers.pop() if len(answers) == 1 else None
 
 
 def truth(finding: dict[str, Any]) -> bool | None:
     """Whether the right answer contains the witness; None if the tolerance hides this."""
     case, witness = finding["case"], finding["witness"]
-    a, b = map(Fraction, witness["point"])
+    x = (Fraction(witness["point"][0]), Fraction(witness["point"][1]))
     half = Fraction(witness.get("tolerance", "0"))
-    judge = in_offset if "offset" in case else in_union if "sets" in case else in_sum
-    return judge(case, (a, b), half)
+    if "offset" in case:
+        return in_offset(case, x, half)
+    if "sets" in case:
+        return in_union(case, x, half)
+    return in_sum(case, x, half, witness.get("sum") == "boundary")
 
 
 if __name__ == "__main__":
     bad = 0
-    for one in json.load(open(sys.argv[1], encoding="utf-8")):
+    given = json.load(open(sys.argv[1], encoding="utf-8"))
+    for one in given if isinstance(given, list) else given["shrunk"]:
+        if isinstance(one["case"], str):
+            one["case"] = json.loads(one["case"])
         if one["witness"] and "vertices" not in one["case"].get("P", {}):
             right = truth(one) is one["witness"]["in_truth"]
             bad += not right
-            print(f"{one['id']}: {'confirmed' if right else 'REFUTED'}")
+            print(f"{one.get('id') or one['target']}: {'confirmed' if right else 'REFUTED'}")
     sys.exit(1 if bad else 0)
