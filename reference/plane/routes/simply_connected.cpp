@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "reference/interrupt.hpp"
+#include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/boundary/set_boundary.hpp"
 #include "reference/plane/lines.hpp"
 #include "reference/plane/point_predicates.hpp"
@@ -120,50 +121,69 @@ class Cutter {
 /// Ear clipping of a weakly simple ring with a connected interior.
 class EarClipper {
  public:
-  explicit EarClipper(const std::vector<FilteredPoint>& points) : points_(points) {}
+  EarClipper(const std::vector<FilteredPoint>& points, const Indices& ring)
+      : points_(points), ring_(ring), is_there_(ring.size(), 1) {
+    std::vector<Box> boxes;
+    boxes.reserve(ring.size());
+    for (const std::uint32_t w : ring) {
+      const FilteredPoint& p = points[w];
+      boxes.push_back({p.x(), p.y(), p.x(), p.y()});
+    }
+    tree_ = BoxTree(std::move(boxes));
+  }
 
-  void clip(Indices ring, std::vector<IndexTriangle>& triangles) const {
-    std::size_t i = 0, misses = 0;
-    while (ring.size() > 3) {
-      const std::size_t n = ring.size();
+  void clip(std::vector<IndexTriangle>& triangles) {
+    auto left = static_cast<std::uint32_t>(ring_.size());
+    std::vector<std::uint32_t> before(left), after(left);
+    for (std::uint32_t k = 0; k < left; ++k) {
+      before[k] = k == 0 ? left - 1 : k - 1;
+      after[k] = k + 1 == left ? 0 : k + 1;
+    }
+    std::uint32_t at = 0;
+    for (std::size_t misses = 0; left > 3;) {
       look_for_interrupt_now();
-      if (misses > n) throw std::logic_error("triangulate: no ear found");
-      i %= n;
-      const std::uint32_t a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n];
-      if (is_ear(ring, a, b, c)) {
-        triangles.push_back({a, b, c});
-        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+      if (misses > left) throw std::logic_error("triangulate: no ear found");
+      const std::uint32_t from = before[at], to = after[at];
+      if (is_ear(ring_[from], ring_[at], ring_[to])) {
+        triangles.push_back({ring_[from], ring_[at], ring_[to]});
+        is_there_[at] = 0;
+        after[from] = to;
+        before[to] = from;
+        --left;
         misses = 0;
       } else {
         ++misses;
-        ++i;
       }
+      at = to;
     }
-    triangles.push_back({ring[0], ring[1], ring[2]});
+    std::array<std::uint32_t, 3> last{before[at], at, after[at]};
+    std::rotate(last.begin(), std::min_element(last.begin(), last.end()), last.end());
+    triangles.push_back({ring_[last[0]], ring_[last[1]], ring_[last[2]]});
   }
 
  private:
   /// A convex corner with no vertex inside its triangle or on the open diagonal. Edges meet only at
   /// vertices, so nothing else can enter the triangle.
-  bool is_ear(const Indices& ring, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  bool is_ear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const FilteredPoint &pa = points_[a], &pb = points_[b], &pc = points_[c];
     if (orientation(pa, pb, pc) <= 0) return false;
-    const double xmin = std::min({pa.x(), pb.x(), pc.x()}),
-                 xmax = std::max({pa.x(), pb.x(), pc.x()});
-    const double ymin = std::min({pa.y(), pb.y(), pc.y()}),
-                 ymax = std::max({pa.y(), pb.y(), pc.y()});
-    return std::none_of(ring.begin(), ring.end(), [&](std::uint32_t w) {
-      if (w == a || w == b || w == c) return false;
+    // Rounding is monotone: if the triangle holds a point, the box of the corners' doubles holds
+    // the point's doubles.
+    const Box box{std::min({pa.x(), pb.x(), pc.x()}), std::min({pa.y(), pb.y(), pc.y()}),
+                  std::max({pa.x(), pb.x(), pc.x()}), std::max({pa.y(), pb.y(), pc.y()})};
+    return !tree_.query(box, [&](std::uint32_t place) {
+      const std::uint32_t w = ring_[place];
+      if (is_there_[place] == 0 || w == a || w == b || w == c) return false;
       const FilteredPoint& p = points_[w];
-      // Rounding is monotone: if the triangle holds a point, the box of the corners' doubles holds
-      // the point's doubles.
-      if (p.x() < xmin || p.x() > xmax || p.y() < ymin || p.y() > ymax) return false;
       return orientation(pa, pb, p) > 0 && orientation(pb, pc, p) > 0 &&
              orientation(pc, pa, p) >= 0;
     });
   }
 
   const std::vector<FilteredPoint>& points_;
+  const Indices& ring_;
+  std::vector<char> is_there_;
+  BoxTree tree_;  ///< of the ring's places
 };
 
 std::vector<FilteredPoint> filtered(const BoundaryGraph& graph) {
@@ -211,7 +231,7 @@ std::vector<Triangle> triangulate(const PolygonSet& set) {
   const BoundaryGraph graph = set_boundary(set).graph;
   const auto points = filtered(graph);
   std::vector<IndexTriangle> indices;
-  for (const Indices& ring : cut_rings(graph, points)) EarClipper(points).clip(ring, indices);
+  for (const Indices& ring : cut_rings(graph, points)) EarClipper(points, ring).clip(indices);
   for (const auto& [a, b, c] : indices) {
     triangles.push_back({points[a].exact(), points[b].exact(), points[c].exact()});
   }
@@ -228,7 +248,8 @@ std::vector<Triangle> triangulate(const PolygonSet& set) {
 std::vector<IndexTriangle> triangulate(const std::vector<FilteredPoint>& points,
                                        const Indices& outer, const std::vector<Indices>& holes) {
   std::vector<IndexTriangle> triangles;
-  EarClipper(points).clip(Cutter(points).join(outer, holes), triangles);
+  const Indices ring = Cutter(points).join(outer, holes);
+  EarClipper(points, ring).clip(triangles);
   return triangles;
 }
 
