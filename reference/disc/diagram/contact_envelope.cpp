@@ -38,6 +38,11 @@ Vector<Real> unit(const Vector<Real>& a) {
   return Real(1 / sqrt(dot(a, a))) * a;
 }
 
+bool contains(const plane::Box& box, const plane::Box& other) {
+  return box.xmin <= other.xmin && other.xmax <= box.xmax && box.ymin <= other.ymin &&
+         other.ymax <= box.ymax;
+}
+
 template <class Real>
 Vector<double> rounded(const Vector<Real>& a) {
   return {static_cast<double>(a.x), static_cast<double>(a.y)};
@@ -65,6 +70,29 @@ struct ContactEnvelopes<Real>::Frame {
     if (is_edge) return value.at(u);
     const Real inverse = -value.at(u);
     return inverse > 0 ? Real((1 + u * u) / inverse) : roundings<Real>().infinity;
+  }
+};
+
+/// The half-planes ahead of a patch: a feature outside of both meets none of its points.
+template <class Real>
+struct ContactEnvelopes<Real>::Ahead {
+  Vector<double> origin;
+  std::array<Vector<double>, 2> directions;  ///< those of an arc lie between
+  double slack;
+
+  Ahead(const Frame& frame, double size)
+      : origin(rounded(frame.origin)),
+        directions(frame.is_edge
+                       ? std::array{rounded(frame.normal), rounded(frame.normal)}
+                       : std::array{rounded(frame.direction(frame.first)),
+                                    rounded(frame.direction(frame.last))}),
+        slack(0x1p-32 * size) {}
+  bool meets(const plane::Box& box) const {
+    return std::any_of(directions.begin(), directions.end(), [&](const Vector<double>& d) {
+      const double across = (d.x > 0 ? box.xmax : box.xmin) - origin.x,
+                   up = (d.y > 0 ? box.ymax : box.ymin) - origin.y;
+      return across * d.x + up * d.y > -slack;
+    });
   }
 };
 
@@ -317,10 +345,17 @@ typename ContactEnvelopes<Real>::Reach ContactEnvelopes<Real>::within(const Fram
   ++round;
   // A feature that meets a point is no farther from the point than P; an arc adds its sagitta.
   const double margin = (frame.is_edge ? 1.0 : 1.3) * static_cast<double>(reach);
-  lookup_.tree().query(grown(box, margin), [&](std::uint32_t number) {
-    near.push_back(number);
-    return false;
-  });
+  const plane::Box around = grown(box, margin);
+  const Ahead ahead(frame, lookup_.size());
+  lookup_.tree().pairs_with(
+      plane::BoxTree({around}),
+      [&](const plane::Box& of_edges, const plane::Box& reached) {
+        return of_edges.overlaps(reached) && ahead.meets(of_edges);
+      },
+      [&](std::uint32_t number, std::uint32_t) {
+        near.push_back(number);
+        return false;
+      });
   seen[own.feature] = round;
   if (own.edge != OffsetPatch::none) {
     seen[curves_.edges[own.edge].start_feature] = round;
@@ -345,7 +380,7 @@ typename ContactEnvelopes<Real>::Reach ContactEnvelopes<Real>::within(const Fram
       end_part();
     }
   }
-  Reach result{envelope(all, starts), near.size() == curves_.edges.size(), false, 0};
+  Reach result{envelope(all, starts), contains(around, lookup_.around()), false, 0};
   Real covered = 0;
   for (const Part& part : result.lowest) {
     covered += part.to - part.from;

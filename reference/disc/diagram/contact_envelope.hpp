@@ -43,6 +43,7 @@ class ContactEnvelopes {
   using Parts = std::vector<Part>;
   struct Frame;
   struct Reach;
+  struct Ahead;
 
   bool is_noise(const Part& part, const Part& beside) const;
   Frame frame_of(std::uint32_t patch) const;

@@ -6,13 +6,14 @@ namespace minkref::inline disc {
 
 EdgeLookup::EdgeLookup(const OffsetCurves& curves) : curves_(curves) {
   std::vector<plane::Box> boxes;
-  plane::Box all;
   for (const OffsetEdge& edge : curves.edges) {
     edges_.emplace_back(edge, Rational(1));
     boxes.push_back(box_of(edges_.back()));
-    all.add(boxes.back());
+    around_.add(boxes.back());
   }
-  if (!boxes.empty()) size_ = std::max(all.xmax - all.xmin, all.ymax - all.ymin);
+  if (!boxes.empty()) {
+    size_ = std::max(around_.xmax - around_.xmin, around_.ymax - around_.ymin);
+  }
   tree_ = plane::BoxTree(std::move(boxes));
 
   std::set<std::pair<std::uint32_t, std::uint32_t>> ends;

@@ -20,7 +20,9 @@ class EdgeLookup {
   const OffsetCurves& curves() const { return curves_; }
   const plane::BoxTree& tree() const { return tree_; }
   const EdgeNumbers<Interval>& edge(std::uint32_t number) const { return edges_[number]; }
-  /// The longer side of the box around all.
+  /// The box around all.
+  const plane::Box& around() const { return around_; }
+  /// Its longer side.
   double size() const { return size_; }
 
   /// Whether a vertex lies inside an edge of a line, or where one edge of the line goes on as
@@ -35,6 +37,7 @@ class EdgeLookup {
   const OffsetCurves& curves_;
   std::vector<EdgeNumbers<Interval>> edges_;
   plane::BoxTree tree_;
+  plane::Box around_;
   double size_ = 0;
   std::set<std::pair<std::uint32_t, std::uint32_t>> within_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> touched_;
