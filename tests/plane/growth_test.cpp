@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "reference/interrupt.hpp"
 #include "reference/plane/critical/pair_events.hpp"
 #include "reference/plane/index/scale_index.hpp"
 #include "reference/plane/sum.hpp"
+#include "tests/counted_turns.hpp"
 #include "tests/plane/shapes.hpp"
 
 namespace minkref::testing::of_growth {
@@ -47,22 +47,6 @@ PolygonSet comb(int teeth) {
   }
   ring.push_back({-20, 0});
   return region(ring);
-}
-
-template <class Work>
-double turns(const Work& work) {
-  std::uint64_t looks = 0;
-  const Interruptible counting([&] { ++looks; });
-  work();
-  return static_cast<double>(looks);
-}
-
-/// Four times the input: an exponent of 1.25 at most.
-template <class Small, class Large>
-void expect_growth(const Small& small, const Large& large) {
-  const double before = turns(small), after = turns(large);
-  EXPECT_GT(before, 20);
-  EXPECT_LT(after, std::pow(4, 1.25) * before) << before << " turns of 64 before";
 }
 
 const PolygonSet octagon =

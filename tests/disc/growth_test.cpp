@@ -1,0 +1,30 @@
+// Work grows nearly as its input where the answer does: turns of loops are counted, no time.
+#include <gtest/gtest.h>
+
+#include "reference/disc/diagram/diagram_events.hpp"
+#include "tests/counted_turns.hpp"
+
+namespace minkref::testing::of_disc_growth {
+namespace {
+
+/// Strictly convex: 2 n vertices on two parabolas.
+PolygonSet lens(int n) {
+  Ring ring;
+  for (int k = 0; k < n; ++k) ring.push_back({2 * k - n, (2 * k - n) * (2 * k - n) - n * n});
+  for (int k = 0; k < n; ++k) ring.push_back({n - 2 * k, n * n - (n - 2 * k) * (n - 2 * k)});
+  return {{{ring, {}}}};
+}
+
+TEST(Growth, PatchesOfTheHullAskForNothing) {
+  const PolygonSet small = lens(100), large = lens(400);
+  const auto find = [](const PolygonSet& P) {
+    BuildOptions options;
+    options.threads = 1;
+    (void)diagram_events(P, options);
+  };
+  // Boxes of steep edges poke through the lines of some neighbours.
+  expect_growth([&] { find(small); }, [&] { find(large); }, 1.7);
+}
+
+}  // namespace
+}  // namespace minkref::testing::of_disc_growth
