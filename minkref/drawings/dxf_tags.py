@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 
 from minkref.drawings.reading import Reading
 
 BINARY = b"AutoCAD Binary DXF"
+LINE_END = re.compile("\r\n|\r|\n")  # no others, as texts in old encodings have their bytes
 
 
 @dataclass
@@ -31,7 +33,7 @@ class Entity:
 
 def sections(data: bytes, reading: Reading) -> dict[str, list[Entity]]:
     """Split a file into sections with entities; header variables count as entities too. Refuses
-    binary files, and other texts."""
+    binary files, files that end too early, and other texts."""
     if data.startswith(BINARY):
         raise reading.refusal(
             "this is a binary DXF file", "save it as DXF in ASCII", "unsupported-encoding"
@@ -40,7 +42,7 @@ def sections(data: bytes, reading: Reading) -> dict[str, list[Entity]]:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = data.decode("latin-1")
-    lines = text.splitlines()
+    lines = LINE_END.split(text)
     found: dict[str, list[Entity]] = {}
     section: list[Entity] | None = None
     for k in range(0, len(lines) - 1, 2):
@@ -55,11 +57,15 @@ def sections(data: bytes, reading: Reading) -> dict[str, list[Entity]]:
             section = found.setdefault(value, [])
         elif code == 0 and value in ("SECTION", "ENDSEC", "EOF"):
             section = None
+            if value == "EOF":
+                break
         elif section is not None and (code == 0 or code == 9):
             section.append(Entity(value, k + 2))
         elif section:
             section[-1].values.append((code, value))
+    mend = "give a complete DXF file"
     if "ENTITIES" not in found:
-        mend = "give a complete DXF file"
         raise reading.refusal("the file has no section ENTITIES", mend, "truncated")
+    if section is not None:
+        raise reading.refusal("the file ends within a section", mend, "truncated")
     return found

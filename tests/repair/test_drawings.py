@@ -299,3 +299,18 @@ def test_read_file_issues_the_warnings_of_a_drawing(tmp_path: Path) -> None:
 def test_options_of_drawings_are_refused_for_other_operands(minkref: Any) -> None:
     ran = minkref("repair", "POINT (0 0)", "--layer", "a", "--tolerance", "1")
     assert ran.code == 2 and "no drawing" in ran.err
+
+
+def test_a_dxf_file_that_ends_early_is_refused(tmp_path: Path) -> None:
+    """Half a drawing is no drawing."""
+    whole = dxf_text(polyline("0,0 4,0 4,4"), polyline("9,0 9,4 12,0"))
+    (tmp_path / "a.dxf").write_text(whole[: whole.index("ENDSEC", whole.index("ENTITIES")) - 3])
+    assert refused(lambda: read_drawing(tmp_path / "a.dxf")).code == "truncated"
+
+
+def test_texts_in_old_encodings_end_no_line(tmp_path: Path) -> None:
+    """The byte 85 is an ellipsis in Windows-1252, and a line's end elsewhere."""
+    text = dxf_text("0 TEXT|8 0|1 see below*", polyline("0,0 4,0 4,4")) + "\n\n"
+    (tmp_path / "a.dxf").write_bytes(text.encode().replace(b"*", bytes([0x85])))
+    found, told = read_drawing(tmp_path / "a.dxf")
+    assert (found.area(), told) == ("8", [f"{tmp_path / 'a.dxf'}: left out: 1 TEXT"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
@@ -51,7 +52,8 @@ def _run(operation: Operation, request: MorphologyWithDisc) -> None:
     watch = Stopwatch()
     P, Q, output = request.P, request.Q, request.output
     if is_disc(P):
-        mend = f"give `minkref {operation.command} {Q} {P}`" if not is_disc(Q) else "give a polygon"
+        line = shlex.join(["minkref", operation.command, Q, P])
+        mend = "give a polygon" if is_disc(Q) else f"give `{line}`"
         raise Refusal("the first operand is a set of polygons", P, mend)
     offered = FORMATS if request.tolerance is not None else WITH_ARCS
     target = target_of(output, request.form, FORMATS, "json", request.json, offered=offered)
