@@ -93,7 +93,10 @@ command = command_of(
         PLANE: Verb(
             Trap,
             "minkref.motion.commands.trap:run",
-            why={"--clearance": "only a disc is trapped with a clearance"},
+            why={
+                "--clearance": "only a disc is trapped with a clearance; with a part `path` and "
+                "`fit --at` have it"
+            },
         ),
         SPACE: Verb(
             TrapInSpace,

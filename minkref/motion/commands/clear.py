@@ -59,7 +59,7 @@ def run_fit(request: FitInPlane, question: str, places: Sequence[tuple[str, str]
     watch = Stopwatch()
     if question != "at":
         what = "a part with a clearance is fitted at a place; a disc also anywhere and between"
-        mend = "give --at X,Y, or leave --clearance out"
+        mend = "give --at X,Y, ask `minkref path` for one way, or leave --clearance out"
         raise Refusal(what, f"--{question} --clearance", mend, "no-clearance")
     if request.output is not None:
         what = "no file is written of a fit with a clearance"
