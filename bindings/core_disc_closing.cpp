@@ -28,6 +28,14 @@ using StepRow = std::tuple<std::string, double, double, double, double, double, 
 /// The centre, and both feet of its bridge.
 using ArcRow = std::tuple<PointText, PointText, PointText>;
 
+/// Discs that just fit outside of P reach nothing: the closing is that of the closed sum.
+DiscIndex index_to_close(const PolygonSet& set, const Rational& squared, bool inward,
+                         unsigned threads) {
+  DiscIndex index(diagram_events(set, build_on(threads)));
+  if (!inward) index.fill_fits(squared);
+  return index;
+}
+
 /// The closing of a set: of P, or of what is outside of P within a box.
 class ClosedByDisc {
  public:
@@ -35,7 +43,7 @@ class ClosedByDisc {
       : area_(area(P)),
         inward_(inward),
         set_(set_to_close(P, inward)),
-        index_(diagram_events(set_, build_on(threads))),
+        index_(index_to_close(set_, squared, inward, threads)),
         bridges_(index_),
         regions_(feature_regions(index_, squared)),
         outlines_(bridges_, regions_),
@@ -140,11 +148,12 @@ void bind_disc_closing(nb::module_& module) {
       .def("exact_arcs", &ClosedByDisc::exact_arcs, Released(),
            "The arcs of all rings in order, as expressions: the centre, and the two points of the "
            "circle that bound the arc or the longer one of which it is a part.");
-  module.def("closed_by_disc", closed_by_disc, "P"_a, "squared_radius"_a, "inward"_a,
-             "threads"_a = 1, Released(),
-             "The closing of P by a disc; `inward`: the opening. P has an area, and is valid. At a "
-             "radius with tight passages a closing is that of the open disc. Raises BadInput, "
-             "LimitExceeded.");
+  module.def(
+      "closed_by_disc", closed_by_disc, "P"_a, "squared_radius"_a, "inward"_a, "threads"_a = 1,
+      Released(),
+      "The closing of P by a disc; `inward`: the opening. P has an area, and is valid. Discs "
+      "that just fit belong to an opening, and reach nothing of a closing. Raises BadInput, "
+      "LimitExceeded.");
 }
 
 }  // namespace minkref::python

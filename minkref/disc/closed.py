@@ -44,17 +44,10 @@ class DiscClosing:
 
 
 def closed_by_disc(P: _core.PolygonSet, square: str, name: str, threads: int) -> DiscClosing:
-    """Close P by a disc. Refuses a radius at which the disc just fits somewhere outside of P: there
-    the closing grows by leaps."""
+    """Close P by a disc. Where the disc just fits outside of P, the sum covers its centre, and the
+    closing what it touches."""
     _refuse_thin(P, name)
     around = _core.offset(P, square, threads)
-    if around.tight_passages(threads):
-        raise Refusal(
-            "the disc just fits between parts of the set, where the closing changes by leaps",
-            name,
-            "take a little larger or smaller radius; `minkref sum P disc:R` shows the places",
-            "disc-fits",
-        )
     return _found(P, square, False, threads, "closing", around.canonical_json())
 
 
@@ -73,10 +66,10 @@ def closing_by_disc(
     squared_radius: Number | None = None,
     threads: int = 1,
 ) -> DiscClosing:
-    """Close P by a disc about the origin, given by `radius` > 0 or by the radius's square: P with
-    all that no disc of the radius outside of P reaches. Exact: finds the diagram of all radii.
-    Refuses a radius at which the disc just fits somewhere, and sets without area. Validates P.
-    Raises BadInput, LimitExceeded. docs/erosion.md."""
+    """Close P by a disc about the origin, given by `radius` > 0 or by the radius's square: the sum
+    of P and the disc, eroded by the disc. P with all that no disc of a larger radius outside of P
+    reaches; discs that just fit reach nothing. Exact: finds the diagram of all radii. Refuses sets
+    without area. Validates P. Raises BadInput, LimitExceeded. docs/erosion.md."""
     square = _square(P, radius, squared_radius, "closing_by_disc")
     return closed_by_disc(P, square, "P", max(1, whole("threads", threads)))
 

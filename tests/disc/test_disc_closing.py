@@ -69,11 +69,81 @@ def test_openings_fall_apart_and_closings_grow_together() -> None:
     assert [open_(frame, Fraction(r)).holes for r in ("1/2", "3/2")] == [1, 1]
 
 
-def test_a_disc_that_just_fits_is_refused_for_a_closing_and_counts_for_an_opening() -> None:
+def boxes(*corners: tuple[int, int, int, int]) -> PolygonSet:
+    return PolygonSet([[[(a, b), (c, b), (c, d), (a, d)]] for a, b, c, d in corners])
+
+
+def test_a_disc_that_just_fits_is_covered_by_a_closing() -> None:
+    """In a hole, between walls, in a passage shorter than the disc; the larger limit counts."""
     frame = PolygonSet([[(0, 0), (9, 0), (9, 9), (0, 9)], [(3, 3), (3, 5), (5, 5), (5, 3)]])
-    with pytest.raises(Refusal) as refused:
-        close(frame, 1)
-    assert refused.value.code == "disc-fits"
+    found = close(frame, 1)
+    assert (found.area, found.components, found.holes) == ((81.0, 81.0), 1, 0)
+    found = close(boxes((0, 0, 4, 9), (6, 0, 10, 9)), 1)
+    assert encloses(found.area, 90 - math.pi)
+    assert (found.components, found.holes, len(found.rings), len(found.arcs)) == (1, 0, 1, 2)
+    found = close(boxes((0, 0, 4, 1), (6, 0, 10, 1)), 1)
+    assert encloses(found.area, 10 - math.sqrt(3) / 2 - math.pi / 3)
+    assert (found.components, found.holes, len(found.arcs)) == (2, 0, 4)
+    slit = PolygonSet([[(0, 0), (9, 0), (9, 4), (0, 4)], [(1, 1), (1, 3), (8, 3), (8, 1)]])
+    found = close(slit, 1)
+    assert (found.area, found.components, found.holes) == ((36.0, 36.0), 1, 0)
+
+
+def test_closings_where_the_disc_just_fits_are_limits_from_larger_radii() -> None:
+    """Parts that touch at a point hang together at larger radii. Prints the case."""
+    tried = 0
+    for number in range(2, 3 * draws(15, 200), 3):
+        P, _, _ = inset_case(SEED + 2, number)
+        P = _core.Outside(P).set if number % 2 else P
+        rows = _core.disc_index(P)
+        for row in rows.rows(0, len(rows.kinds())):
+            if row[0] not in ("maximum", "ridge") or row[1] is None:
+                continue
+            square = row[1]
+            if not _core.offset(P, square).tight_passages():
+                continue
+            tried += 1
+            at = closed_by_disc(P, square, "P", 1)
+            above = closed_by_disc(P, str(Fraction(square) * (1 + Fraction(1, 10**12))), "P", 1)
+            assert at.components >= above.components, (number, square)
+            assert at.area[0] == pytest.approx(above.area[0], rel=1e-4), (number, square)
+            faults = faults_of(P, square, "closing", at)
+            assert not faults, (number, square, faults)
+            break
+    assert tried > 5
+
+
+def test_rest_that_falls_apart_beside_an_island() -> None:
+    """A chamber around an island opens into a short passage, whose rest is in two parts."""
+    tower = [
+        ("-1/2", 2),
+        ("-1/10", 2),
+        ("-1/10", 5),
+        (-2, 5),
+        (-2, 9),
+        (2, 9),
+        (2, 5),
+        ("1/10", 5),
+        ("1/10", 2),
+        ("1/2", 2),
+        ("1/2", 4),
+        (3, 4),
+        (3, 10),
+        (-3, 10),
+        (-3, 4),
+        ("-1/2", 4),
+    ]
+    half = Fraction(1, 2)
+    island = [(-3 * half, 11 * half), (3 * half, 11 * half), (3 * half, 17 * half),
+              (-3 * half, 17 * half)]  # fmt: skip
+    below = [(-half, -5), (half, -5), (half, 0), (-half, 0)]
+    P = PolygonSet([[tower], [island], [below]])
+    found = close(P, Fraction(21, 20))
+    assert (found.components, found.holes) == (2, 0)
+    assert not faults_of(P, "441/400", "closing", found)
+
+
+def test_points_are_not_closed() -> None:
     with pytest.raises(Refusal) as refused:
         open_(PolygonSet("POINT (0 0)"), 1)
     assert refused.value.code == "degenerate-operands"

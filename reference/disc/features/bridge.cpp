@@ -56,14 +56,24 @@ Vector<N> Bridges::foot(std::uint32_t feature, const Vector<N>& place) const {
   }
 }
 
+/// Whether the half lies halfway between parallel edges, where all places have one radius.
+bool Bridges::is_flat(std::uint32_t half) const {
+  const DiagramHalf& own = index_.graph().halves[half];
+  const std::uint32_t across = index_.graph().halves[own.twin].feature;
+  const SiteInIntervals &a = sites_[own.feature], &b = sites_[across];
+  if (a.is_point || b.is_point) return false;
+  if (const auto certain = certified_sign(cross(a.normal, b.normal))) return *certain == 0;
+  const OffsetCurves& curves = index_.diagram().curves;
+  return cross(Site::of(curves, own.feature).normal, Site::of(curves, across).normal) == 0;
+}
+
 template <class N>
 Vector<N> Bridges::place(std::uint32_t half, const BridgeRadius& radius) const {
   const DiagramGraph& graph = index_.graph();
   const DiagramHalf& own = graph.halves[half];
   const std::uint32_t high = index_.rises(half) ? own.to : own.from;
-  if (radius.is_of_events() && index_.radius_number(high) == radius.number) {
-    return at_event<N>(high).at;
-  }
+  const bool is_upper = radius.is_of_events() && index_.radius_number(high) == radius.number;
+  if (is_upper || is_flat(half)) return at_event<N>(high).at;
   if constexpr (std::is_same_v<N, Interval>) {
     constexpr double sharp = 0x1p-40;
     const BoundedPoint near = index_.rounded_corner(half, radius.near, radius.off);

@@ -52,6 +52,7 @@ class Bridges {
   };
   template <class N>
   Vector<N> foot(std::uint32_t feature, const Vector<N>& place) const;
+  bool is_flat(std::uint32_t half) const;
   template <class N>
   Equidistant<N> at_event(std::uint32_t event) const;
 

@@ -134,7 +134,7 @@ class Interior {
 
   std::size_t count() {
     for (std::uint32_t k = 0; k < rest_.features.size(); ++k) add(rest_.features[k]);
-    for (const auto& [ring, parts] : open_) settle(*ring, parts);
+    for (const Island& island : open_) settle(island);
     return sets_.count();
   }
 
@@ -153,31 +153,59 @@ class Interior {
     if (feature.components == 0) return;
     const std::uint32_t first = next_;
     next_ += static_cast<std::uint32_t>(feature.components);
-    std::uint32_t around = first;
+    Around around{first, {}};
+    std::vector<const RestRing*> islands;
     for (const RestRing& ring : feature.rings) {
       look_for_interrupt();
       if (feature.components == 1) {
         join(ring, first);
       } else if (is_around_rest(outlines_, rest_, ring)) {
-        join(ring, around++);
+        join(ring, first + static_cast<std::uint32_t>(around.rings.size()));
+        around.rings.push_back(&ring);
       } else {
-        open_.push_back({&ring, {first, next_}});
+        islands.push_back(&ring);
       }
     }
+    for (const RestRing* island : islands) open_.push_back({island, around});
   }
 
-  /// Joins an island's ring to a part of the rest, of several that hang together anyway.
-  void settle(const RestRing& ring, const std::pair<std::uint32_t, std::uint32_t>& parts) {
-    const std::vector<std::uint32_t> polygons = polygons_along(ring);
+  /// The rings around a feature's parts of the rest, and the number of the first part.
+  struct Around {
+    std::uint32_t first;
+    std::vector<const RestRing*> rings;
+  };
+  struct Island {
+    const RestRing* ring;
+    Around around;
+  };
+
+  /// Joins an island's ring to the part of the rest next to the island.
+  void settle(const Island& island) {
+    const std::vector<std::uint32_t> polygons = polygons_along(*island.ring);
     if (polygons.empty()) return;
-    for (std::uint32_t part = parts.first; part < parts.second; ++part) {
-      if (sets_.root(part) == sets_.root(parts.first)) continue;
-      throw LimitExceeded("nested-rest",
-                          "the rest material falls apart around an island, and its components "
-                          "cannot be told",
-                          "take a little larger or smaller radius");
+    const std::uint32_t part = island.around.first + innermost(island);
+    for (const std::uint32_t polygon : polygons) sets_.join(polygon, part);
+  }
+
+  /// The ring that goes round an island and round no other ring that does; the first one if all
+  /// parts hang together anyway.
+  std::uint32_t innermost(const Island& island) {
+    const auto& [first, rings] = island.around;
+    const auto count = static_cast<std::uint32_t>(rings.size());
+    const auto are_one = [&, own = first](std::uint32_t k) {
+      return sets_.root(own + k) == sets_.root(own);
+    };
+    std::uint32_t k = 0;
+    while (k < count && are_one(k)) ++k;
+    if (k == count) return 0;
+    std::uint32_t found = count;
+    for (k = 0; k < count; ++k) {
+      look_for_interrupt();
+      if (!is_within_ring(outlines_, rest_, *rings[k], *island.ring)) continue;
+      if (found == count || is_within_ring(outlines_, rest_, *rings[found], *rings[k])) found = k;
     }
-    for (const std::uint32_t polygon : polygons) sets_.join(polygon, parts.first);
+    if (found == count) throw std::logic_error("no rest material is next to an island");
+    return found;
   }
 
   void join(const RestRing& ring, std::uint32_t part) {
@@ -236,7 +264,7 @@ class Interior {
   const DiscIndex& index_;
   std::uint32_t polygons_ = 0, next_ = 0;
   DisjointSets sets_;
-  std::vector<std::pair<const RestRing*, std::pair<std::uint32_t, std::uint32_t>>> open_;
+  std::vector<Island> open_;
 };
 
 }  // namespace

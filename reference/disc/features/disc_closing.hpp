@@ -32,8 +32,8 @@ struct DiscClosing {
 
 /// Unites P and its rest material. P: in canonical form. Exact, beside an event's radius and just
 /// below: all open discs of the radius that miss P are taken away (docs/erosion.md). O(n log n)
-/// after rest_material. Throws LimitExceeded ("nested-rest") if the rest within one feature falls
-/// apart around an island of P and nothing else tells the parts next to the island.
+/// after rest_material, and more where the rest within one feature falls apart around an island.
+/// Throws LimitExceeded ("nested-rest") if intervals do not tell the part next to an island.
 DiscClosing disc_closing(const RegionOutlines& outlines, const RestMaterial& rest);
 
 }  // namespace minkref::inline disc

@@ -1,12 +1,16 @@
 #include "reference/disc/features/rest_measures.hpp"
 
+#include <optional>
 #include <utility>
 
+#include "reference/error.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
+
+constexpr long most_bits = 1 << 14;
 
 /// Sums over rings at any precision; the rest lies on the right.
 class RestSums {
@@ -39,10 +43,44 @@ class RestSums {
       const FreeArc& arc = rest_.arcs[number];
       const Vector<MpfrInterval> centre = near(*outlines_.corners()[arc.corner].corner, bits),
                                  from = end(arc, true, bits), to = end(arc, false, bits);
-      const MpfrInterval angle = atan2(cross(from, to), dot(from, to));
+      // Half a turn at most, which the ends' cross product would not tell from none.
+      const MpfrInterval half = atan2(length(to - from), length(to + from));
+      const MpfrInterval angle = half + half;
       sum = sum + MpfrInterval(squared(), bits) * angle + cross(centre, to - from);
     }
     return MpfrInterval(Rational(-1, 2), bits) * sum;
+  }
+
+  /// The angle that the boundary turns through as seen from a place; a whole turn within each arc's
+  /// chord counts. Nothing where the precision does not tell on which side of an arc the place is.
+  std::optional<MpfrInterval> turn_about(const Vector<MpfrInterval>& place, long bits) const {
+    const MpfrInterval one(1, bits), quarter = atan2(one, one) + atan2(one, one);
+    MpfrInterval sum(0, bits);
+    const auto add_seen = [&](const Vector<MpfrInterval>& a, const Vector<MpfrInterval>& b) {
+      sum = sum + atan2(cross(a - place, b - place), dot(a - place, b - place));
+    };
+    for (const OutlineStep& step : steps_) add_seen(near(step.from, bits), near(step.to, bits));
+    for (const std::uint32_t number : arcs_) {
+      look_for_interrupt();
+      const FreeArc& arc = rest_.arcs[number];
+      const Vector<MpfrInterval> centre = near(*outlines_.corners()[arc.corner].corner, bits),
+                                 from = centre + end(arc, true, bits),
+                                 to = centre + end(arc, false, bits), way = place - centre;
+      add_seen(from, to);
+      const int within = (MpfrInterval(squared(), bits) - dot(way, way)).certain_sign(),
+                behind = cross(place - from, to - from).certain_sign();
+      if (within < 0 || behind < 0) continue;
+      if (within == 0 || behind == 0) return std::nullopt;
+      for (int k = 0; k < 4; ++k) sum = sum + quarter;
+    }
+    return sum;
+  }
+
+  const std::vector<OutlineStep>& steps() const { return steps_; }
+  /// A point that is this share of a step away from its start.
+  Vector<MpfrInterval> along(const OutlineStep& step, const Rational& share, long bits) const {
+    const Vector<MpfrInterval> from = near(step.from, bits);
+    return from + MpfrInterval(share, bits) * (near(step.to, bits) - from);
   }
 
   /// The steps alone.
@@ -53,6 +91,7 @@ class RestSums {
   }
 
  private:
+  static MpfrInterval length(const Vector<MpfrInterval>& v) { return sqrt(dot(v, v)); }
   const Rational& squared() const { return *outlines_.regions().radius.squared; }
   static Vector<MpfrInterval> near(const RootPoint& p, long bits) {
     return {p.x.enclosure(bits), p.y.enclosure(bits)};
@@ -85,6 +124,27 @@ bool is_around_rest(const RegionOutlines& outlines, const RestMaterial& rest,
     const int sign = sums.area(bits).certain_sign();
     if (sign != 0) return sign > 0;
   }
+}
+
+bool is_within_ring(const RegionOutlines& outlines, const RestMaterial& rest,
+                    const RestRing& around, const RestRing& ring) {
+  RestSums outer(outlines, rest), inner(outlines, rest);
+  outer.add(around);
+  inner.add(ring);
+  for (long bits = RealNumber::first_bits; bits <= most_bits; bits *= 2) {
+    for (const OutlineStep& step : inner.steps()) {
+      // Rings touch at single points: at most a few of these places are no answer.
+      for (const Rational& share : {Rational(1, 2), Rational(1, 3), Rational(3, 5)}) {
+        const auto turn = outer.turn_about(inner.along(step, share, bits), bits);
+        if (!turn) continue;
+        // Either nothing or whole turns.
+        const int is_inside = (*turn * *turn - MpfrInterval(9, bits)).certain_sign();
+        if (is_inside != 0) return is_inside > 0;
+      }
+    }
+  }
+  throw LimitExceeded("nested-rest", "two rings of the rest material are too near to each other",
+                      "take a little larger or smaller radius");
 }
 
 namespace {

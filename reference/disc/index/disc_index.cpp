@@ -48,6 +48,13 @@ void DiscIndex::number_radii() {
     if (is_new) radii_.push_back({k, squared});
     numbers_.push_back(radii());
   }
+  order_ends();
+}
+
+void DiscIndex::order_ends() {
+  low_.clear();
+  high_.clear();
+  is_rising_.clear();
   for (const DiagramHalf& half : graph_.halves) {
     const std::uint32_t from = radius_number(half.from), to = radius_number(half.to);
     low_.push_back(std::min(from, to));

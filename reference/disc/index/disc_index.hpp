@@ -70,6 +70,12 @@ class DiscIndex {
   std::uint32_t low(std::uint32_t half) const { return low_[half]; }
   std::uint32_t high(std::uint32_t half) const { return high_[half]; }
   bool rises(std::uint32_t half) const { return is_rising_[half] != 0; }
+  /// At an event's radius: numbers the places that the disc just fits into with smaller radii, so
+  /// that the state just below holds {d > ρ}, closed, in place of {d >= ρ}. Nodes without a half to
+  /// larger distances go below, and so does each flat ridge between two nodes, cut in its middle,
+  /// for which the graph gets a node with the number 0. Nothing else changes, at other radii the
+  /// flat ridges too. Tells whether there was such a place. Exact. O(n).
+  bool fill_fits(const Rational& squared_radius);
 
   struct Place {
     std::uint32_t gap;  ///< how many radii of events are not above
@@ -117,6 +123,8 @@ class DiscIndex {
     std::vector<std::uint32_t> bounds;  ///< of walks
   };
   void number_radii();
+  void order_ends();
+  void cut_flats(const std::vector<char>& is_to_cut);
   void part_gaps();
   void count_sides();
   void place_joints();
