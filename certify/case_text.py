@@ -9,6 +9,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.exact import digest, set_json
+from minkref.version import version
 
 
 def case_text(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
@@ -22,6 +23,20 @@ def case_digest(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
     """SHA-256 of both operands with numbers in lowest terms (docs/certificates.md)."""
     value = {"P": plain_polygons(P), "Q": plain_polygons(Q)}
     return digest(json.dumps(value, sort_keys=True, separators=(",", ":")))
+
+
+def disc_head(
+    form: str, P: _core.PolygonSet, square: Fraction, case: str, title: str, producer: str
+) -> dict[str, Any]:
+    """The members before the claims, of a certificate about P and discs of one squared radius."""
+    plain = json.dumps({"P": plain_polygons(P)}, sort_keys=True, separators=(",", ":"))
+    return {
+        "certificate": form,
+        "title": title,
+        "producer": producer or f"minkref {version()}",
+        "case": {"path": case, "sha256": digest(plain)},
+        "square": str(square),
+    }
 
 
 def places(operand: _core.PolygonSet) -> list[tuple[Fraction, Fraction]]:

@@ -10,10 +10,8 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.certify.case_text import places, plain_polygons, ring_numbers
+from minkref.certify.case_text import disc_head, places, ring_numbers
 from minkref.certify.plane.certificate import NoProof
-from minkref.exact import digest
-from minkref.version import version
 
 FORM = "feature-certificate-v1"
 DENOMINATORS = 1_000_000  # of the places of events
@@ -178,12 +176,5 @@ class BridgeCertificate:
 
     def text(self, case: str, title: str = "", producer: str = "") -> str:
         """The certificate; `case`: its case file's relative path."""
-        plain = json.dumps({"P": plain_polygons(self.P)}, sort_keys=True, separators=(",", ":"))
-        head = {
-            "certificate": FORM,
-            "title": title,
-            "producer": producer or f"minkref {version()}",
-            "case": {"path": case, "sha256": digest(plain)},
-            "square": str(self.radius**2),
-        }
+        head = disc_head(FORM, self.P, self.radius**2, case, title, producer)
         return json.dumps({**head, "claims": self.claims}, indent=1) + "\n"

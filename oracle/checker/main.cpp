@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "oracle/checker/disc/bridges.hpp"
+#include "oracle/checker/disc/disc_sum.hpp"
 #include "oracle/checker/motion/path.hpp"
 #include "oracle/checker/plane/claims.hpp"
 #include "oracle/checker/space/convex.hpp"
@@ -160,12 +161,13 @@ void check_file(const std::string& file, const Options& options) {
   try {
     const Value certificate = parse_json(read(file, most, file == "-"), false);
     const auto said =
-        is_convex_certificate(certificate)    ? check_convex(certificate, read_case, budget)
-        : is_solid_certificate(certificate)   ? check_solids(certificate, read_case, budget)
-        : is_path_certificate(certificate)    ? check_paths(certificate, read_case, budget)
-        : is_feature_certificate(certificate) ? check_features(certificate, read_case, budget)
-        : is_union_certificate(certificate)   ? check_unions(certificate, read_case, budget)
-                                              : check(certificate, read_case, budget);
+        is_convex_certificate(certificate)     ? check_convex(certificate, read_case, budget)
+        : is_solid_certificate(certificate)    ? check_solids(certificate, read_case, budget)
+        : is_path_certificate(certificate)     ? check_paths(certificate, read_case, budget)
+        : is_feature_certificate(certificate)  ? check_features(certificate, read_case, budget)
+        : is_disc_sum_certificate(certificate) ? check_disc_sums(certificate, read_case, budget)
+        : is_union_certificate(certificate)    ? check_unions(certificate, read_case, budget)
+                                               : check(certificate, read_case, budget);
     std::cout << shown(file) << ": verified\n";
     for (const std::string& line : said) std::cout << "  " << shown(line) << "\n";
   } catch (const NotVerified& error) {

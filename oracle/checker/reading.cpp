@@ -97,6 +97,12 @@ std::vector<const Value*> members(const Value& value, const std::string& names) 
   return found;
 }
 
+bool has_form(const Value& certificate, const std::string& form) {
+  return std::any_of(certificate.members.begin(), certificate.members.end(), [&](const Member& m) {
+    return m.name == "certificate" && m.value.kind == Value::Kind::text && m.value.text == form;
+  });
+}
+
 const std::vector<Value>& items(const Value& value) {
   require(value.kind == Value::Kind::list, "a list is missing");
   return value.items;

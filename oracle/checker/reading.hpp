@@ -15,6 +15,9 @@ namespace minkref::checker {
 /// other member is an error.
 std::vector<const Value*> members(const Value& value, const std::string& names);
 
+/// Whether a certificate claims to have this form.
+bool has_form(const Value& certificate, const std::string& form);
+
 const std::vector<Value>& items(const Value& value);
 const std::vector<Value>& items(const Value& value, std::size_t length);
 

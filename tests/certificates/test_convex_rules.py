@@ -82,7 +82,7 @@ ON_EDGE = also(
     ("spoil", "code", "why"),
     [
         (cert("certificate", "certificate-v1"), MALFORMED, ""),
-        (cert("certificate", "convex-certificate-v2"), MALFORMED, "or union-certificate-v1, but"),
+        (cert("certificate", "convex-certificate-v2"), MALFORMED, "or disc-sum-certificate-v1,"),
         (cert("proof", []), MALFORMED, "more members"),
         (lambda c: c.pop("sums"), MALFORMED, "a member is missing: sums"),
         (cert("title", 7), MALFORMED, "carries no truth"),

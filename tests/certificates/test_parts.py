@@ -10,6 +10,7 @@ from typing import Any
 
 import bridges
 import cubes
+import grown
 import pytest
 import solid_pairs
 import squares
@@ -40,7 +41,7 @@ def test_parts_are_short() -> None:
 
 def test_the_page_says_how_many_lines_a_claim_needs() -> None:
     rows = ROW.findall((CHECKER.parent / "README.md").read_text(encoding="utf-8"))
-    assert len(rows) == 7
+    assert len(rows) == 8
     for numbers, lines in rows:
         assert len(text_of(*numbers.split(", ")).splitlines()) == int(lines), numbers
 
@@ -63,8 +64,9 @@ def followed(numbers: str, folder: Path, case: Any, certificate: Any) -> tuple[i
         (walls, "01 02 06 09"),
         (bridges, "01 02 07 09"),
         (touching, "01 02 08 09"),
+        (grown, "01 02 07 08b 09"),
     ],
-    ids=["plane", "convex", "paths", "bridges", "unions"],
+    ids=["plane", "convex", "paths", "bridges", "unions", "sums with a disc"],
 )
 def test_the_parts_that_a_claim_needs_run_alone(tmp_path: Path, given: Any, numbers: str) -> None:
     code, said = followed(numbers, tmp_path, given.CASE, given.certificate())

@@ -3,32 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
-#include "oracle/checker/following.hpp"
-#include "oracle/checker/reading.hpp"
-#include "oracle/checker/sha256.hpp"
+#include "oracle/checker/disc/disc_edges.hpp"
 
 namespace minkref::checker {
 namespace {
 
 constexpr const char* feature_form = "feature-certificate-v1";
-
-Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y}; }
-Point plus(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y}; }
-mpq_class dot(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y; }
-mpq_class cross(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
-
-/// From a point to a segment.
-mpq_class squared_distance(const Point& p, const Point& a, const Point& b) {
-  const Point along = minus(b, a), way = minus(p, a);
-  const mpq_class length = dot(along, along), over = dot(along, way);
-  if (over <= 0) return dot(way, way);
-  if (over >= length) return dot(minus(p, b), minus(p, b));
-  const mpq_class beside = cross(along, way);
-  return beside * beside / length;
-}
 
 struct Feature {
   bool is_edge = false;
@@ -40,21 +24,9 @@ struct Feature {
 using Edges = std::set<std::uint32_t>;
 
 /// Discs of one squared radius outside of P. An edge has the number of its first vertex.
-class Discs {
+class Discs : DiscEdges {
  public:
-  Discs(const Operand& P, mpq_class square, Budget& budget)
-      : at_(P.exact), square_(std::move(square)), budget_(budget) {
-    require(!P.thin && !P.rings.empty(), "P is no region");
-    next_.resize(at_.size());
-    last_.resize(at_.size());
-    for (const auto& ring : P.rings) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const std::uint32_t from = ring[i], to = ring[(i + 1) % ring.size()];
-        require(!(at_[from] == at_[to]), "an edge is zero");
-        next_[from] = to;
-        last_[to] = from;
-      }
-    }
+  Discs(const Operand& P, const mpq_class& square, Budget& budget) : DiscEdges(P, square, budget) {
     for (const Point& p : at_) ++times_[{p.x, p.y}];
   }
 
@@ -70,13 +42,6 @@ class Discs {
   }
 
  private:
-  Point along(std::uint32_t n) const { return minus(at_[next_[n]], at_[n]); }
-
-  /// How far a point is right of an edge, times the edge's length.
-  mpq_class height(std::uint32_t n, const Point& p) const {
-    return cross(minus(p, at_[n]), along(n));
-  }
-
   Feature feature(const Value& value) const {
     const auto& pair = items(value, 2);
     const std::string& kind = text(pair[0]);
@@ -127,19 +92,6 @@ class Discs {
     return dot(minus(a, v), minus(a, v)) < square_ && dot(minus(b, v), minus(b, v)) < square_;
   }
 
-  /// Demands that no ring winds around a point off all edges.
-  void demand_outside(const Point& p) const {
-    int winds = 0;
-    for (std::uint32_t n = 0; n < at_.size(); ++n) {
-      const mpq_class &y = at_[n].y, &Y = at_[next_[n]].y;
-      if ((y <= p.y) == (Y <= p.y)) continue;
-      const int side = sgn(height(n, p));
-      if (Y > y && side < 0) ++winds;
-      if (Y < y && side > 0) --winds;
-    }
-    demand(winds == 0, "a centre is not outside of P");
-  }
-
   std::string bridge(const Value& claim) {
     const auto m = members(claim, "claim left right box");
     const Feature one = feature(*m[1]), other = feature(*m[2]);
@@ -169,7 +121,7 @@ class Discs {
       }
       demand(is_far, "edge " + std::to_string(n) + " may be in the disc");
     }
-    demand_outside(p);
+    demand(winds(p) == 0, "a centre is not outside of P");
     return "bridge from " + one.name() + " to " + other.name() + of_radius();
   }
 
@@ -191,56 +143,27 @@ class Discs {
       demand(own.contains(n) ? far == square_ : far > square_,
              "edge " + std::to_string(n) + " is not as far from the centre as it should be");
     }
-    demand_outside(c);
+    demand(winds(c) == 0, "a centre is not outside of P");
     return "disc about (" + c.x.get_str() + ", " + c.y.get_str() + ") that touches " +
            std::to_string(named.size()) + " features" + of_radius();
   }
 
-  std::string of_radius() const { return ", squared radius " + square_.get_str(); }
-
-  const std::vector<Point>& at_;
-  mpq_class square_;
-  Budget& budget_;
-  std::vector<std::uint32_t> next_, last_;
   std::map<std::pair<mpq_class, mpq_class>, int> times_;
 };
 
 }  // namespace
 
 bool is_feature_certificate(const Value& certificate) {
-  return std::any_of(certificate.members.begin(), certificate.members.end(), [](const auto& m) {
-    return m.name == "certificate" && m.value.kind == Value::Kind::text &&
-           m.value.text == feature_form;
-  });
+  return has_form(certificate, feature_form);
 }
 
 std::vector<std::string> check_features(const Value& certificate,
                                         const std::function<Value(const std::string&)>& read_case,
                                         Budget& budget) {
-  const auto m = members(certificate, "certificate title? comment? producer? case square claims");
-  for (const Value* telling : {m[1], m[2], m[3]}) {
-    require(telling->is_null() || telling->kind == Value::Kind::text,
-            "what carries no truth is no text");
-  }
-  const auto of = members(*m[4], "path sha256");
-  const Value value = read_case(path(*of[0]));
-  require(value.kind == Value::Kind::object, "this is no case");
-  const auto given = std::find_if(value.members.begin(), value.members.end(),
-                                  [](const auto& member) { return member.name == "P"; });
-  require(given != value.members.end(), "this is no case");
-  const Operand P = read_operand(given->value, "P");
-  demand(of[1]->kind == Value::Kind::text && sha256("{\"P\":" + P.plain + "}") == of[1]->text,
-         "this is not the case that is certified");
-  mpq_class square = number(*m[5]);
-  require(square > 0, "the squared radius is not positive");
-  Discs discs(P, std::move(square), budget);
-  require(!items(*m[6]).empty(), "nothing is claimed");
-  require_different(*m[6]);
-  std::vector<std::string> said;
-  for (const Value& claim : items(*m[6])) {
-    within("claim " + std::to_string(said.size()), [&] { said.push_back(discs.claim(claim)); });
-  }
-  return said;
+  return check_discs(certificate, read_case, [&](const Operand& P, const mpq_class& square) {
+    const auto discs = std::make_shared<Discs>(P, square, budget);
+    return [discs](const Value& claim) { return discs->claim(claim); };
+  });
 }
 
 }  // namespace minkref::checker

@@ -2,11 +2,11 @@
 """Checks certificates of Minkowski sums: `python3 check.py FILE...`. The forms: sums sP + Q in the
 plane (certificate-v1; by a factor for each axis, axes-certificate-v1), of convex polyhedra (convex-
 certificate-v1), of any (solid-certificate-v1); parts on paths (path-...), discs that touch a set
-(feature-...), unions (union-...).
+(feature-...), unions (union-...), sums with a disc (disc-sum-...).
 
 The checker stands alone: this file and the standard library. Each part of it needs this one, the
 last one, and those that it names. The members, the demands of each rule and why they are enough:
-docs/certificates.md; of other forms certificates-convex, -solids, -paths, -features, -unions.md.
+docs/certificates.md; of others certificates-convex, -solids, -paths, -features, -unions, -disc.md.
 Signs are decided in integers and fractions. Anything unknown, unused or left over is malformed.
 
 Exit codes: 0 verified; 1 refuted; 2 malformed, or its case is missing; 4 out of budget.
@@ -26,9 +26,9 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
-from math import gcd, inf, lcm
+from math import gcd, inf, isqrt, lcm
 from pathlib import Path
-from typing import Any, ClassVar, TypeVar
+from typing import Any, ClassVar, NamedTuple, TypeVar
 
 VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET = 0, 1, 2, 4
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?(\d{1,3}|1000))?|[+-]?\d+/\d+", re.ASCII)

@@ -7,17 +7,24 @@ def less(p: Vertex, q: Vertex) -> Vertex:
     return p[0] - q[0], p[1] - q[1]
 
 
-def squared_distance(p: Vertex, a: Vertex, b: Vertex) -> Fraction:
-    """From a point to a segment."""
+def nearest(p: Vertex, a: Vertex, b: Vertex) -> Vertex:
+    """The point of a segment that is nearest to a point."""
     along, way = less(b, a), less(p, a)
     part = max(Fraction(0), min(Fraction(1), Fraction(dot(along, way)) / dot(along, along)))
-    off = way[0] - part * along[0], way[1] - part * along[1]
+    return a[0] + part * along[0], a[1] + part * along[1]
+
+
+def squared_distance(p: Vertex, a: Vertex, b: Vertex) -> Fraction:
+    """From a point to a segment."""
+    off = less(p, nearest(p, a, b))
     return Fraction(dot(off, off))
 
 
 class DiscProof:
     """Discs of one squared radius outside of P; edge n goes from vertex n to the next of its
     ring."""
+
+    kinds: tuple[str, ...] = ("bridge", "touch")
 
     def __init__(self, P: Operand, square: Fraction, budget: Budget) -> None:
         require(not P.thin and bool(P.rings), "P is no region")
@@ -33,9 +40,9 @@ class DiscProof:
     def along(self, n: int) -> Vertex:
         return less(*self.edge(n)[::-1])
 
-    def height(self, n: int, p: Vertex) -> Fraction:
+    def height(self, n: int, p: Vertex) -> Any:
         """How far a point is right of an edge, times the edge's length."""
-        return Fraction(cross(less(p, self.at[n]), self.along(n)))
+        return cross(less(p, self.at[n]), self.along(n))
 
     def feature(self, value: Json) -> Named:
         kind, n = items(value, 2)
@@ -78,15 +85,16 @@ class DiscProof:
             return all(dot(less(p, v), less(p, v)) < self.square for p in (a, b))
         return squared_distance(v, a, b) > self.square
 
-    def outside(self, p: Vertex) -> None:
-        """No ring winds around a point off all edges."""
+    def winds(self, p: Vertex, way: Sequence[Any] = (1, 0), but: int | None = None) -> int:
+        """How often rings wind around a point off all edges; right of one edge, if it is on it, and
+        `way` leads there."""
         winds = 0
         for n in self.next:
-            (_, y), (_, Y) = self.edge(n)
-            if (y <= p[1]) != (Y <= p[1]):
+            low, high = (cross(way, less(q, p)) for q in self.edge(n))
+            if n != but and (low <= 0) != (high <= 0):
                 height = self.height(n, p)
-                winds += (Y > y and height < 0) - (Y < y and height > 0)
-        demand(winds == 0, "a centre is not outside of P")
+                winds += (high > low and height < 0) - (high < low and height > 0)
+        return winds
 
     def bridge(self, claim: Json) -> str:
         left, right, box = members(claim, "claim left right box")[1:]
@@ -108,7 +116,7 @@ class DiscProof:
             far = [squared_distance(c, a, b) for c in corners]
             far += [squared_distance(e, *side) for side in edges_of(corners) for e in (a, b)]
             demand(min(far) > self.square, f"edge {n} may be in the disc")
-        self.outside(p)
+        demand(self.winds(p) == 0, "a centre is not outside of P")
         return f"bridge from {one[0]} {one[1]} to {other[0]} {other[1]}"
 
     def touch(self, claim: Json) -> str:
@@ -122,24 +130,26 @@ class DiscProof:
             far = squared_distance(c, *self.edge(n))
             good = far == self.square if n in own else far > self.square
             demand(good, f"edge {n} is not as far from the centre as it should be")
-        self.outside(c)
+        demand(self.winds(c) == 0, "a centre is not outside of P")
         return f"disc about ({c[0]}, {c[1]}) that touches {len(named)} features"
 
 
-def of_discs(case: Json, digest: Json, square: Json, claims: Json, budget: Budget) -> list[str]:
+def of_discs(
+    case: Json, digest: Json, square: Json, claims: Json, budget: Budget,
+    proofs: type[DiscProof] = DiscProof,
+) -> list[str]:  # fmt: skip
     P = Operand(case.get("P"), "P")
     demand(digest_of({"P": P.plain}) == digest, "not the case that is certified")
     require(number(square) > 0, "the squared radius is not positive")
-    proof, said = DiscProof(P, number(square), budget), []
+    proof, said = proofs(P, number(square), budget), []
     require(bool(items(claims)), "nothing is claimed")
     require(len(set(map(digest_of, claims))) == len(claims), "a claim is made twice")
     for k, claim in enumerate(claims):
         with within(f"claim {k}"):
             budget.spend(64)
-            kind = claim.get("claim") if isinstance(claim, dict) else None
-            require(kind in ("bridge", "touch"), f"there is no claim {kind!r}")
-            say = proof.bridge if kind == "bridge" else proof.touch
-            said.append(f"{say(claim)}, squared radius {number(square)}")
+            kind: Json = claim.get("claim") if isinstance(claim, dict) else None
+            require(kind in proof.kinds, f"there is no claim {kind!r}")
+            said.append(f"{getattr(proof, kind)(claim)}, squared radius {number(square)}")
     return said
 
 

@@ -157,12 +157,6 @@ std::array<Body, 2> read_case_in_space(const Value& value) {
 
 }  // namespace
 
-bool has_form(const Value& certificate, const std::string& form) {
-  return std::any_of(certificate.members.begin(), certificate.members.end(), [&](const Member& m) {
-    return m.name == "certificate" && m.value.kind == Value::Kind::text && m.value.text == form;
-  });
-}
-
 InSpace open_in_space(const Value& certificate, const std::string& form,
                       const std::string& argument,
                       const std::function<Value(const std::string&)>& read_case) {

@@ -65,9 +65,6 @@ struct InSpace {
   const Value* claims;
 };
 
-/// Whether a certificate claims to have this form.
-bool has_form(const Value& certificate, const std::string& form);
-
 /// Opens a certificate; `argument` names the form's member for the argument. Throws NotVerified.
 InSpace open_in_space(const Value& certificate, const std::string& form,
                       const std::string& argument,

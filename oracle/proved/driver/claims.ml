@@ -310,4 +310,5 @@ let check certificate read_case budget =
   | "path-certificate-v1" -> fail Declined "there is no theorem about paths yet"
   | "feature-certificate-v1" -> fail Declined "there is no theorem about bridges yet"
   | "union-certificate-v1" -> fail Declined "there is no theorem about unions yet"
+  | "disc-sum-certificate-v1" -> fail Declined "there is no theorem about sums with a disc yet"
   | _ -> fail Malformed "there is no such form of certificates"

@@ -1,0 +1,121 @@
+"""Produces certificates of sums with a disc (docs/certificates-disc.md). Only checkers are
+trusted."""
+
+from __future__ import annotations
+
+import json
+from decimal import localcontext
+from fractions import Fraction
+from typing import Any
+
+from minkref import _core
+from minkref.certify.case_text import disc_head
+from minkref.certify.claims_text import shown
+from minkref.certify.disc.boundary_rings import components
+from minkref.certify.disc.curve_walk import CurveWalk, Joints, Key
+from minkref.certify.disc.joint_places import DIGITS, decimal
+from minkref.certify.disc.offset_curve import OffsetCurve
+from minkref.certify.disc.region_edges import (
+    RegionEdges,
+    squared_distance,
+    winds,
+    with_touching_vertices,
+)
+from minkref.certify.plane.certificate import NoProof
+from minkref.exact import digest
+
+FORM = "disc-sum-certificate-v1"
+
+
+class DiscSumCertificate:
+    """Claims about P + a disc: the sum, and where points are. Exact answers come from the
+    reference; decimals of many digits find what blocks each curve. O(n m) for m edges near an
+    edge."""
+
+    def __init__(self, P: _core.PolygonSet, square: Fraction) -> None:
+        """Validates P. Vertices inside an edge of another ring become vertices of both. Raises
+        NoProof for a point, a segment, lines and the empty set."""
+        P.validate("P")
+        if not P.is_region or not P.rings():
+            raise NoProof("only sums of regions with a disc are certified", "give polygons")
+        self.P, self.square = with_touching_vertices(P), square
+        self.claims: list[dict[str, Any]] = []
+        self._set = RegionEdges(self.P)
+
+    def __repr__(self) -> str:
+        return shown(self, self.claims)
+
+    def sum(self, found: _core.Offset | None = None) -> None:
+        """Claims the sum with its components, holes and digest. `found`: the sum, if known. Raises
+        NoProof where the boundary is too fine for decimals."""
+        found = _core.offset(self.P, str(self.square)) if found is None else found
+        with localcontext() as context:
+            context.prec = DIGITS
+            claim = self._walked()
+        claim |= {"holes": found.holes, "digest": digest(found.canonical_json())}
+        self.claims.append(claim)
+
+    def point(self, at: tuple[str, str]) -> None:
+        """Claims whether a point is nearer to P than the radius (-1), at it (0) or farther (1)."""
+        p, edges = (Fraction(at[0]), Fraction(at[1])), list(self._set.edges.values())
+        far = min(squared_distance(p, edge) for edge in edges)
+        side = (far > self.square) - (far < self.square)
+        if far > 0 and winds(p, edges) > 0:
+            side = -1
+        self.claims.append({"claim": "point", "point": [str(c) for c in p], "distance": side})
+
+    def _walked(self) -> dict[str, Any]:
+        """Walks all curves and joins their free parts to rings."""
+        own = self._set
+        arcs = [n for n, m in own.before.items() if own.turn(m, n) > 0]
+        after = {m: n for n, m in own.before.items()}
+        joints, near = Joints(decimal(self.square).sqrt()), own.near(self.square)
+        class_of, join = own.classes()
+        walks: list[list[CurveWalk]] = []
+        for numbers in (list(own.edges), arcs):
+            walks.append([])
+            is_arc = len(walks) == 2
+            for n in numbers:
+                edge, last = own.edges[n], after[n]
+                before = own.edges[own.before[n]] if is_arc else None
+                curve = OffsetCurve(n, edge, self.square, before)
+                tips = edge[:1] if is_arc else edge
+                for f in near[n]:
+                    if f != n and curve.look_at(f, own.edges[f], tips):
+                        join(n, f)
+                keys: tuple[Key, Key] = (n, False), (last, last in arcs)
+                if is_arc:
+                    keys = (n, True), (n, False)
+                walks[-1].append(CurveWalk(curve, joints, keys))
+        pieces = [piece for walk in (*walks[0], *walks[1]) for piece in walk.pieces]
+        return {
+            "claim": "sum",
+            "joints": [place.entry() for place in joints.places],
+            "edges": [walk.entries for walk in walks[0]],
+            "arcs": [walk.entries for walk in walks[1]],
+            "components": components(pieces, class_of),
+        }
+
+    def case(self) -> str:
+        """The case file's text."""
+        return f'{{"P":{self.P.to_json()}}}\n'
+
+    def text(self, case: str, title: str = "", producer: str = "") -> str:
+        """The certificate; `case`: its case file's relative path."""
+        head = disc_head(FORM, self.P, self.square, case, title, producer)
+        claims = ",\n".join(_claim_text(claim) for claim in self.claims)
+        return json.dumps(head)[:-1] + f', "claims": [\n{claims}\n]}}\n'
+
+
+def _claim_text(claim: dict[str, Any]) -> str:
+    """A line for each joint and each curve."""
+    rows = [
+        f'"{name}": [\n{",".join(map(_row, value))[1:]}]' if name in ("joints", "edges", "arcs")
+        else f'"{name}": {json.dumps(value)}'
+        for name, value in claim.items()
+    ]  # fmt: skip
+    return "{" + ",\n".join(rows) + "}"
+
+
+def _row(value: object) -> str:
+    return "\n" + json.dumps(value)

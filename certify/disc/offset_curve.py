@@ -1,0 +1,246 @@
+"""Curves that may bound the sum of a set with a disc, in decimals: which parts edges block."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+from minkref.certify.disc.joint_places import (
+    SAME,
+    Exact,
+    JointPlace,
+    Near,
+    circles_meet,
+    decimal,
+    line_meets_circle,
+    lines_meet,
+    near,
+    rational,
+)
+from minkref.certify.simplest import simplest_between
+
+BEYOND = Decimal(5)  # all directions
+Edge = tuple[Exact, Exact]
+
+
+def minus(p: Near, q: Near) -> Near:
+    return p[0] - q[0], p[1] - q[1]
+
+
+def cross(p: Near, q: Near) -> Decimal:
+    return p[0] * q[1] - p[1] * q[0]
+
+
+def dot(p: Near, q: Near) -> Decimal:
+    return p[0] * q[0] + p[1] * q[1]
+
+
+def way_of(edge: Edge) -> Exact:
+    return edge[1][0] - edge[0][0], edge[1][1] - edge[0][1]
+
+
+@dataclass(frozen=True)
+class Spot:
+    """A place on the curve at the radius from an edge, and its position along the curve."""
+
+    position: Decimal
+    exact: JointPlace
+    at: Near
+
+
+@dataclass(frozen=True)
+class Interval:
+    """Positions blocked by an edge; `facing`: right between two edges."""
+
+    low: Decimal
+    high: Decimal
+    edge: int
+    facing: bool = False
+
+    def holds(self, position: Decimal, slack: Decimal) -> bool:
+        return self.low + slack < position < self.high - slack
+
+
+@dataclass
+class OffsetCurve:
+    """Edge `n` moved to its right, or the arc about the vertex where it begins."""
+
+    n: int
+    edge: Edge
+    square: Fraction
+    before: Edge | None = None  # of an arc, the edge that ends where it is
+    intervals: list[Interval] = field(default_factory=list)
+    spots: list[Spot] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.radius = decimal(self.square).sqrt()
+        self.v = near(self.edge[0])
+        u = near(way_of(self.edge))
+        self.length = dot(u, u).sqrt()
+        self.along = u[0] / self.length, u[1] / self.length
+        self.normal = self.along[1], -self.along[0]
+        if self.before is None:
+            self.slack = SAME * (self.length + self.radius)
+            self.ends = Decimal(0), self.length
+            return
+        w = near(way_of(self.before))
+        long = dot(w, w).sqrt()
+        self.first = w[1] / long, -w[0] / long
+        middle = self.first[0] + self.normal[0], self.first[1] + self.normal[1]
+        if dot(middle, middle) < Decimal("1e-8"):  # almost half a turn
+            middle = -self.first[1], self.first[0]
+        size = Fraction(max(map(abs, middle)))
+        x, y = ((Fraction(c) / size).limit_denominator(1 << 20) for c in middle)
+        self.middle = x, y
+        self.slack = SAME
+        self.ends = self.position_of(self.first), self.position_of(self.normal)
+
+    @property
+    def is_arc(self) -> bool:
+        return self.before is not None
+
+    def position_of(self, way: Near) -> Decimal:
+        """Grows with the angle from the arc's middle, from -4 to 4: the tangent up to 45 degrees,
+        then 2 less the cotangent, up to 135 degrees."""
+        middle = near(self.middle)
+        x, y = dot(middle, way), cross(middle, way)
+        if abs(y) <= x:
+            return y / x
+        found = 2 - x / abs(y) if abs(y) >= -x else 4 + abs(y) / x
+        return found if y >= 0 else -found
+
+    def position(self, at: Near) -> Decimal:
+        way = minus(at, self.v)
+        return self.position_of(way) if self.is_arc else dot(self.along, way)
+
+    def point(self, position: Decimal) -> Near:
+        if not self.is_arc:
+            way, out = self.along, self.normal
+            return (self.v[0] + position * way[0] + self.radius * out[0],
+                    self.v[1] + position * way[1] + self.radius * out[1])  # fmt: skip
+        x, y = self.direction(position)
+        long = (x * x + y * y).sqrt()
+        return self.v[0] + self.radius * x / long, self.v[1] + self.radius * y / long
+
+    def direction(self, position: Decimal) -> Near:
+        x, y = near(self.middle)
+        along, across = _turned(position)
+        return along * x - across * y, along * y + across * x
+
+    def tangent(self, at: Near) -> Near:
+        """The direction of the curve, P on its left."""
+        way = minus(at, self.v)
+        return (-way[1], way[0]) if self.is_arc else self.along
+
+    def station(self, low: Decimal, high: Decimal) -> object:
+        """A rational place strictly between two positions, as a certificate writes it."""
+        third = (high - low) / 3
+        if not self.is_arc:
+            bounds = [Fraction((low + third) / self.length), Fraction((high - third) / self.length)]
+            return str(simplest_between(*bounds))
+        low, high = low + third, high - third
+        if low <= 0 <= high:
+            part = Fraction(0)
+        elif high < 0:
+            part = -simplest_between(Fraction(-high), Fraction(-low))
+        else:
+            part = simplest_between(Fraction(low), Fraction(high))
+        x, y = self.middle
+        along, across = _turned(part)
+        return [str(along * x - across * y), str(along * y + across * x)]
+
+    def look_at(self, f: int, edge: Edge, tips: tuple[Exact, ...]) -> bool:
+        """Adds the part that an edge blocks, or the places that it touches. Returns whether it
+        blocks some of the curve, or faces the edge. `tips`: vertices at the ends."""
+        if self.is_arc and self.edge[0] in edge:
+            return True
+        a, b = near(edge[0]), near(edge[1])
+        heights = [dot(self.normal, minus(p, self.v)) for p in (a, b)]
+        if not self.is_arc and max(map(abs, heights)) <= self.slack:
+            return False  # on the edge's own line
+        spots = list(self._candidates(edge))
+        if not spots:
+            return False
+        low, high = (end(spots, key=lambda one: one.position) for end in (min, max))
+        if high.position - low.position <= self.slack:
+            at_tip = any(p in edge for p in tips) and any(
+                abs(low.position - end) <= self.slack for end in self.ends
+            )
+            if not at_tip:
+                self.spots.append(low)
+            return False
+        self.spots += [low, high]
+        made = list(self._parts(f, edge, low, high))
+        self.intervals += made
+        if made[0].facing:
+            self.spots += self._facing_ends(made[0], edge)
+        first, last = self.ends
+        return any(one.low < last - self.slack and first + self.slack < one.high for one in made)
+
+    def _parts(self, f: int, edge: Edge, low: Spot, high: Spot) -> Iterator[Interval]:
+        if self.is_arc:
+            inner = self.position_of(minus(_nearest(self.v, edge), self.v))
+            if low.position < inner < high.position:
+                yield Interval(low.position, high.position, f)
+            else:
+                yield Interval(-BEYOND, low.position, f)
+                yield Interval(high.position, BEYOND, f)
+            return
+        middle = self.point((low.position + high.position) / 2)
+        off = minus(middle, _nearest(middle, edge))
+        facing = dot(off, off).sqrt() > self.radius - self.slack
+        yield Interval(low.position, high.position, f, facing)
+
+    def _facing_ends(self, part: Interval, edge: Edge) -> Iterator[Spot]:
+        """The curve's own ends that are right between two edges: their places are rational."""
+        u, (x, y) = way_of(self.edge), self.edge[0]
+        height = (edge[0][0] - x) * u[1] - (edge[0][1] - y) * u[0]
+        part_of = height / (2 * (u[0] ** 2 + u[1] ** 2))
+        for position, tip in zip(self.ends, self.edge, strict=True):
+            if part.holds(position, self.slack):
+                exact = rational((tip[0] + part_of * u[1], tip[1] - part_of * u[0]))
+                yield Spot(position, exact, exact.near())
+
+    def _candidates(self, edge: Edge) -> Iterator[Spot]:
+        """Places on the whole line or circle as far from an edge as the radius."""
+        a, b = near(edge[0]), near(edge[1])
+        u = minus(b, a)
+        for p, other in ((edge[0], minus(b, a)), (edge[1], minus(a, b))):
+            for exact in self._near_point(p):
+                at = exact.near()
+                if dot(minus(at, near(p)), other) <= self.slack * dot(u, u).sqrt():
+                    yield Spot(self.position(at), exact, at)
+        for exact in self._near_line(edge):
+            at = exact.near()
+            over = dot(minus(at, a), u)
+            slack = self.slack * dot(u, u).sqrt()
+            if -slack <= over <= dot(u, u) + slack:
+                yield Spot(self.position(at), exact, at)
+
+    def _near_point(self, p: Exact) -> Iterator[JointPlace]:
+        if self.is_arc:
+            return circles_meet(self.edge[0], p, self.square)
+        return line_meets_circle(self.edge[0], way_of(self.edge), p, self.square)
+
+    def _near_line(self, edge: Edge) -> Iterator[JointPlace]:
+        u = way_of(edge)
+        if self.is_arc:
+            return line_meets_circle(edge[0], u, self.edge[0], self.square, (1, -1))
+        return lines_meet(self.edge[0], way_of(self.edge), edge[0], u, self.square)
+
+
+def _turned(position: Any) -> tuple[Any, Any]:
+    """A direction at a position between two right angles, seen from the arc's middle."""
+    if abs(position) <= 1:
+        return 1, position
+    return 2 - abs(position), 1 if position > 0 else -1
+
+
+def _nearest(p: Near, edge: Edge) -> Near:
+    a, b = near(edge[0]), near(edge[1])
+    u = minus(b, a)
+    part = min(max(dot(minus(p, a), u) / dot(u, u), Decimal(0)), Decimal(1))
+    return a[0] + part * u[0], a[1] + part * u[1]
