@@ -45,14 +45,16 @@ class DiscSumCertificate:
     def __repr__(self) -> str:
         return shown(self, self.claims)
 
-    def sum(self, found: _core.Offset | None = None) -> None:
-        """Claims the sum with its components, holes and digest. `found`: the sum, if known. Raises
-        NoProof where the boundary is too fine for decimals."""
-        found = _core.offset(self.P, str(self.square)) if found is None else found
+    def sum(self, known: tuple[int, str] | None = None) -> None:
+        """Claims the sum with its components, holes and digest. `known`: its holes and canonical
+        form. Raises NoProof where the boundary is too fine for decimals."""
+        if known is None:
+            found = _core.offset(self.P, str(self.square))
+            known = found.holes, found.canonical_json()
         with localcontext() as context:
             context.prec = DIGITS
             claim = self._walked()
-        claim |= {"holes": found.holes, "digest": digest(found.canonical_json())}
+        claim |= {"holes": known[0], "digest": digest(known[1])}
         self.claims.append(claim)
 
     def point(self, at: tuple[str, str]) -> None:

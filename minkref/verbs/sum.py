@@ -67,6 +67,8 @@ minkref sum g1 disc:7/5 --route paper-update --arithmetic double --reading line=
 
 minkref sum g1 disc:7/5 --measures --json
 
+minkref sum g1 disc:7/5 --certify grown.cert.json
+
 minkref sum P.wkt disc:sqrt:2 --scale 3/2 -o offset.wkt --tolerance 1/1000"""
 
 TOLD = """\
@@ -174,6 +176,22 @@ Measures = Annotated[
     ),
 ]
 
+Certify = Annotated[
+    Path | None,
+    typer.Option(
+        "--certify",
+        metavar="FILE",
+        help="With a disc: write a proof of the sum (docs/certificates-disc.md) as FILE.cert.json "
+        "or FILE.cert.json.gz, and its case beside it. It is checked first.",
+    ),
+]
+Point = Annotated[
+    tuple[str, str] | None,
+    typer.Option(
+        "--point", metavar="X,Y", help="With --certify: prove too whether this point is in the sum."
+    ),
+    Read(read_point),
+]
 
 AT = typer.Option(
     "--at", help="Say where this point lies: inside, on the boundary or outside.", metavar="X,Y[,Z]"
@@ -237,6 +255,8 @@ class SumWithDisc:
     tolerance: Tolerance = None
     outside: Outside = False
     measures: Measures = False
+    certify: Certify = None
+    point: Point = None
     memory: Memory = None
     json: Json = False
 

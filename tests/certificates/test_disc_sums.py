@@ -3,17 +3,36 @@ verdict, and verify nothing that is not so."""
 
 from __future__ import annotations
 
+import json
+import random
 from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import bridges
 import grown
 import pytest
-from replacing import replaced
+from minkref import _core
+from minkref.certify.disc.disc_sum_certificate import DiscSumCertificate
+from minkref.certify.plane.certificate import NoProof
+from minkref.fuzz.judges.disc.certified_disc_sums import (
+    drawn_certificate,
+    false_certificates,
+    is_true,
+    made,
+)
+from replacing import changed, replaced, sample, verdicts_on
+from thoroughness import draws
 from walls import polygons
 
 CheckValue = Callable[[Any, Any], tuple[int, str]]
+SEED = 12
 TOTAL = ("claims", 0)
+
+
+def _set_of(value: Any) -> _core.PolygonSet:
+    return _core.PolygonSet.from_json(json.dumps(value))
 
 
 def test_by_hand(check_value: CheckValue) -> None:
@@ -82,3 +101,46 @@ def test_the_set_is_looked_at(check_value: CheckValue, outer: Any, why: str) -> 
     value = replaced(grown.certificate(), ("case", "sha256"), bridges.digest_of_case(case))
     code, said = check_value(value, case)
     assert code in (1, 2) and why in said, said
+
+
+def test_what_is_produced_is_verified_and_what_is_false_is_not(tmp_path: Path) -> None:
+    """Sets at any radii and at those of events, and members of degenerate families."""
+    print("seed", SEED)
+    given = [made(drawn_certificate(SEED, k)) for k in range(draws(8, 80))]
+    assert set(verdicts_on(tmp_path, given)) == {0}
+    assert all(is_true(*one) for one in given[:2])
+    dice = random.Random(SEED)
+    false = [
+        (value, case)
+        for one, case in given[: draws(2, 20)]
+        for _, value in false_certificates(one, dice)
+    ]
+    (tmp_path / "false").mkdir()
+    assert 0 not in verdicts_on(tmp_path / "false", false)
+    assert len(false) > draws(16, 200)
+
+
+def test_changes_verify_nothing_false(tmp_path: Path) -> None:
+    """A joint that two blocked parts meet at may be another one; whatever is verified is so."""
+    changes = sample(((value, grown.CASE) for value in changed(grown.certificate())), 800)
+    codes = verdicts_on(tmp_path, changes)
+    verified = [change for change, code in zip(changes, codes, strict=True) if code == 0]
+    assert len(verified) < len(changes) // 2
+    assert all(is_true(*change) for change in verified)
+
+
+def test_a_vertex_inside_an_edge_becomes_a_vertex_of_both(tmp_path: Path) -> None:
+    """A triangle touches the middle of a square's edge with its tip."""
+    square, tip = "0 0,4 0,4 4,0 4", "2 0,1 -2,3 -2"
+    rings = [[point.split() for point in ring.split(",")] for ring in (square, tip)]
+    P = _set_of(polygons(*rings))
+    certificate = DiscSumCertificate(P, Fraction(1, 4))
+    certificate.sum()
+    assert len(made(certificate)[1]["P"]["polygons"][0]["outer"]) == 5
+    assert verdicts_on(tmp_path, [made(certificate)]) == [0]
+
+
+def test_a_segment_is_refused() -> None:
+    segment = {"polygons": [{"outer": [["0", "0"], ["1", "0"]], "holes": []}]}
+    with pytest.raises(NoProof, match="regions"):
+        DiscSumCertificate(_set_of(segment), Fraction(1, 4))

@@ -278,6 +278,10 @@ def test_polygons_are_inside_and_outside(square: str, tolerance: str) -> None:
         (("disc:1", "-o", "sum.dxf", "--tolerance", "1"), "--tolerance"),
         (("disc:1", "--measures"), "--measures"),
         (("g1", "--measures", "--json"), "--measures"),
+        (("disc:1", "--point", "1,1"), "add --certify"),
+        (("disc:1", "--certify", "sum.json"), "FILE.cert.json"),
+        (("g1", "--certify", "sum.cert.json"), "--certify"),
+        (("disc:1", "--route", "paper-update", "--certify", "sum.cert.json"), "exact sums only"),
         (("g1", "--tolerance", "1"), "--tolerance"),
     ],
 )
@@ -293,6 +297,23 @@ def test_what_it_refuses(
     assert ran.code == 2
     assert what in ran.err
     assert not list(tmp_path.iterdir())
+
+
+def test_a_proof_of_the_sum(minkref: Minkref, tmp_path: Path) -> None:
+    """Written beside its case, scaled, and verified; lines are refused."""
+    file = tmp_path / "s.cert.json"
+    ran = minkref("sum", FRAME, "disc:1/2", "--certify", file, "--point", "4,4", "--scale", "1/2")
+    assert ran.code == 0 and "2 claims" in ran.out and "checked: verified" in ran.out, ran.err
+    checked = minkref("check", file, "--json")
+    assert checked.code == 0 and ran.out.split("digest")[1].split()[0] in checked.out
+    assert "point: (4, 4) is inside" in checked.out
+    ran = minkref("sum", FRAME, "disc:sqrt:2", "--certify", tmp_path / "t.cert.json", "--json")
+    assert (ran.code, ran.json["certificate"]["verified"]) == (0, True), ran.err
+    refused = minkref(
+        "sum", "LINESTRING (0 0, 1 1)", "disc:1", "--certify", tmp_path / "l.cert.json"
+    )
+    assert refused.code == 2 and "regions" in refused.err
+    assert not (tmp_path / "l.cert.json").exists()
 
 
 def test_two_discs_are_refused(minkref: Minkref) -> None:

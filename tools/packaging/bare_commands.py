@@ -108,6 +108,7 @@ STEPS = (
     step(f"path disc1 g2 {WAY} -o way.svg", "valid scales", files=("way.svg",)),
     step("certify g1 g2 -o sum.cert.json", files=("sum.cert.json",)),
     step("check sum.cert.json"),
+    step("sum g1 disc:7/5 --certify grown.cert.json", files=("grown.cert.json",)),
     step(f"path disc1 g2 {WAY} --certify way.cert.json", "valid", files=("way.cert.json",)),
     step("generate fits-hole --count 2 -o cases"),
     step("check cases"),

@@ -16,15 +16,17 @@ from minkref.cli.paper_words import in_words
 from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.disc.commands.index_file import from_places
 from minkref.disc.commands.indexed_sum import IndexedSum
+from minkref.disc.commands.sum_proof import check_point, proved_sum
 from minkref.disc.disc import Disc, is_disc, read_disc
 from minkref.disc.polygons import sum_near
 from minkref.errors import Refusal, refusing
 from minkref.exact import digest
-from minkref.output.documents import Stopwatch, document, refuse_overwriting
+from minkref.output.documents import Stopwatch, document, refuse_overwriting, write_together
 from minkref.output.output_target import Target, target_of
 from minkref.plane.commands.scale_index import chosen_route, cores, refuse_overwriting_index
 from minkref.plane.commands.sum_table import passage_rows
 from minkref.plane.operand import Operand, read_operand
+from minkref.verbs.proof_option import proof_document, proof_files, proof_rows
 from minkref.verbs.sum import SumWithDisc
 
 if TYPE_CHECKING:
@@ -51,6 +53,7 @@ def run(request: SumWithDisc) -> None:
     offered = FORMATS if request.tolerance is not None else WITH_ARCS
     target = target_of(output, request.form, FORMATS, "json", request.json, offered=offered)
     check_polygon(request, target)
+    check_point(request.certify, request.point)
     if request.measures and not request.json:
         raise Refusal("the terms are in the document only", "--measures", "add --json")
     if is_disc(P) and is_disc(Q):
@@ -61,10 +64,16 @@ def run(request: SumWithDisc) -> None:
         if output is not None:
             refuse_overwriting(output, [operand.file])
             refuse_overwriting_index(output, index)
+        files = proof_files(request.certify, [operand.file], output)
         other = operand.set if is_disc(P) else operand.set.scaled(str(factor))
         found = _found(operand, other, str(disc.squared_radius), route, index)
         canonical = found.canonical_json()
-        written = None
+        written, proof = None, None
+        if files is not None:
+            names = f"{P} and {Q}"
+            known = found.holes, canonical
+            proof = proved_sum(files, names, other, disc.squared_radius, known, request.point)
+            write_together(dict(proof[0].contents()))
         if target is not None:
             written = _written(target, found, other, disc, canonical, request)
         if target is not None and written is not None and target.write(*written):
@@ -92,6 +101,7 @@ def run(request: SumWithDisc) -> None:
         readings=None,
         exact=None,
         comparison=None,
+        certificate=proof_document(proof),
     )
     give(value, request.json, lambda value: _print(value, operand))
 
@@ -106,6 +116,7 @@ def _run_paper(request: SumWithDisc, route: str, watch: Stopwatch) -> None:
     target = target_of(request.output, request.form, ("json",), "json", request.json)
     for option, given in (("--tolerance", request.tolerance is not None),
                           ("--outside", request.outside), ("--measures", request.measures),
+                          ("--certify", request.certify), ("--point", request.point),
                           ("--only-sum", request.only_sum)):  # fmt: skip
         if given:
             raise Refusal("that is of exact sums only", option, "leave it out")
@@ -138,6 +149,7 @@ def _run_paper(request: SumWithDisc, route: str, watch: Stopwatch) -> None:
         measures=None,
         arithmetic=request.arithmetic,
         readings=readings,
+        certificate=None,
         **found,
     )
     give(value, request.json, lambda value: _print(value, operand))
@@ -286,4 +298,4 @@ def _print(value: dict[str, Any], operand: Operand) -> None:
         *_told(value),
         ("seconds", f"{value['seconds']:.3f}"),
     ]
-    print_lines(rows + written_row(value), value)
+    print_lines(rows + written_row(value) + proof_rows(value), value)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
+from minkref.schemas.certificates import CertificateMade
 from minkref.schemas.disc.values import (
     Curve,
     CurvedRing,
@@ -156,3 +157,4 @@ class DiscSumDocument(Head, Operands, Written):
         ExactDiscSum | None, Meta(description="On the route `paper-update`: what is true.")
     ]
     comparison: BesideExact
+    certificate: CertificateMade

@@ -19,7 +19,7 @@ from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 1.2, 12)
+MINUTES = Minutes(0.1, 0.8, 12)
 
 SEED = 1911
 SETS = Counts(20, 100, 1000)
