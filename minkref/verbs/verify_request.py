@@ -21,7 +21,7 @@ from minkref.cli.target_options import (
 from minkref.fuzz.isolation.isolation import AUTO
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import JUDGING_BYTES, PROCESSES
-from minkref.reports.conformance.annotations import AUTO as WHERE_IT_RUNS
+from minkref.reports.conformance.annotation_kinds import AUTO as WHERE_IT_RUNS
 
 TargetNames = Annotated[
     list[str] | None,

@@ -7,23 +7,14 @@ import os
 from pathlib import Path
 from urllib.parse import unquote
 
-from minkref.errors import Refusal, choice
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import BROKEN, Verdict
+from minkref.reports.conformance.annotation_kinds import AUTO, NONE
 from minkref.reports.conformance.run_words import describe
 from minkref.reports.conformance.sarif import place
 
-AUTO, GITHUB, NONE = "auto", "github", "none"
-KINDS = (AUTO, GITHUB, NONE)
 _DATA = (("%", "%25"), ("\r", "%0D"), ("\n", "%0A"))  # the percent sign first
 _PROPERTY = (*_DATA, (":", "%3A"), (",", "%2C"))
-
-
-def check_annotations(kind: str) -> None:
-    """Refuses other kinds than `auto`, `github` and `none`."""
-    if kind not in KINDS:
-        what = f"there are no annotations of the kind {kind[:40]!r}"
-        raise Refusal(what, "--annotations", choice(kind, KINDS))
 
 
 def annotation_lines(kind: str, groups: list[Group]) -> str:
