@@ -37,6 +37,8 @@ GUIDE = (
     "convex-polyhedra",
     "first-finding",
     "verify",
+    "findings",
+    "matrix",
     "adapter-protocol",
     "ci",
     "security",

@@ -43,8 +43,7 @@ void NearPairs::scale_to_unit() {
   }
 }
 
-/// The fan of a group is that of its point in most groups, where these are many; a large group is
-/// by itself.
+/// Where groups are many, most use the fan of their point; a large group stands alone.
 void NearPairs::find_fans() {
   std::vector<std::uint32_t> degree(points_.size()), last(points_.size(), UINT32_MAX);
   std::vector<std::uint32_t> first_of_group;

@@ -16,7 +16,7 @@ NearVector difference(const NearVector& a, const NearVector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// In the same direction, its longest coordinate 1 or -1. None of what is too short.
+/// In the same direction, its longest coordinate 1 or -1. Nothing if too short.
 std::optional<NearVector> normalized(const NearVector& v) {
   const double longest = std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
   if (!(longest > 1e-290) || !(longest < unbounded)) return std::nullopt;

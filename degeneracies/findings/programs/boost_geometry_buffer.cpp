@@ -1,12 +1,10 @@
-// Boost.Geometry: buffer with round joins, 72 points a circle.
-// ./boost_geometry_buffer "X" TRUTH SET RADIUS: X is a point "x y", TRUTH what is right of it: in,
-// out, or any where the call alone matters. The set is WKT.
+// Boost.Geometry: buffer, round joins, 72 points per circle.
+// Usage: ./boost_geometry_buffer "X Y" TRUTH SET RADIUS, TRUTH being in, out or any; set: WKT.
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/multi_polygon.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <boost/version.hpp>
-
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -27,6 +25,7 @@ int main(int, char** argv) {
              how::join_round(72), how::end_round(72), how::point_circle(72));
   const std::string found = bg::within(Point(x, y), grown) ? "in" : "out";
   std::cout << "Boost " << BOOST_LIB_VERSION << ": area " << bg::area(grown) << "\n"
-            << "x = (" << argv[1] << ") in the buffer: " << found << ", in truth: " << truth << "\n";
+            << "x = (" << argv[1] << ") in the buffer: " << found << ", in truth: " << truth
+            << "\n";
   return truth == "any" || truth == found ? 0 : 1;
 }

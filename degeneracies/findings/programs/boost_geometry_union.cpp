@@ -1,12 +1,11 @@
-// Boost.Geometry: union_ of one set after the other.
-// ./boost_geometry_union "X" TRUTH SET...: X is a point "x y", TRUTH what is right of it: in, out,
-// or any where the call alone matters. Each set is WKT.
+// Boost.Geometry: union_, set after set.
+// Usage: ./boost_geometry_union "X Y" TRUTH SET..., TRUTH being in, out or any (crashes); sets:
+// WKT.
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/multi_polygon.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <boost/version.hpp>
-
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -16,7 +15,7 @@ using Point = bg::model::d2::point_xy<double>;
 using Polygon = bg::model::polygon<Point, false, false>;
 using Set = bg::model::multi_polygon<Polygon>;
 
-// How often the ray from x to the right crosses the ring.
+// Crossings between the ring and a ray to the right.
 template <class Ring>
 int crossed(const Ring& ring, long double x, long double y) {
   int count = 0;
@@ -49,6 +48,7 @@ int main(int count, char** argv) {
   const std::string found = crossings % 2 == 1 ? "in" : "out";
   std::cout.precision(17);
   std::cout << "Boost " << BOOST_LIB_VERSION << ": " << bg::wkt(all) << "\n"
-            << "x = (" << argv[1] << ") in this union: " << found << ", in truth: " << truth << "\n";
+            << "x = (" << argv[1] << ") in this union: " << found << ", in truth: " << truth
+            << "\n";
   return truth == "any" || truth == found ? 0 : 1;
 }

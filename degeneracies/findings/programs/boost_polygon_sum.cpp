@@ -1,10 +1,8 @@
-// Boost.Polygon: the Minkowski sum of its tutorial, detail/minkowski.hpp.
-// ./boost_polygon_sum "X" TRUTH P Q: X is a point "x y", TRUTH what is right of it: in, out, or any
-// where the call alone matters. P and Q: the number of vertices, x and y of each, the number of
-// holes, and so each hole.
+// Boost.Polygon: Minkowski sums by detail/minkowski.hpp.
+// Usage: ./boost_polygon_sum "X Y" TRUTH P Q, TRUTH being in, out or any (crashes).
+// Operands: vertex count, coordinates, hole count, holes likewise.
 #include <boost/polygon/polygon.hpp>
 #include <boost/version.hpp>
-
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -37,7 +35,7 @@ Set set_of(const char* argument) {
   return set;
 }
 
-// How often the ray from x to the right crosses the ring.
+// Crossings between the ring and a ray to the right.
 template <class Any>
 int crossed(const Any& ring, long double x, long double y) {
   const std::vector<bp::point_data<int>> points(ring.begin(), ring.end());

@@ -1,7 +1,6 @@
-// CGAL: approximated_offset_2 with a bound of a 2000th of the radius.
-// ./cgal_offset "X" TRUTH P RADIUS: X is a point "x y", TRUTH what is right of it: in, out, or any
-// where the call alone matters. P is as CGAL reads it: the number of vertices, x and y of each, the
-// number of holes, and so each hole.
+// CGAL: approximated_offset_2, epsilon RADIUS / 2000.
+// Usage: ./cgal_offset "X Y" TRUTH P RADIUS, TRUTH being in, out or any (crashes).
+// P, as CGAL reads it: vertex count, coordinates, hole count, holes likewise.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
@@ -27,7 +26,7 @@ Value read(const std::string& text) {
   return value;
 }
 
-// The curves of a ring as a polygon: an arc by 20 chords.
+// Ring as polygon, 20 chords per arc.
 template <class Ring>
 Points points_of(const Ring& ring) {
   Points points;
@@ -50,7 +49,7 @@ Points points_of(const Ring& ring) {
   return points;
 }
 
-// Whether a ray from x to the right crosses an odd number of times.
+// Parity along a ray to the right.
 bool odd(const Points& points, double x, double y) {
   bool in = false;
   for (std::size_t i = 0; i < points.size(); ++i) {

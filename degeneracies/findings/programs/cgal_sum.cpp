@@ -1,7 +1,6 @@
-// CGAL: Minkowski sums of two polygons.
-// ./cgal_sum "X" TRUTH P Q METHOD: X is a point "x y", TRUTH what is right of it: in, out, or any
-// where the call alone matters. P and Q are as CGAL reads them: the number of vertices, x and y of
-// each, the number of holes, and so each hole.
+// CGAL: Minkowski sums of polygons.
+// Usage: ./cgal_sum "X Y" TRUTH P Q METHOD, TRUTH being in, out or any (crashes).
+// Operands, as CGAL reads them: vertex count, coordinates, hole count, holes likewise.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_convex_decomposition_2.h>
@@ -40,7 +39,7 @@ Set sum_of(const Set& P, const Set& Q, const std::string& method) {
   throw std::runtime_error("no method " + method);
 }
 
-// Outside the outer ring, or strictly inside a hole: no.
+// Closed: boundaries belong.
 bool covers(const Set& set, const Kernel::Point_2& x) {
   const auto side = [&](const Ring& ring) {
     return CGAL::bounded_side_2(ring.vertices_begin(), ring.vertices_end(), x, Kernel());
