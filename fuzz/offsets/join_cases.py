@@ -1,5 +1,5 @@
-"""Sets and lines to grow with other joins and caps: corners of all angles, no side much shorter than
-the radius, no corner nearly straight."""
+"""Sets and lines to grow with other joins and caps: corners of all angles, no side much shorter
+than the radius, no corner nearly straight."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from minkref.fuzz.plane.families.drawing import is_valid, shape_text
 
 FAMILY, GRID = "joins", "-grid"
 FAMILIES = {
-    FAMILY: "sets and lines to grow with mitred, bevelled and squared corners, flat and square ends",
+    FAMILY: "sets and lines to grow with mitred, bevelled, squared corners, flat, square ends",
     FAMILY + GRID: "the same on a grid of 24 bits",
 }
 BITS = 24

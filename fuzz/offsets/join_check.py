@@ -177,10 +177,7 @@ def _covered(x: Pair, half: Fraction, bodies: list[Body]) -> bool:
     heights |= {y for k, one in enumerate(sides) for other in sides[:k]
                 if (y := _crossing(one, other)) is not None and low < y < high}  # fmt: skip
     ordered = sorted(heights)
-    return all(
-        _line_covered((a + b) / 2, left, right, bodies)
-        for a, b in zip(ordered, ordered[1:], strict=False)
-    )
+    return all(_line_covered((a + b) / 2, left, right, bodies) for a, b in pairwise(ordered))
 
 
 def _crossing(one: tuple[Pair, Pair], other: tuple[Pair, Pair]) -> Fraction | None:

@@ -13,6 +13,7 @@ from minkref.fuzz.offsets.distance import Distances, OutsideDistances
 from minkref.fuzz.offsets.hole_points import far_points
 from minkref.fuzz.offsets.join_pieces import JoinPieces
 from minkref.fuzz.offsets.sandwich import Breach, Sandwich
+from minkref.fuzz.plane.exact_shapes import shape_of
 
 DEEP = Fraction(3, 2)  # tolerances: a square around the point lies inside, not only a disc
 ROUNDED = Fraction(1, 1 << 30)  # of the radius: more than normals lose
@@ -37,13 +38,13 @@ def _union(case: AskedOffset, reach: Fraction, due: bool) -> _core.PolygonSet:
 
 
 def _beyond(allowed: _core.PolygonSet, most: Fraction, result: Shape) -> Breach | None:
-    near = Distances(allowed.rings())
+    near = Distances(shape_of(allowed))
     holes = far_points(_core.offset(allowed, str(most**2)), near, most)
     return Sandwich(near, most, most, result).too_far(holes)
 
 
 def _lacking(due: _core.PolygonSet, deep: Fraction, result: Shape) -> Breach | None:
-    near = OutsideDistances(due.rings())
+    near = OutsideDistances(shape_of(due))
     left = far_points(_core.inset(due, str(deep**2)), near, deep, outer=True)
     found = Sandwich(near, deep, deep, result, turned=True).too_far(left)
     return None if found is None else Breach(found.point, True, found.square, whole=found.whole)

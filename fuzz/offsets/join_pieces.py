@@ -3,11 +3,11 @@ what none goes beyond.
 
 A side adds its rectangle. At a corner where the side turns away, the join adds a piece between two
 rectangles: round a sector, mitred the kite between their outer sides, bevelled a triangle, squared
-the kite cut at the radius, at right angles to its axis. A mitre beyond its limit is bevelled by some
-libraries, and cut at the limit or at the radius by others: a triangle is due, and the kite cut at
-the limit is allowed. A bevel may reach as far as a round join: libraries leave out bevels that are
-nearly flat. An end adds nothing, a square, or half a disc. Unit normals are rounded to 60 bits, and
-arcs to polygons inside what is due and around what is allowed.
+the kite cut at the radius, at right angles to its axis. A mitre beyond its limit is bevelled by
+some libraries, and cut at the limit or at the radius by others: a triangle is due, and the kite cut
+at the limit is allowed. A bevel may reach as far as a round join. An end adds nothing, a square, or
+half a disc. Unit normals are rounded to 60 bits, and arcs to polygons inside what is due and around
+what is allowed.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ import minkref
 from minkref import _core
 from minkref.fuzz.geometry.plane import Shape, cross, dot, doubled_area, minus
 from minkref.fuzz.offsets.asked_offset import AskedOffset
+from minkref.fuzz.offsets.distance import exact
 from minkref.fuzz.offsets.lines import Place
 from minkref.fuzz.offsets.manner import BEVEL, MITRE, ROUND, SQUARE, Manner
 
@@ -53,7 +54,7 @@ class JoinPieces:
         if not case.lines:
             for polygon in case.shape:
                 for ring in polygon:
-                    yield from self._ring([(Fraction(x), Fraction(y)) for x, y in ring])
+                    yield from self._ring([exact(p) for p in ring])
         for line in case.lines:
             yield from self._line(line)
 
@@ -115,7 +116,7 @@ class JoinPieces:
 
     def _pointed(self, v: Place, n: Place, m: Place, half: Place, square: Fraction) -> Piece:
         """A bevel, a kite, or a kite cut at right angles to its axis."""
-        triangle = [v, self._at(v, n), self._at(v, m)]
+        triangle: Piece = [v, self._at(v, n), self._at(v, m)]
         if self.manner.join == BEVEL:
             return triangle
         most = self.manner.limit if self.manner.join == MITRE else Fraction(1)
@@ -145,8 +146,8 @@ def is_plain(case: AskedOffset) -> bool:
     """Whether joins are judged: no side is shorter than a quarter of the radius, and no corner is
     nearly straight or nearly goes back. Libraries simplify such corners, as far as their tolerance
     lets them, and a mitre's tip moves further than that."""
-    rings = [list(line) for line in case.lines] or [
-        [*ring, ring[0], ring[1]] for polygon in case.shape for ring in polygon
+    rings: list[list[Place]] = [[*line] for line in case.lines] or [
+        [exact(p) for p in (*ring, *ring[:2])] for polygon in case.shape for ring in polygon
     ]
     for ring in rings:
         ways = [minus(b, a) for a, b in pairwise(ring)]

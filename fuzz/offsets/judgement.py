@@ -54,8 +54,8 @@ def _judged(case: AskedOffset, name: str, answer: Answer) -> Outcome:
         return Outcome(name, Verdict.SKIPPED, message=message, seconds=answer.seconds)
     if case.is_nothing:
         return _of_nothing(case, name, answer)
-    if not case.manner.is_round and (message := _unjudged(case, answer)):
-        return Outcome(name, Verdict.SKIPPED, message=message, seconds=answer.seconds)
+    if not case.manner.is_round and (why := _unjudged(case, answer)):
+        return Outcome(name, Verdict.SKIPPED, message=why, seconds=answer.seconds)
     if answer.curves is not None:
         return _Curves(case, name, answer, half).judged(answer.curves)
     assert answer.region is not None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, pairwise
 from math import isqrt
 
 from minkref.fuzz.cases.case_name import CaseName
@@ -16,7 +16,7 @@ from minkref.fuzz.plane.families.dice import Dice
 
 FAMILY, GRID = "line-offsets", "-grid"
 FAMILIES = {
-    FAMILY: "open lines to grow by a disc: tight turns, loops, arms as far apart as the disc is wide",
+    FAMILY: "open lines to grow by a disc: tight turns, loops, arms a diameter apart",
     FAMILY + GRID: "the same on a grid of 24 bits",
 }
 BITS = 24
@@ -153,7 +153,7 @@ def exact_lines(dice: Dice, rough: list[Rough], factor: Fraction) -> tuple[Line,
 def drawn_width(dice: Dice, lines: tuple[Line, ...]) -> tuple[Fraction, str]:
     """Draws a radius: half of a distance between features, beside one, or any."""
     places = list(dict.fromkeys(point for line in lines for point in line))
-    pairs = [pair for line in lines for pair in zip(line, line[1:], strict=False)]
+    pairs = [pair for line in lines for pair in pairwise(line)]
     squares = {from_edge(p, pair).square for p in places for pair in pairs if p not in pair}
     squares |= {from_edge(p, (q, q)).square for p, q in combinations(places, 2)}
     halves = sorted(_root(square) / 2 for square in squares if square > 0)

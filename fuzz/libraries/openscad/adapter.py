@@ -66,6 +66,8 @@ def run(scene: str, form: str) -> str:
         )
         if done.returncode < 0:
             raise RuntimeError(f"openscad was ended by signal {-done.returncode}")
+        if "top level object is empty" in done.stderr and form == "svg":
+            return ""
         if done.returncode or "ERROR" in done.stderr or not target.exists():
             raise RuntimeError(f"exit code {done.returncode}: {done.stderr[-1500:]}")
         return target.read_text(encoding="utf-8")

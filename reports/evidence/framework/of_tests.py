@@ -10,6 +10,7 @@ from typing import Any
 from minkref.reports.evidence.framework.places import ROOT
 
 SEEDED = ROOT / "tests" / "adapters" / "seeded"  # a small implementation, and faults to put into it
+SEEDED_OFFSETS = SEEDED.with_name("seeded_offsets")  # the same for the verb `offset`
 PAGE_ALONE = SEEDED.with_name("page_alone")  # adapters written from the page of the protocol alone
 VERIFY = ROOT / "tests" / "verify"  # adapters with planted faults
 
@@ -52,6 +53,11 @@ def features_adapter(way: str) -> str:
 def seeded_adapter(fault: str) -> str:
     """The target; `sound` for none."""
     return f"cmd:{sys.executable} {SEEDED / 'seeded_adapter.py'} {fault}"
+
+
+def seeded_offset(number: str) -> str:
+    """The target for a fault of the verb `offset`; 0 for none."""
+    return f"cmd:{sys.executable} {SEEDED_OFFSETS / 'seeded_offset.py'} {number}"
 
 
 def page_adapters(which: str) -> dict[str, Any]:

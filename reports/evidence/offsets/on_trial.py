@@ -8,16 +8,17 @@ from statistics import median
 
 from minkref.fuzz.judges.disc.offset_findings import confirmed
 from minkref.fuzz.libraries import catalogue
+from minkref.fuzz.offsets.question import OFFSETS
 from minkref.reports.evidence.framework.command import counts_of, first_found, told, verify
 from minkref.reports.evidence.framework.of_tests import VERIFY, module, offset_adapter
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
 RESTS_ON = ("fuzz/adapters/", "fuzz/libraries/")
-MINUTES = Minutes(0.3, 1.2, 20)
+MINUTES = Minutes(0.2, 0.7, 20)
 
 SEED = 11
 SECONDS = Counts(3, 12, 300)
-FAULTS = Counts(2, 5, 30)
+FAULTS = Counts(1, 1, 30)
 LONGEST = 60  # seconds until a seeded fault shows
 MEDIAN = 10.0
 OURS = ("minkref:definition", "minkref:paper", "minkref:index", "minkref-paper@rational,corrected")
@@ -26,7 +27,7 @@ LIBRARIES = (
     "openscad-offset", "pyclipper-inflate", "pyclipr-inflate", "clipper-lib-inflate",
     "clipper2-ts-inflate", "jsts-buffer", "jts-buffer", "i-overlay-outline", "cavalier-contours",
 )  # fmt: skip
-FAMILIES = ("--family", "offsets-known", "--family", "offsets", "--family", "offsets-grid")
+FAMILIES = [word for family in OFFSETS.families for word in ("--family", family)]
 
 
 def run(findings: Findings, size: Size) -> None:

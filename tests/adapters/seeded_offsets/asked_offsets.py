@@ -1,0 +1,55 @@
+"""Implementations of the verb `offset` asked and judged in this process, case by case."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.offsets.asked_offset import AskedOffset
+from minkref.fuzz.offsets.distance_check import holds
+from minkref.fuzz.offsets.join_check import holds as shows
+from minkref.fuzz.offsets.judgement import judge_offset
+from minkref.fuzz.run import naming
+from minkref.fuzz.targets.declaration import Declaration, read_declaration
+from minkref.fuzz.verdicts.verdict import Outcome
+from seeded_offset import answer, made
+
+FAMILIES = ("offsets-grid", "insets-grid", "line-offsets-grid", "joins-grid")
+
+
+@cache
+def case(name: str) -> AskedOffset:
+    found = naming.load(CaseName(name, "test"))
+    assert isinstance(found, AskedOffset)
+    return found
+
+
+def outcomes(name: str, seed: int, count: int) -> Iterator[tuple[AskedOffset, Outcome]]:
+    """What is said about an implementation, on so many cases of each family."""
+    target = made(name)
+    declared = read_declaration(answer(target, name, {"verb": "hello"}), name)
+    for k in range(count):
+        for family in FAMILIES:
+            asked = case(f"{family}:{seed}:{k}")
+            if not declared.lacks(asked.needs):
+                value = answer(target, name, request(asked, declared))
+                read = asked.exchange.received(value, declared, 0.0)
+                yield asked, judge_offset(asked, name, read)[0]
+
+
+def request(asked: AskedOffset, declared: Declaration) -> dict[str, Any]:
+    """As it is sent to a target with doubles."""
+    P = asked.exchange.sent(asked.asked_json, declared)
+    members = asked.manner.members(float)
+    return {"verb": "offset", "P": P, "radius": float(asked.radius), **members}
+
+
+def is_proven(asked: AskedOffset, said: Outcome) -> bool:
+    """Whether plain fractions confirm the witness."""
+    if said.witness is None:
+        return False
+    if asked.manner.is_round:
+        return holds(asked.P_json, said.witness)
+    return shows(asked.literal, said.witness)

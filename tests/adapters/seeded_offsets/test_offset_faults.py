@@ -1,0 +1,60 @@
+"""Seeded faults of the verb `offset` are refuted within few cases, each with a point that plain
+fractions check; right implementations from the page alone are never accused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+from asked_offsets import is_proven, outcomes
+from minkref.fuzz.offsets.join_check import holds as shows
+from minkref.fuzz.verdicts.verdict import GOOD, Verdict
+from offset_faults import FAULTS
+from right_offsets import RIGHT
+from thoroughness import THOROUGH, draws
+
+SEED = 7
+SOON = ("SignIgnored", "ArcsReversed", "HolesIgnored", "ReflexDiscsLost", "OneSide", "LimitIgnored")
+NUMBERS = [k for k, fault in enumerate(FAULTS) if k and (THOROUGH or fault.__name__ in SOON)]
+BY_NAME = {fault.__name__: str(k) for k, fault in enumerate(FAULTS)}
+
+
+def test_there_are_sixty_of_them_and_each_says_what_is_wrong() -> None:
+    abouts = [fault.__doc__ or "" for fault in FAULTS[1:]]
+    assert len(set(abouts)) == len(abouts) >= 60
+    assert all(16 <= len(about) <= 100 and about.endswith(".") for about in abouts)
+
+
+@pytest.mark.parametrize("number", NUMBERS, ids=lambda k: FAULTS[k].__name__)
+def test_a_seeded_fault_is_refuted(number: int) -> None:
+    print("seed", SEED)
+    asked, said = next(
+        pair for pair in outcomes(str(number), SEED, 60) if pair[1].verdict not in GOOD
+        and pair[1].verdict is not Verdict.SKIPPED
+    )  # fmt: skip
+    assert said.verdict is Verdict.WRONG and is_proven(asked, said)
+
+
+@pytest.mark.parametrize("name", ["0", *RIGHT])
+def test_a_right_one_is_never_accused(name: str) -> None:
+    if name == "shapely":
+        pytest.importorskip("shapely")
+    print("seed", SEED)
+    said = [one for _, one in outcomes(name, SEED, draws(5, 120))]
+    assert {one.verdict for one in said} <= {*GOOD, Verdict.SKIPPED}, said
+    judged = sum(one.verdict in GOOD for one in said)
+    assert judged * 2 > len(said)
+
+
+def test_a_witness_with_joins_that_says_too_much_is_refused() -> None:
+    """A corner without its mitre: the square around the witness has to lie within it."""
+    asked, said = next(
+        (asked, said) for asked, said in outcomes(BY_NAME["MitresBevelled"], SEED, 60)
+        if said.verdict is Verdict.WRONG and asked.manner.join == "mitre"
+    )  # fmt: skip
+    witness = said.witness
+    assert witness is not None and witness.in_truth and is_proven(asked, said)
+    assert not shows(asked.literal, replace(witness, in_truth=False))
+    far = str(Fraction(witness.tolerance) + 3 * abs(asked.radius))
+    assert not shows(asked.literal, replace(witness, tolerance=far))
