@@ -40,11 +40,22 @@ using Unite = std::function<json(const std::vector<Polygons>& sets)>;
 /// The members of a result, from a set and the radius of the disc that it grows by; may throw
 /// anything.
 using Grow = std::function<json(const Polygons& P, double radius)>;
+/// An offset's request: a set or open lines, the radius, and how corners and ends are to be.
+struct Growth {
+  Polygons polygons;
+  std::vector<Ring> lines;
+  double radius = 0;
+  std::string join = "round", cap = "round";
+  double limit = 2;  ///< of a mitre
+};
+/// The same for an implementation that takes open lines, or other joins and caps.
+using GrowAs = std::function<json(const Growth& asked)>;
 /// What an adapter does; an absent function's verb is skipped.
 struct Work {
   Sum sum = nullptr;
   Unite unite = nullptr;
   Grow grow = nullptr;
+  GrowAs grow_as = nullptr;
 };
 
 inline Ring read_ring(const json& value) {
@@ -61,6 +72,21 @@ inline Polygons read_polygons(const json& value) {
     for (const json& hole : item.at("holes")) polygon.holes.push_back(read_ring(hole));
   }
   return polygons;
+}
+
+inline Growth read_growth(const json& request) {
+  const json& P = request.at("P");
+  Growth asked;
+  if (P.contains("lines")) {
+    for (const json& line : P.at("lines")) asked.lines.push_back(read_ring(line));
+  } else {
+    asked.polygons = read_polygons(P);
+  }
+  asked.radius = request.at("radius").get<double>();
+  asked.join = request.value("join", asked.join);
+  asked.cap = request.value("cap", asked.cap);
+  asked.limit = request.value("limit", asked.limit);
+  return asked;
 }
 
 /// All the polygons' rings.
@@ -91,6 +117,8 @@ inline json answer(const json& request, const json& hello, const Work& work, Pol
       std::vector<Polygons> sets;
       for (const json& set : request.at("sets")) sets.push_back(read_polygons(set));
       result.update(work.unite(sets));
+    } else if (verb == "offset" && work.grow_as) {
+      result.update(work.grow_as(read_growth(request)));
     } else if (verb == "offset" && work.grow) {
       result.update(work.grow(read_polygons(request.at("P")), request.at("radius").get<double>()));
     } else if (verb == "at" && work.sum) {

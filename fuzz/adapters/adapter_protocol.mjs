@@ -1,6 +1,6 @@
 // The loop of an adapter in JavaScript: requests from standard input, answers to standard output
 // (docs/adapter-protocol.md). `serve(hello, verbs)` takes the declaration and the functions
-// sumOf(sP, Q), unionOf(sets) and offsetOf(P, radius); each returns the members of a result.
+// sumOf(sP, Q), unionOf(sets) and offsetOf(P, radius, request); each returns the members of a result.
 import { createInterface } from "node:readline";
 
 export class Skipped extends Error {}
@@ -50,7 +50,7 @@ function result(request, hello, state, verbs) {
     return {};
   }
   if (verb === "union" && verbs.unionOf) return verbs.unionOf(request.sets);
-  if (verb === "offset" && verbs.offsetOf) return verbs.offsetOf(request.P, request.radius);
+  if (verb === "offset" && verbs.offsetOf) return verbs.offsetOf(request.P, request.radius, request);
   if (verb === "at" && verbs.sumOf) {
     if (!state.Q) throw new Error("`at` before any `load`");
     return verbs.sumOf(request.sP, state.Q);

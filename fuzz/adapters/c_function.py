@@ -13,6 +13,9 @@ from adapter_protocol import Errored, Rejected, Set, Sum  # type: ignore[import-
 
 RESULT, SKIPPED, REJECTED = 0, 1, 2
 MOST_VERTICES = 50_000_000
+NOT_IN_C = {
+    "line-offset", "join-mitre", "join-bevel", "join-square", "cap-flat", "cap-square",
+}  # fmt: skip
 ADD_ON = {
     "arithmetic": "float64",
     "tolerance": {"absolute": "0", "relative": "1e-9"},
@@ -46,6 +49,9 @@ def load(path: str, name: str) -> tuple[dict[str, Any], Sum]:
     able = declared["capabilities"]
     if isinstance(able, list) and "space" in able:
         raise Errored("its declaration: capabilities has space, and a C function is for the plane")
+    beyond = sorted(set(able) & NOT_IN_C) if isinstance(able, list) else []
+    if beyond:
+        raise Errored(f"its declaration: capabilities has {beyond[0]}, and a C function gets sets")
     if isinstance(able, list) and "features" in able:
         raise Errored("its declaration: capabilities has features, and a C function gives sets")
     return declared, _answering(found)

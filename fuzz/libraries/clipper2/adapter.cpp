@@ -27,7 +27,8 @@
 //
 // double: MinkowskiSum of PathsD with the default of two decimals; curves, as boundary.
 //
-// inflate: InflatePaths of Paths64 with round joins, its arc tolerance a thousandth of the radius.
+// inflate: InflatePaths of Paths64, joins and ends as asked, its arc tolerance a thousandth of the
+// radius.
 #include <clipper2/clipper.h>
 
 #include <string_view>
@@ -106,16 +107,30 @@ json unite(const std::vector<Polygons>& sets) {
   return result_of(Union(paths, FillRule::NonZero), grid);
 }
 
-json grow(const Polygons& P, double radius) {
-  const IntegerGrid grid(largest_coordinate(P) + std::abs(radius), bits);
+JoinType join_type(const std::string& join) {
+  if (join == "mitre") return JoinType::Miter;
+  if (join == "bevel") return JoinType::Bevel;
+  return join == "square" ? JoinType::Square : JoinType::Round;
+}
+
+EndType end_type(const std::string& cap) {
+  if (cap == "flat") return EndType::Butt;
+  return cap == "square" ? EndType::Square : EndType::Round;
+}
+
+json grow(const Growth& asked) {
+  const bool open = !asked.lines.empty();
+  const std::vector<Ring> rings = open ? asked.lines : rings_of(asked.polygons);
+  double size = 0;
+  for (const Ring& ring : rings) size = std::max(size, largest_coordinate({{ring, {}}}));
+  const IntegerGrid grid(size + std::abs(asked.radius), bits);
   Paths64 paths;
-  for (const Ring& ring : rings_of(P)) paths.push_back(to_path(ring, grid));
-  const double delta = grid.scaled(radius);
-  constexpr double miter_limit = 2;  // of no use here
-  return result_of(
-      InflatePaths(paths, delta, JoinType::Round, EndType::Polygon, miter_limit,
-                   std::abs(delta) / 1000),
-      grid);
+  for (const Ring& ring : rings) paths.push_back(to_path(ring, grid));
+  const double delta = grid.scaled(asked.radius);
+  const EndType end = open ? end_type(asked.cap) : EndType::Polygon;
+  return result_of(InflatePaths(paths, delta, join_type(asked.join), end, asked.limit,
+                                std::abs(delta) / 1000),
+                   grid);
 }
 
 json double_sum(const Polygons& sP, const Polygons& Q) {
@@ -173,10 +188,11 @@ int run(std::string_view mode) {
     value["grid"] = {{"bits", bits - 2}};
     value["tolerance"] = {{"absolute", "0"}, {"relative", "1/134217728"}, {"radius", "0.001"}};
     for (const char* more :
-         {"holes", "components", "touching", "empty", "point", "segment", "offset", "inset"}) {
+         {"holes", "components", "touching", "empty", "point", "segment", "offset", "inset",
+          "line-offset", "join-mitre", "join-bevel", "join-square", "cap-flat", "cap-square"}) {
       value["capabilities"].push_back(more);
     }
-    return serve(value, {nullptr, nullptr, grow});
+    return serve(value, {nullptr, nullptr, nullptr, grow});
   }
   std::cerr << "usage: clipper2_adapter boundary|region|double|inflate\n";
   return 2;

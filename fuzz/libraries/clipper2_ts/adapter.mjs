@@ -25,12 +25,20 @@ function unionOf(sets) {
   return { rings: toRings(Clipper.union(paths, FillRule.NonZero), grid) };
 }
 
-function offsetOf(P, radius) {
-  const grid = new IntegerGrid(largest([P]) + Math.abs(radius), BITS);
+const JOINS = {
+  round: JoinType.Round, mitre: JoinType.Miter, bevel: JoinType.Bevel, square: JoinType.Square,
+};
+const ENDS = { round: EndType.Round, flat: EndType.Butt, square: EndType.Square };
+
+function offsetOf(P, radius, { join = "round", cap = "round", limit = 2 }) {
+  const rings = P.lines ?? ringsOf(P);
+  const size = rings.flat(2).reduce((a, x) => Math.max(a, Math.abs(x)), 0);
+  const grid = new IntegerGrid(size + Math.abs(radius), BITS);
   const delta = radius / grid.unit;
-  const paths = ringsOf(P).map((ring) => toPath(ring, grid));
+  const paths = rings.map((ring) => toPath(ring, grid));
+  const end = P.lines ? ENDS[cap] : EndType.Polygon;
   const found = Clipper.inflatePaths(
-    paths, delta, JoinType.Round, EndType.Polygon, 2, Math.abs(delta) / 1000,
+    paths, delta, JOINS[join], end, limit, Math.abs(delta) / 1000,
   );
   return { rings: toRings(found, grid) };
 }
@@ -44,6 +52,10 @@ const HELLO = {
   sum: "none",
 };
 const ALL = ["plane", "non-convex", "holes", "components", "touching", "empty"];
+const INFLATE = [
+  "offset", "inset", "line-offset", "join-mitre", "join-bevel", "join-square", "cap-flat",
+  "cap-square",
+];
 const MODES = {
   boundary: [
     { name: "clipper2-ts", sum: "boundary", capabilities: ["plane", "non-convex"] },
@@ -51,7 +63,7 @@ const MODES = {
   ],
   union: [{ name: "clipper2-ts-union", capabilities: [...ALL, "union"] }, { unionOf }],
   inflate: [
-    { name: "clipper2-ts-inflate", capabilities: [...ALL, "point", "segment", "offset", "inset"] },
+    { name: "clipper2-ts-inflate", capabilities: [...ALL, "point", "segment", ...INFLATE] },
     { offsetOf },
   ],
 };

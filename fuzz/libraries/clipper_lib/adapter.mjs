@@ -34,14 +34,21 @@ function unionOf(sets) {
   return { rings: toRings(found, grid) };
 }
 
-function offsetOf(P, radius) {
-  if (ringsOf(P).some((ring) => ring.length < 3)) throw new Skipped("no points or segments");
-  const grid = new IntegerGrid(largest([P]) + Math.abs(radius), BITS);
+const { JoinType, EndType } = clipper;
+const JOINS = { round: JoinType.jtRound, mitre: JoinType.jtMiter, square: JoinType.jtSquare };
+const ENDS = {
+  round: EndType.etOpenRound, flat: EndType.etOpenButt, square: EndType.etOpenSquare,
+};
+
+function offsetOf(P, radius, { join = "round", cap = "round", limit = 2 }) {
+  const rings = P.lines ?? ringsOf(P);
+  if (!P.lines && rings.some((ring) => ring.length < 3)) throw new Skipped("no points or segments");
+  const size = rings.flat(2).reduce((a, x) => Math.max(a, Math.abs(x)), 0);
+  const grid = new IntegerGrid(size + Math.abs(radius), BITS);
   const delta = radius / grid.unit;
-  const one = new clipper.ClipperOffset(2, Math.abs(delta) / 1000);
-  for (const ring of ringsOf(P)) {
-    one.AddPath(toPath(ring, grid), clipper.JoinType.jtRound, clipper.EndType.etClosedPolygon);
-  }
+  const one = new clipper.ClipperOffset(limit, Math.abs(delta) / 1000);
+  const end = P.lines ? ENDS[cap] : EndType.etClosedPolygon;
+  for (const ring of rings) one.AddPath(toPath(ring, grid), JOINS[join], end);
   const found = [];
   one.Execute(found, delta);
   return { rings: toRings(found, grid) };
@@ -56,13 +63,16 @@ const HELLO = {
   sum: "none",
 };
 const ALL = ["plane", "non-convex", "holes", "components", "touching", "empty"];
+const INFLATE = [
+  "offset", "inset", "line-offset", "join-mitre", "join-square", "cap-flat", "cap-square",
+];
 const MODES = {
   boundary: [
     { name: "clipper-lib", sum: "boundary", capabilities: ["plane", "non-convex"] },
     { sumOf },
   ],
   union: [{ name: "clipper-lib-union", capabilities: [...ALL, "union"] }, { unionOf }],
-  inflate: [{ name: "clipper-lib-inflate", capabilities: [...ALL, "offset", "inset"] }, { offsetOf }],
+  inflate: [{ name: "clipper-lib-inflate", capabilities: [...ALL, ...INFLATE] }, { offsetOf }],
 };
 
 const mode = process.argv[2];

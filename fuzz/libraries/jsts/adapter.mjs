@@ -54,9 +54,30 @@ function unionOf(sets) {
   return { polygons: polygonsOf(rest.reduce((a, b) => SnapIfNeededOverlayOp.union(a, b), first)) };
 }
 
-function offsetOf(P, radius) {
-  const how = new BufferParameters(QUARTER);
-  return { polygons: polygonsOf(BufferOp.bufferOp(toShape(P), radius, how)) };
+function toLines(lines) {
+  const parts = lines.map((line) =>
+    line.length === 1
+      ? factory.createPoint(toLine(line)[0])
+      : factory.createLineString(toLine(line)),
+  );
+  return parts.length === 1 ? parts[0] : factory.createGeometryCollection(parts);
+}
+
+const CAPS = {
+  round: BufferParameters.CAP_ROUND,
+  flat: BufferParameters.CAP_FLAT,
+  square: BufferParameters.CAP_SQUARE,
+};
+const JOINS = {
+  round: BufferParameters.JOIN_ROUND,
+  mitre: BufferParameters.JOIN_MITRE,
+  bevel: BufferParameters.JOIN_BEVEL,
+};
+
+function offsetOf(P, radius, { join = "round", cap = "round", limit = 5 }) {
+  const how = new BufferParameters(QUARTER, CAPS[cap], JOINS[join], limit);
+  const given = P.lines ? toLines(P.lines) : toShape(P);
+  return { polygons: polygonsOf(BufferOp.bufferOp(given, radius, how)) };
 }
 
 const HELLO = {
@@ -67,6 +88,9 @@ const HELLO = {
   sum: "none",
 };
 const ALL = ["plane", "non-convex", "holes", "components", "touching", "empty"];
+const BUFFER = [
+  "offset", "inset", "line-offset", "join-mitre", "join-bevel", "cap-flat", "cap-square",
+];
 const MODES = {
   union: [
     { name: "jsts", tolerance: { relative: "1e-7" }, capabilities: [...ALL, "union"] },
@@ -76,7 +100,7 @@ const MODES = {
     {
       name: "jsts-buffer",
       tolerance: { relative: "1e-7", radius: "0.0125" },
-      capabilities: [...ALL, "point", "segment", "offset", "inset"],
+      capabilities: [...ALL, "point", "segment", ...BUFFER],
     },
     { offsetOf },
   ],

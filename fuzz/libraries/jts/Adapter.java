@@ -108,14 +108,39 @@ public final class Adapter {
     return found;
   }
 
-  private static Geometry grown(JsonObject set, double radius) {
-    return BufferOp.bufferOp(shape(set), radius, new BufferParameters(QUARTER));
+  private static Geometry lines(JsonArray lines) {
+    List<Geometry> parts = new ArrayList<>();
+    for (JsonElement each : lines) {
+      Coordinate[] points = line(each.getAsJsonArray(), false);
+      parts.add(points.length == 1 ? FACTORY.createPoint(points[0])
+                                   : FACTORY.createLineString(points));
+    }
+    return FACTORY.buildGeometry(parts);
+  }
+
+  private static BufferParameters how(JsonObject request) {
+    BufferParameters how = new BufferParameters(QUARTER);
+    String join = request.has("join") ? request.get("join").getAsString() : "round";
+    String cap = request.has("cap") ? request.get("cap").getAsString() : "round";
+    if (join.equals("mitre")) how.setJoinStyle(BufferParameters.JOIN_MITRE);
+    if (join.equals("bevel")) how.setJoinStyle(BufferParameters.JOIN_BEVEL);
+    if (request.has("limit")) how.setMitreLimit(request.get("limit").getAsDouble());
+    if (cap.equals("flat")) how.setEndCapStyle(BufferParameters.CAP_FLAT);
+    if (cap.equals("square")) how.setEndCapStyle(BufferParameters.CAP_SQUARE);
+    return how;
+  }
+
+  private static Geometry grown(JsonObject request) {
+    JsonObject set = request.getAsJsonObject("P");
+    Geometry given = set.has("lines") ? lines(set.getAsJsonArray("lines")) : shape(set);
+    return BufferOp.bufferOp(given, request.get("radius").getAsDouble(), how(request));
   }
 
   private static JsonObject hello(boolean union) {
     String tolerance =
         union ? "{\"relative\":\"1e-7\"}" : "{\"relative\":\"1e-7\",\"radius\":\"0.0125\"}";
-    String more = union ? "\"union\"" : "\"point\",\"segment\",\"offset\",\"inset\"";
+    String more = union ? "\"union\"" : "\"point\",\"segment\",\"offset\",\"inset\",\"line-offset\","
+            + "\"join-mitre\",\"join-bevel\",\"cap-flat\",\"cap-square\"";
     String text =
         "{\"protocol\":\"adapter-v1\",\"name\":\"" + (union ? "jts" : "jts-buffer")
             + "\",\"version\":\"" + JTSVersion.CURRENT_VERSION
@@ -135,8 +160,7 @@ public final class Adapter {
     } else if (verb.equals("union") && union) {
       answer.add("polygons", polygons(united(request.getAsJsonArray("sets"))));
     } else if (verb.equals("offset") && !union) {
-      double radius = request.get("radius").getAsDouble();
-      answer.add("polygons", polygons(grown(request.getAsJsonObject("P"), radius)));
+      answer.add("polygons", polygons(grown(request)));
     } else if (!verb.equals("stop")) {
       throw new Skipped("no such verb here");
     }
