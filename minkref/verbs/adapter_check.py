@@ -19,8 +19,10 @@ from minkref.cli.target_options import (
     walls_and_limits,
 )
 from minkref.fuzz.all_targets import ALL_TARGETS
-from minkref.fuzz.cases.verbs import FEATURES, OFFSET, PATH, RANGES, UNION
+from minkref.fuzz.cases.verbs import FEATURES, INSET, OFFSET, PATH, RANGES, UNION
+from minkref.fuzz.cases.verbs import LINES as LINES_WORD
 from minkref.fuzz.isolation.isolation import AUTO, Isolation
+from minkref.fuzz.offsets.manner import Manner
 from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.shrink.asker import Asker
 from minkref.fuzz.space.cells import Cell, surface_of
@@ -64,6 +66,7 @@ class Trying:
     others: tuple[str, ...] | None = None  # a question about the union of P, Q and these
     radius: str | None = None  # a question about P grown by a disc
     verb: str = OFFSET  # of P and a radius
+    manner: Manner = Manner()  # noqa: RUF009 a frozen value
 
     @property
     def literal(self) -> str:
@@ -75,6 +78,7 @@ class Trying:
             return texts.dumps({"sets": sets}, separators=(",", ":"))
         if self.radius is not None:
             value = {self.verb: texts.loads(self.P), "radius": self.radius}
+            value |= self.manner.members()
             return texts.dumps(value, separators=(",", ":"))
         value = {"P": texts.loads(self.P), "Q": texts.loads(self.Q), "scale": self.scale}
         return texts.dumps(value, separators=(",", ":"))
@@ -119,6 +123,23 @@ OFFSETS = [
     Trying("a frame: the hole becomes smaller", FRAME, "", radius="1/2"),
     Trying("a frame: the hole is filled", FRAME, "", radius="3/2"),
 ]
+
+LINE = '{"lines":[[["0","0"],["4","0"],["4","3"]]]}'
+INSETS = [
+    Trying("a frame eroded by a disc: the hole grows", FRAME, "", radius="-1/4"),
+    Trying("a hook: all of it vanishes", HOOK, "", radius="-1"),
+]
+LINES = [Trying("an open line grown by a disc", LINE, "", radius="1/2")]
+WITH_MANNERS = {
+    capability: Trying(title, P, "", radius="1", manner=manner)
+    for capability, title, P, manner in (
+        ("join-mitre", "a hook with mitred corners", HOOK, Manner("mitre", limit=Fraction(2))),
+        ("join-bevel", "a hook with bevelled corners", HOOK, Manner("bevel")),
+        ("join-square", "a hook with squared corners", HOOK, Manner("square")),
+        ("cap-flat", "a line with flat ends", LINE, Manner(cap="flat")),
+        ("cap-square", "a line with squared ends", LINE, Manner(cap="square")),
+    )
+}
 
 OF_FEATURES = [
     Trying("features of a triangle: none", TRIANGLE, "", radius="1", verb=FEATURES),
@@ -166,8 +187,8 @@ def command(
 ) -> None:
     """Start an adapter, show what it declares and what that leaves out, and ask for four sums: two
     of convex operands, one of an operand that is not convex, and one with a hole; and for paths,
-    unions, offsets and features, if it declares them. Exits with 1 if an answer is proven wrong, 3
-    if the adapter breaks, and 2 if it does not start."""
+    unions, offsets, insets, lines, joins, caps and features, if it declares them. Exits with 1 if
+    an answer is proven wrong, 3 if the adapter breaks, and 2 if it does not start."""
     watch = Stopwatch()
     walls, limits = walls_and_limits(call_seconds, call_memory, call_processes, isolation, pass_env)
     chosen = [ALL_TARGETS.select_one(target)]
@@ -176,7 +197,8 @@ def command(
     able = declared.capabilities
     asked = {"plane": IN_PLANE, "space": IN_SPACE} if declared.makes_sums else {}
     asked |= {PATH: ON_PATHS, RANGES: ALL_ON_PATHS, UNION: UNIONS, OFFSET: OFFSETS}
-    asked |= {FEATURES: OF_FEATURES}
+    asked |= {INSET: INSETS, LINES_WORD: LINES, FEATURES: OF_FEATURES}
+    asked |= {word: [trying] for word, trying in WITH_MANNERS.items()}
     trials = [trying for word, some in asked.items() if word in able for trying in some]
     with ending_in_order(), Asker(entry.name, ALL_TARGETS, limits) as asker:
         rows = [(trying, asker.ask(trying.literal)[1]) for trying in trials]
