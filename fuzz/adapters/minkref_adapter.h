@@ -41,7 +41,7 @@ enum {
 typedef int minkref_sum_function(const minkref_set* sP, const minkref_set* Q, minkref_set* sum);
 
 /* The same for a library that declares "sum": "none" and "offset" or "union": P grown by a disc of
- * this radius, and the union of `count` sets. */
+ * this radius (below 0, if it declares "inset": eroded), and the union of `count` sets. */
 typedef int minkref_offset_function(const minkref_set* P, double radius, minkref_set* grown);
 typedef int minkref_union_function(const minkref_set* sets, int count, minkref_set* united);
 

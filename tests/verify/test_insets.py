@@ -71,7 +71,7 @@ def judged(case: AskedOffset, rings: Rings) -> Outcome:
 
 
 def near(case: AskedOffset, factor: Fraction, outside: bool = False) -> Outcome:
-    """What is said of polygons near the erosion by so many times the radius."""
+    """Judges polygons near the erosion at so many times the radius."""
     radius = abs(case.radius) * factor
     return judged(case, inset_near(case.set, Disc("", radius**2), radius / 1000, outside).rings())
 
@@ -82,7 +82,7 @@ def box(x: int, y: int, wide: int, high: int) -> list[list[tuple[Any, Any]]]:
 
 @pytest.mark.parametrize("family", INWARD)
 def test_polygons_near_the_erosion_pass(family: str) -> None:
-    """And those of another radius are refuted, where it leaves something, or the asked one does."""
+    """Polygons at another radius are refuted, unless both leave nothing."""
     print("seed", SEED)
     for name in names(family, draws(12, 240)):
         case = asked(name)
@@ -112,7 +112,7 @@ def test_a_target_that_declares_no_inset_is_not_asked(outcomes: Outcomes) -> Non
 
 
 def test_a_door_a_room_and_a_hole() -> None:
-    """The door between the rooms is 2 wide: at 9/10 it is open, at 11/10 shut."""
+    """A door 2 wide: open at 9/10, shut at 11/10."""
     shut, open_ = inset(ROOMS, "-11/10"), inset(ROOMS, "-9/10")
     assert shut.counts == (2, 0) and open_.counts == (1, 0)
     assert near(shut, Fraction(1)).verdict is Verdict.PASS_WITHIN
@@ -145,7 +145,7 @@ def test_what_vanishes_is_right_as_nothing() -> None:
 
 
 def test_curves_are_those_of_the_erosion() -> None:
-    """An answer that sends the grown set, or a component less, is refuted by a point."""
+    """A point refutes the grown set, and a missing component."""
     case = inset(ROOMS, "-11/10")
     right = Answer(curves=case.form, declaration=EXACT)
     assert [one.verdict for one in judge_offset(case, "t", right)] == [Verdict.PASS]

@@ -128,9 +128,9 @@ json grow(const Growth& asked) {
   for (const Ring& ring : rings) paths.push_back(to_path(ring, grid));
   const double delta = grid.scaled(asked.radius);
   const EndType end = open ? end_type(asked.cap) : EndType::Polygon;
-  return result_of(InflatePaths(paths, delta, join_type(asked.join), end, asked.limit,
-                                std::abs(delta) / 1000),
-                   grid);
+  return result_of(
+      InflatePaths(paths, delta, join_type(asked.join), end, asked.limit, std::abs(delta) / 1000),
+      grid);
 }
 
 json double_sum(const Polygons& sP, const Polygons& Q) {

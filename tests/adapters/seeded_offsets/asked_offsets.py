@@ -1,4 +1,4 @@
-"""Implementations of the verb `offset` asked and judged in this process, case by case."""
+"""Asks implementations for offsets without a process, and judges answers."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def case(name: str) -> AskedOffset:
 
 
 def outcomes(name: str, seed: int, count: int) -> Iterator[tuple[AskedOffset, Outcome]]:
-    """What is said about an implementation, on so many cases of each family."""
+    """Judges an implementation on so many cases from each family."""
     target = made(name)
     declared = read_declaration(answer(target, name, {"verb": "hello"}), name)
     for k in range(count):
@@ -40,7 +40,7 @@ def outcomes(name: str, seed: int, count: int) -> Iterator[tuple[AskedOffset, Ou
 
 
 def request(asked: AskedOffset, declared: Declaration) -> dict[str, Any]:
-    """As it is sent to a target with doubles."""
+    """The request to a target with doubles."""
     P = asked.exchange.sent(asked.asked_json, declared)
     members = asked.manner.members(float)
     return {"verb": "offset", "P": P, "radius": float(asked.radius), **members}

@@ -1,4 +1,4 @@
-"""Seeded faults of `PlainOffset`, by number: FAULTS[1] is the first, FAULTS[0] has none."""
+"""Seeded faults for `PlainOffset`, numbered: FAULTS[1] is the first, FAULTS[0] has none."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def square(x: float, y: float, side: float) -> Ring:
 
 
 class Fault(PlainOffset):
-    """A right implementation, of which one step is wrong."""
+    """A right implementation with a wrong step."""
 
 
 class DiameterForRadius(Fault):
@@ -46,21 +46,21 @@ class RadiusSquared(Fault):
 
 
 class SignIgnored(Fault):
-    """Grows where it should erode."""
+    """Grows, whatever the sign."""
 
     def radius(self, radius: float, P: dict[str, Any]) -> float:
         return abs(radius)
 
 
 class SignReversed(Fault):
-    """Erodes what it should grow, and grows what it should erode."""
+    """Erodes for growing, and grows for eroding."""
 
     def radius(self, radius: float, P: dict[str, Any]) -> float:
         return radius if "lines" in P else -radius
 
 
 class ErodesTooLittle(Fault):
-    """Erodes by two hundredths less."""
+    """Erodes two hundredths less."""
 
     def radius(self, radius: float, P: dict[str, Any]) -> float:
         return radius * (0.98 if radius < 0 else 1)
@@ -92,13 +92,13 @@ class SixCorners(Fault):
 
 
 class TwelveCorners(Fault):
-    """Takes polygons of twelve corners for discs."""
+    """Takes polygons with twelve corners for discs."""
 
     corners = 12
 
 
 class SagittaOutside(Fault):
-    """Takes polygons of sixteen corners around discs."""
+    """Takes polygons with sixteen corners around discs."""
 
     corners = 16
 
@@ -107,14 +107,14 @@ class SagittaOutside(Fault):
 
 
 class ArcsReversed(Fault):
-    """Its arcs run clockwise."""
+    """Draws arcs clockwise."""
 
     def disc(self, v: Point, r: float) -> Ring:
         return super().disc(v, r)[::-1]
 
 
 class HalfDiscs(Fault):
-    """Arcs of the lower half are left out."""
+    """Omits lower halves."""
 
     def disc(self, v: Point, r: float) -> Ring:
         return [p for p in super().disc(v, r) if p[1] >= v[1]]
@@ -129,14 +129,14 @@ class QuadrantLost(Fault):
 
 
 class CentreMoved(Fault):
-    """Discs lie a fiftieth of the radius to the right."""
+    """Draws discs a fiftieth radius too far right."""
 
     def disc(self, v: Point, r: float) -> Ring:
         return super().disc((v[0] + abs(r) / 50, v[1]), r)
 
 
 class Ellipses(Fault):
-    """Discs are lower than they are wide."""
+    """Flattens discs by a twentieth."""
 
     def disc(self, v: Point, r: float) -> Ring:
         return [(x, v[1] + 0.95 * (y - v[1])) for x, y in super().disc(v, r)]
@@ -163,7 +163,7 @@ class NoDiscs(Fault):
 
 
 class DiscsOfHolesLost(Fault):
-    """Leaves out discs at vertices of holes."""
+    """Omits discs at holes' vertices."""
 
     def of_ring(self, ring: Ring, r: float, how: How, is_hole: bool) -> Iterator[Ring]:
         found = list(super().of_ring(ring, r, how, is_hole))
@@ -171,14 +171,14 @@ class DiscsOfHolesLost(Fault):
 
 
 class LastDiscLost(Fault):
-    """Leaves out the disc at the vertex where a ring begins."""
+    """Omits the disc at a ring's first vertex."""
 
     def of_ring(self, ring: Ring, r: float, how: How, is_hole: bool) -> Iterator[Ring]:
         return iter(list(super().of_ring(ring, r, how, is_hole))[:-1])
 
 
 class FirstSideLost(Fault):
-    """Leaves out the first side of a ring."""
+    """Omits a ring's first side."""
 
     def sides(self, ring: Ring, r: float) -> list[int]:
         return super().sides(ring, r)[1:]
@@ -192,14 +192,14 @@ class ClosingSideLost(Fault):
 
 
 class UprightSidesLost(Fault):
-    """Leaves out rectangles of upright sides."""
+    """Omits rectangles at upright sides."""
 
     def rectangle(self, a: Point, b: Point, n: Point, r: float) -> Ring:
         return [] if a[0] == b[0] else super().rectangle(a, b, n, r)
 
 
 class LevelSidesLost(Fault):
-    """Leaves out rectangles of level sides."""
+    """Omits rectangles at level sides."""
 
     def rectangle(self, a: Point, b: Point, n: Point, r: float) -> Ring:
         return [] if a[1] == b[1] else super().rectangle(a, b, n, r)
@@ -215,14 +215,14 @@ class LongSidesHalved(Fault):
 
 
 class SidesTooLow(Fault):
-    """Rectangles are a hundredth too low."""
+    """Makes rectangles a hundredth too low."""
 
     def rectangle(self, a: Point, b: Point, n: Point, r: float) -> Ring:
         return super().rectangle(a, b, n, 0.99 * r)
 
 
 class NormalsByTheLargestNumber(Fault):
-    """Divides a normal by its largest coordinate."""
+    """Normalises with the largest coordinate."""
 
     def normal(self, a: Point, b: Point) -> Point:
         x, y = super().normal(a, b)
@@ -231,21 +231,21 @@ class NormalsByTheLargestNumber(Fault):
 
 
 class NormalsOnTheLeft(Fault):
-    """Goes to the left of sides in rings with more than six vertices."""
+    """Turns rings with more than six vertices around."""
 
     def of_ring(self, ring: Ring, r: float, how: How, is_hole: bool) -> Iterator[Ring]:
         return super().of_ring(ring[::-1] if len(ring) > 6 else ring, r, how, is_hole)
 
 
 class HolesIgnored(Fault):
-    """Drops holes of the set."""
+    """Drops the set's holes."""
 
     def polygons(self, polygons: list[list[Ring]], r: float) -> list[list[Ring]]:
         return [rings[:1] for rings in polygons]
 
 
 class SecondHoleIgnored(Fault):
-    """Knows one hole of a polygon."""
+    """Knows only the first hole."""
 
     def polygons(self, polygons: list[list[Ring]], r: float) -> list[list[Ring]]:
         return [rings[:2] for rings in polygons]
@@ -285,7 +285,7 @@ class FirstPolygonOnly(Fault):
 
 
 class LastPolygonLost(Fault):
-    """Drops the last of three or more polygons."""
+    """Drops the last polygon after two."""
 
     def polygons(self, polygons: list[list[Ring]], r: float) -> list[list[Ring]]:
         return polygons[:-1] if len(polygons) > 2 else polygons
@@ -303,7 +303,7 @@ class SmallPolygonsLost(Fault):
 
 
 class JoinsTooEarly(Fault):
-    """Joins polygons whose boxes are nearer than the sum of their discs and a fifth."""
+    """Joins polygons with boxes nearer than 2.2 radii."""
 
     def of_set(self, polygons: list[list[Ring]], r: float, how: How) -> list[Ring]:
         found = super().of_set(polygons, r, how)
@@ -316,7 +316,7 @@ class JoinsTooEarly(Fault):
 
 
 class Hulls(Fault):
-    """Grows the hull of each polygon."""
+    """Grows each polygon's hull."""
 
     def polygons(self, polygons: list[list[Ring]], r: float) -> list[list[Ring]]:
         return [[self._hull(rings[0]) if len(rings[0]) > 2 else rings[0]] for rings in polygons]
@@ -338,7 +338,7 @@ class Hulls(Fault):
 
 
 class Boxes(Fault):
-    """Grows the box of each polygon."""
+    """Grows each polygon's box."""
 
     def polygons(self, polygons: list[list[Ring]], r: float) -> list[list[Ring]]:
         boxes = []
@@ -350,7 +350,7 @@ class Boxes(Fault):
 
 
 class CoarseGrid(Fault):
-    """Rounds its answer to a grid of an eighth of the radius."""
+    """Rounds the answer to eighths: the grid's unit, times the radius."""
 
     def finished(self, rings: list[Ring], r: float) -> list[Ring]:
         unit = abs(r) / 8
@@ -360,7 +360,7 @@ class CoarseGrid(Fault):
 
 
 class SinglePrecision(Fault):
-    """Computes its answer in single precision."""
+    """Computes with single precision."""
 
     def finished(self, rings: list[Ring], r: float) -> list[Ring]:
         def single(x: float) -> float:
@@ -380,7 +380,7 @@ class Truncated(Fault):
 
 
 class Moved(Fault):
-    """Its answer lies a fortieth of the radius too high."""
+    """Answers a fortieth radius too high."""
 
     def finished(self, rings: list[Ring], r: float) -> list[Ring]:
         return super().finished([[(x, y + abs(r) / 40) for x, y in ring] for ring in rings], r)
@@ -398,7 +398,7 @@ class Island(Fault):
 
 
 class Pinhole(Fault):
-    """Takes a small square out of a disc."""
+    """Cuts a small square from a disc."""
 
     def disc(self, v: Point, r: float) -> Ring:
         a = abs(r) / 20
@@ -408,7 +408,7 @@ class Pinhole(Fault):
 
 
 class Cracked(Fault):
-    """Leaves a notch in the middle of each rectangle."""
+    """Leaves a notch at the middle between corners."""
 
     def rectangle(self, a: Point, b: Point, n: Point, r: float) -> Ring:
         whole = super().rectangle(a, b, n, r)
@@ -420,7 +420,7 @@ class Cracked(Fault):
 
 
 class ReflexDiscsLost(Fault):
-    """Leaves out discs when it erodes."""
+    """Omits discs when eroding."""
 
     def join(self, v: Point, n: Point, m: Point, r: float, how: How) -> Ring:
         return [] if r < 0 else super().join(v, n, m, r, how)
@@ -434,7 +434,7 @@ class HolesDoNotErode(Fault):
 
 
 class VanishedPartsStay(Fault):
-    """Keeps the middle of parts that should vanish."""
+    """Keeps a rest where parts should vanish."""
 
     def of_set(self, polygons: list[list[Ring]], r: float, how: How) -> list[Ring]:
         found = super().of_set(polygons, r, how)
@@ -475,7 +475,7 @@ class SquareEndsHalved(Fault):
 
 
 class OneSide(Fault):
-    """Grows lines to one side."""
+    """Grows lines rightwards only."""
 
     def ways(self, line: Ring) -> list[Ring]:
         return super().ways(line)[:1]
@@ -490,7 +490,7 @@ class LinesClosed(Fault):
 
 
 class LastSegmentLost(Fault):
-    """Drops the last segment of a line of three points or more."""
+    """Drops the last segment after two."""
 
     def lines(self, lines: list[Ring]) -> list[Ring]:
         return [line[:-1] if len(line) > 2 else line for line in lines]
@@ -518,28 +518,28 @@ class LimitIgnored(Fault):
 
 
 class LimitHalved(Fault):
-    """Takes the limit for that of the whole width."""
+    """Takes the limit for a width."""
 
     def limit(self, how: How, r: float) -> float:
         return super().limit(how, r) / 2
 
 
 class MitresBevelled(Fault):
-    """Bevels corners that should be mitred."""
+    """Bevels mitred corners."""
 
     def limit(self, how: How, r: float) -> float:
         return 0.0
 
 
 class BevelsLost(Fault):
-    """Leaves a notch where the corner should be bevelled."""
+    """Leaves a notch for a bevel."""
 
     def bevel(self, v: Point, n: Point, m: Point, r: float) -> Ring:
         return []
 
 
 class SquaresMitred(Fault):
-    """Mitres corners that should be squared."""
+    """Mitres squared corners."""
 
     def join(self, v: Point, n: Point, m: Point, r: float, how: How) -> Ring:
         if how.get("join") == "square":
@@ -548,7 +548,7 @@ class SquaresMitred(Fault):
 
 
 class SquaresBevelled(Fault):
-    """Bevels corners that should be squared."""
+    """Bevels squared corners."""
 
     def join(self, v: Point, n: Point, m: Point, r: float, how: How) -> Ring:
         if how.get("join") == "square":
@@ -557,7 +557,7 @@ class SquaresBevelled(Fault):
 
 
 class MitresRound(Fault):
-    """Rounds corners that should be mitred."""
+    """Rounds mitred corners."""
 
     def join(self, v: Point, n: Point, m: Point, r: float, how: How) -> Ring:
         return super().join(v, n, m, r, {} if how.get("join") == "mitre" else how)

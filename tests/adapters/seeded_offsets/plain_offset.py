@@ -14,13 +14,13 @@ How = dict[str, Any]
 
 
 class PlainOffset:
-    """Each step is a method: a seeded fault replaces one. `corners`: of a circle's polygon."""
+    """Seeded faults replace methods. `corners`: a circle's."""
 
     corners = 64
     turn = 0.5  # of a step: where the first corner lies
 
     def answer(self, P: dict[str, Any], radius: float, how: How) -> dict[str, Any]:
-        """The members of a result."""
+        """Returns the result's members."""
         r = self.radius(radius, P)
         if "lines" in P:
             lines = self.lines([[(x, y) for x, y in line] for line in P["lines"]])
@@ -80,7 +80,7 @@ class PlainOffset:
         return list(range(len(ring)))
 
     def normal(self, a: Point, b: Point) -> Point:
-        """To the right, of length 1."""
+        """A unit vector to the right."""
         length = math.hypot(b[0] - a[0], b[1] - a[1])
         return ((b[1] - a[1]) / length, (a[0] - b[0]) / length)
 
@@ -129,7 +129,7 @@ class PlainOffset:
 
 
 def rings_of(P: dict[str, Any]) -> list[list[Ring]]:
-    """The rings of each polygon."""
+    """Returns each polygon's rings."""
     return [
         [[(x, y) for x, y in ring] for ring in (each["outer"], *each["holes"])]
         for each in P["polygons"]

@@ -17,7 +17,7 @@ class Inside(PlainOffset):
 
 
 class Around(PlainOffset):
-    """Exceeds the radius by 1 / cos(pi / 64) - 1 of it."""
+    """Exceeds the radius 1 / cos(pi / 64) times."""
 
     tolerance: ClassVar[dict[str, str]] = {"relative": "1e-12", "radius": "0.00125"}
 
@@ -33,7 +33,7 @@ class OtherCorners(PlainOffset):
 
 
 class Rounded(PlainOffset):
-    """Rounds its answer to a grid of the 2^-30th part of the largest number and the radius."""
+    """Rounds the answer to multiples: the largest number times 2^-30."""
 
     tolerance: ClassVar[dict[str, str]] = {"relative": "1e-8", "radius": "0.00125"}
 
