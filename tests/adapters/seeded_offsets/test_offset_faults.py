@@ -23,7 +23,7 @@ BY_NAME = {fault.__name__: str(k) for k, fault in enumerate(FAULTS)}
 def test_there_are_sixty_of_them_and_each_says_what_is_wrong() -> None:
     abouts = [fault.__doc__ or "" for fault in FAULTS[1:]]
     assert len(set(abouts)) == len(abouts) >= 60
-    assert all(16 <= len(about) <= 100 and about.endswith(".") for about in abouts)
+    assert all(12 <= len(about) <= 100 and about.endswith(".") for about in abouts)
 
 
 @pytest.mark.parametrize("number", NUMBERS, ids=lambda k: FAULTS[k].__name__)
