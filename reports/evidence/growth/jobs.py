@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 import subprocess
+import sys
 import tempfile
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
@@ -21,11 +22,12 @@ from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, S
 from minkref.reports.evidence.growth import bodies, outlines
 from minkref.reports.growth_plot import draw
 
-MINUTES = Minutes(None, 3, 25)
+MINUTES = Minutes(None, None, 25)
 ALONE = True
 
 PLOT = Path("reports/evidence/growth.svg")
 SHARE = Counts(0, 8, 1)  # of the sizes below
+LEAST = 24  # vertices or triangles: what every run of the command takes
 LIMIT = Counts(0.0, 10.0, 60.0)  # seconds; larger sizes are then left out
 MOST = 1.2  # exponent
 SURE = 0.1  # seconds beyond the start: less tells no exponent
@@ -56,6 +58,7 @@ class Run:
     cgal: float | None
 
 
+READ = "import sys, minkref; minkref.PolyhedralSet(minkref.read_mesh(sys.argv[1]))"
 SUM, WINDOW = "sum {P} {Q} --json", "--from 1/2 --to 2"
 JOBS = [
     *(Job(f"sum, {name}", make, SUM, 64_000) for name, make in (
@@ -77,7 +80,7 @@ JOBS = [
         ("double cones", bodies.double_cone, 2_000),
         ("prisms over combs", bodies.comb_prism, 8_000),
     )),
-    *(Job(f"reading a mesh, {name}", make, "sum {P} {Q} --scale 0 --json", largest, "off")
+    *(Job(f"reading a mesh, {name}", make, "read {P}", largest, "off")
       for name, make, largest in (
         ("tori", bodies.torus, 64_000), ("double cones", bodies.double_cone, 16_000),
         ("prisms over combs", bodies.comb_prism, 16_000))),
@@ -90,12 +93,14 @@ def run(findings: Findings, size: Size) -> None:
         folder = Path(name)
         (folder / "Q.wkt").write_text(outlines.OCTAGON)
         (folder / "Q.off").write_text(bodies.CUBE)
-        start = median(_run(["--version"], folder)[0] for _ in range(3))
+        starts = {}
         with_cgal = bool(available_cgal(findings, "cgal-reduced"))
         for job in JOBS:
+            starts[job.name] = median(_asked(job, LEAST, folder)[0] for _ in range(3))
             runs += _runs(job, folder, size, with_cgal)
-            _tell(findings, job, [one for one in runs if one.job == job.name], start)
-    findings.figures = {"start": start, "runs": [asdict(one) for one in runs]}
+            own = [one for one in runs if one.job == job.name]
+            _tell(findings, job, own, starts[job.name])
+    findings.figures = {"starts": starts, "runs": [asdict(one) for one in runs]}
     if size is Size.FULL:
         with replacing(PLOT) as target:
             draw(findings.figures["runs"], target)
@@ -104,21 +109,28 @@ def run(findings: Findings, size: Size) -> None:
 def _runs(job: Job, folder: Path, size: Size, with_cgal: bool) -> list[Run]:
     found: list[Run] = []
     for count in job.sizes:
-        P = folder / f"P.{job.suffix}"
-        P.write_text(job.make(max(16, count // size.of(SHARE))))
-        words = job.words.format(P=P, Q=folder / f"Q.{job.suffix}").split()
-        seconds, megabytes = _run(words, folder)
-        peer = _cgal(P, size.of(LIMIT)) if with_cgal and job.name.startswith("sum, ") else None
-        found.append(Run(job.name, count // size.of(SHARE), seconds, megabytes, peer))
+        count //= size.of(SHARE)
+        seconds, megabytes = _asked(job, count, folder)
+        has_peer = with_cgal and job.name.startswith("sum, ")
+        peer = _cgal(folder / f"P.{job.suffix}", size.of(LIMIT)) if has_peer else None
+        found.append(Run(job.name, count, seconds, megabytes, peer))
         if seconds > size.of(LIMIT):
             break
     return found
 
 
+def _asked(job: Job, count: int, folder: Path) -> tuple[float, float]:
+    P = folder / f"P.{job.suffix}"
+    P.write_text(job.make(count))
+    return _run(job.words.format(P=P, Q=folder / f"Q.{job.suffix}").split(), folder)
+
+
 def _run(words: list[str], folder: Path) -> tuple[float, float]:
     """Processor seconds and megabytes at most of a command that ends well."""
     with open(folder / "said", "wb") as said:
-        child = subprocess.Popen([*COMMAND, *words], cwd=folder, stdout=said, stderr=said)
+        is_read = words[0] == "read"
+        whole = [sys.executable, "-c", READ, *words[1:]] if is_read else [*COMMAND, *words]
+        child = subprocess.Popen(whole, cwd=folder, stdout=said, stderr=said)
         _, status, used = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
     if child.returncode:
@@ -131,7 +143,8 @@ def _cgal(P: Path, seconds: float) -> float | None:
     sets = [_core.read_text(text, "wkt").canonical_json()
             for text in (P.read_text(), outlines.OCTAGON)]  # fmt: skip
     with CgalOracle("reduced", seconds=seconds) as oracle:
-        return oracle.sum(*sets).seconds
+        answer = oracle.sum(*sets)
+    return answer.seconds if answer.status == "result" else None
 
 
 def exponent(runs: list[Run], start: float) -> float | None:
