@@ -16,10 +16,10 @@ from minkref.fuzz.features.place_draws import KINDS, drawn_set, set_of
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 0.7, 20)
+MINUTES = Minutes(0.1, 0.5, 20)
 
 SEED = 1282
-SETS = Counts(12, 56, 2000)
+SETS = Counts(12, 40, 2000)
 GAPS = 20  # at most, of one set
 TILED = (Fraction(5, 4), Fraction(5, 2), Fraction(13, 2))  # many feet are rational there
 SHARES = (Fraction(1, 5), Fraction(1, 2), Fraction(4, 5))  # of the way between two events
