@@ -28,7 +28,7 @@ using StepRow = std::tuple<std::string, double, double, double, double, double, 
 /// The centre, and both feet of its bridge.
 using ArcRow = std::tuple<PointText, PointText, PointText>;
 
-/// Discs that just fit outside of P reach nothing: the closing is that of the closed sum.
+/// Discs that just fit outside P reach nothing, so the closed sum gives the closing.
 DiscIndex index_to_close(const PolygonSet& set, const Rational& squared, bool inward,
                          unsigned threads) {
   DiscIndex index(diagram_events(set, build_on(threads)));
@@ -36,7 +36,7 @@ DiscIndex index_to_close(const PolygonSet& set, const Rational& squared, bool in
   return index;
 }
 
-/// The closing of a set: of P, or of what is outside of P within a box.
+/// A set's closing: P's, or, within a box, the outside's.
 class ClosedByDisc {
  public:
   ClosedByDisc(const PolygonSet& P, const Rational& squared, bool inward, unsigned threads)

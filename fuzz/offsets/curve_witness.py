@@ -23,7 +23,7 @@ ROUNDED = 2.0**-40  # of the coordinates
 class CurveWitness:
     """Looks beside the pieces of rings that only the answer or only the sum has, and on a grid.
     Doubles tell whether the answer has a point, fractions whether the grown set has it. To find
-    none proves nothing. O(k (n + k)) for k pieces, n edges. Of an erosion `near` measures from the
+    none proves nothing. O(k (n + k)) for k pieces, n edges. For an erosion `near` measures from the
     outside, and the rings, which have it on their right, bound what it leaves out: `turned`."""
 
     near: Distances

@@ -28,7 +28,7 @@ def join_breaches(case: AskedOffset, half: Fraction, result: Shape) -> list[Brea
 
 
 def due_set(case: AskedOffset) -> _core.PolygonSet:
-    """What every right answer has."""
+    """The part that every right answer has."""
     return _union(case, case.radius, True)
 
 

@@ -1,4 +1,4 @@
-"""What remains of solids: erosions, openings, closings and no-fit regions (docs/erosion.md)."""
+"""Solids that remain: erosions, openings, closings and no-fit regions (docs/erosion.md)."""
 
 from __future__ import annotations
 

@@ -125,7 +125,7 @@ bool refuted = false, malformed = false, out = false;
 
 int exit_code() { return refuted ? 1 : malformed ? 2 : out ? 4 : 0; }
 
-/// GMP cannot be told by an exception that there is no memory.
+/// No exception may pass through GMP where memory ends.
 void* no_memory() {
   std::fputs("out of budget: there is too little memory\n", stderr);
   out = true;

@@ -1,4 +1,4 @@
-// Reads members of a certificate and of its case.
+// Reads a certificate's members, and the case's.
 #pragma once
 
 #include <gmpxx.h>

@@ -25,7 +25,7 @@ RUN = {
 
 
 def libraries(entry: Entry) -> tuple[str, ...]:
-    """What a C++ program is linked with."""
+    """Libraries that a C++ program is linked with."""
     return CGAL_LIBRARIES if entry.library == "CGAL" else ()
 
 
@@ -39,7 +39,7 @@ def shown(entry: Entry) -> str:
 
 
 def arguments(entry: Entry) -> list[str]:
-    """What the program is given."""
+    """Arguments of the program."""
     if entry.path.suffix == ".scad":
         return []
     case, witness = entry.case, entry.witness

@@ -96,7 +96,7 @@ def keep(document: Path, file: Path = FILE) -> None:
 
 
 def _asked(target: dict[str, Any], group: str) -> str:
-    """What the target was asked for: groups as `mutants` mix all."""
+    """Groups that the target was asked for: `mutants` mix all."""
     if target["sum"] == "none":
         return OFFSETS if "offset" in target["capabilities"] else UNIONS
     return {"unions": UNIONS, "offsets": OFFSETS}.get(group, SUMS)

@@ -1,4 +1,4 @@
-"""What users of other programs reported, with numbers of our own and answers by hand."""
+"""Cases that users of other programs reported, with our own numbers and answers by hand."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ struct Feature {
 
 using Edges = std::set<std::uint32_t>;
 
-/// Discs of one squared radius outside of P. An edge has the number of its first vertex.
+/// Discs outside P that share a squared radius. An edge has the number of its first vertex.
 class Discs : DiscEdges {
  public:
   Discs(const Operand& P, const mpq_class& square, Budget& budget) : DiscEdges(P, square, budget) {

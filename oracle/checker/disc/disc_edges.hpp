@@ -1,4 +1,4 @@
-// A region's edges, for discs of one radius about it.
+// A region's edges, met by discs with a common radius.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@ namespace {
 
 using Box = std::array<mpq_class, 4>;
 
-/// How far two boxes are apart, along the axis where they are farther.
+/// Measures the gap between two boxes along the axis with the wider gap.
 mpq_class apart(const Box& b, const Box& c) {
   return std::max({mpq_class(b[0] - c[2]), mpq_class(c[0] - b[2]), mpq_class(b[1] - c[3]),
                    mpq_class(c[1] - b[3])});

@@ -10,7 +10,7 @@
 
 namespace minkref::checker {
 
-/// The roots a = √first and b = √(base + part a). Both are of positive numbers.
+/// The roots a = √first and b = √(base + part a). Both take positive numbers.
 struct RootField {
   mpq_class first, base, part;
 };

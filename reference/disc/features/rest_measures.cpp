@@ -77,7 +77,7 @@ class RestSums {
   }
 
   const std::vector<OutlineStep>& steps() const { return steps_; }
-  /// A point that is this share of a step away from its start.
+  /// The point at this share along a step.
   Vector<MpfrInterval> along(const OutlineStep& step, const Rational& share, long bits) const {
     const Vector<MpfrInterval> from = near(step.from, bits);
     return from + MpfrInterval(share, bits) * (near(step.to, bits) - from);

@@ -7,7 +7,7 @@
 namespace minkref::inline disc {
 namespace {
 
-/// The side in front of a flat half's inside: that of its edge.
+/// The side that faces a flat half's inside: the edge's.
 std::uint32_t middle_side(const DiagramEvents& diagram, const BoundaryWalk& walk,
                           const DiagramHalf& half) {
   const std::uint32_t edge = diagram.curves.features[half.feature].edge;

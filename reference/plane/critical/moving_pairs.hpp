@@ -34,9 +34,8 @@ PairRange pair_range(const RoundedEdge& a, const RoundedEdge& b, double from, do
                      double error);
 
 /// Finds the pairs that may meet at some scale within a closed window; an omitted pair certainly
-/// does not. The plane is looked at divided by 1 + s, where each vertex moves from q to p along a
-/// line: so a window without bounds is one too. Edges near each other share a block with one box:
-/// the float filter looks at whole blocks.
+/// does not. Divided by 1 + s, each vertex moves from q to p along a line, so the window may have no
+/// bounds. Edges near each other share a block and a box: the float filter looks at whole blocks.
 class MovingPairs {
  public:
   /// `to` may be infinite. O(n log n).
@@ -74,7 +73,7 @@ class MovingPairs {
     double centre(std::size_t axis) const { return low[axis] / 2 + high[axis] / 2; }
   };
   using MovingBox = BasicMovingBox<Box>;
-  /// Edges of one kind, by their place in the filter; S-edges have the first blocks.
+  /// Edges that share a kind, numbered as in the filter; S-edges have the first blocks.
   struct Block {
     bool is_s;
     std::uint32_t first, last;

@@ -6,7 +6,7 @@
 
 namespace minkref::inline plane {
 
-/// Coordinates of moving edges of one kind, as columns of doubles.
+/// Moving edges that share a kind: coordinates as columns of doubles.
 struct EdgeColumns {
   std::vector<double> px, py, qx, qy, dx, dy;
   std::size_t size = 0;
