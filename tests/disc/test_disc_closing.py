@@ -203,3 +203,15 @@ def test_an_opening_is_what_a_closing_of_the_outside_leaves() -> None:
         frame = float(Fraction(_core.Outside(P).set.area())) + float(Fraction(P.area()))
         assert opened.area[0] == pytest.approx(frame - outside.area()[0], rel=1e-12)
         assert opened.area[1] <= float(Fraction(P.area())) + 1e-9
+
+
+def test_ridges_in_front_of_collinear_edges_are_cut() -> None:
+    """Two triangles whose tops lie on a line, below a wall two radii away; they touch at a point."""
+    P = PolygonSet([
+        [[(-28, -18), (28, -18), (28, 22), (-28, 22)], [(-20, 5), (20, 5), (20, -4), (-20, -4)]],
+        [[(-1, 4), (-3, 4), (0, 0)]],
+        [[(3, 4), (1, 4), (0, 0)]],
+    ])  # fmt: skip
+    found = close(P, Fraction(1, 2))
+    assert (found.components, found.holes) == (1, 2)
+    assert not faults_of(P, "1/4", "closing", found)

@@ -7,13 +7,11 @@
 namespace minkref::inline disc {
 namespace {
 
-/// The side that faces a flat half's inside: the edge's.
+/// The edge in front of a flat half; the half's feature may be another edge on the same line.
 std::uint32_t middle_side(const DiagramEvents& diagram, const BoundaryWalk& walk,
                           const DiagramHalf& half) {
-  const std::uint32_t edge = diagram.curves.features[half.feature].edge;
   for (std::uint32_t side = half.from_side;; side = side + 1 == walk.last ? walk.first : side + 1) {
-    const BoundarySide& own = diagram.walks.sides[side];
-    if (!own.is_arc && own.edge == edge) return side;
+    if (!diagram.walks.sides[side].is_arc) return side;
     if (side == half.to_side) break;
   }
   throw std::logic_error("a flat ridge lies in front of no edge");
@@ -31,11 +29,28 @@ bool DiscIndex::fill_fits(const Rational& squared_radius) {
     if (low_[k] != number || high_[k] == number) continue;
     leads_on[is_rising_[k] != 0 ? graph_.halves[k].from : graph_.halves[k].to] = 1;
   }
+  const auto is_level = [&](std::uint32_t k) { return low_[k] == number && high_[k] == number; };
+  const auto& features = diagram_.curves.features;
+  const auto is_between_edges = [&](const DiagramHalf& half) {
+    return features[half.feature].edge != OffsetPatch::none &&
+           features[graph_.halves[half.twin].feature].edge != OffsetPatch::none;
+  };
+  // Where rings touch, nodes at one place may be joined by a half without length.
+  for (bool is_new = true; is_new;) {
+    is_new = false;
+    for (std::uint32_t k = 0; k < graph_.halves.size(); ++k) {
+      const DiagramHalf& half = graph_.halves[k];
+      if (!is_level(k) || is_between_edges(half) || leads_on[half.from] == 0) continue;
+      is_new |= leads_on[half.to] == 0;
+      leads_on[half.to] = 1;
+    }
+  }
   bool is_found = false;
   for (std::uint32_t k = 0; k < graph_.halves.size(); ++k) {
-    if (low_[k] != number || high_[k] != number) continue;
+    const DiagramHalf& half = graph_.halves[k];
+    if (!is_level(k) || !is_between_edges(half)) continue;
     is_found = true;
-    is_to_cut[k] = leads_on[graph_.halves[k].from] & leads_on[graph_.halves[k].to];
+    is_to_cut[k] = leads_on[half.from] & leads_on[half.to];
   }
   for (std::uint32_t node = 0; node < graph_.events; ++node) {
     if (numbers_[node] != number || leads_on[node] != 0) continue;
