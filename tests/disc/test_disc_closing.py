@@ -206,7 +206,7 @@ def test_an_opening_is_what_a_closing_of_the_outside_leaves() -> None:
 
 
 def test_ridges_in_front_of_collinear_edges_are_cut() -> None:
-    """Two triangles whose tops lie on a line, below a wall two radii away; they touch at a point."""
+    """Two triangles with tops on a line, two radii below a wall; they touch at a point."""
     P = PolygonSet([
         [[(-28, -18), (28, -18), (28, 22), (-28, 22)], [(-20, 5), (20, 5), (20, -4), (-20, -4)]],
         [[(-1, 4), (-3, 4), (0, 0)]],
