@@ -25,9 +25,9 @@ struct Polygon {
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
-/// A set of polygons with disjoint interiors. Three degenerate operands have the same form: the
-/// empty set (no polygon), a point (one outer ring with one vertex) and a segment (one outer ring
-/// with two vertices).
+/// A set of polygons with disjoint interiors. Degenerate operands have the same form: the empty set
+/// (no polygon), a point (one outer ring with one vertex), a segment (with two vertices), and open
+/// lines (several of these; lines.hpp tells them from regions, `is_region` does not).
 struct PolygonSet {
   std::vector<Polygon> polygons;
 

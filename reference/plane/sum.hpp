@@ -43,14 +43,14 @@ struct Sum {
 /// `sP + Q` at a rational scale s > 0 (docs/definitions.md, "Sum"). `arithmetic`: "rational"
 /// (exact, the default: grid integers behind a float filter, or rationals), "interval" (throws
 /// UndecidedSign where it cannot certify), "double" or "mpfr:BITS" (these arithmetics' answers;
-/// may be wrong; route paper only). Operands must have passed `validate`. Throws BadInput for s <=
-/// 0 and for two operands that are both a point or a segment. Cost: paper O((N + k) log N), N the
-/// size of the reduced convolution.
+/// may be wrong; route paper only). Operands must have passed `validate`, with Lines::allowed for
+/// open lines. Two operands without area give the region alone; thin_sum.hpp has the rest. Throws
+/// BadInput for s <= 0. Cost: paper O((N + k) log N), N the size of the reduced convolution.
 Sum minkowski_sum(const PolygonSet& P, const PolygonSet& Q, const Rational& scale,
                   Route route = Route::paper, const std::string& arithmetic = "rational",
                   Passages passages = Passages::leave);
 
-/// The refusals of minkowski_sum: a scale <= 0, two operands without area.
+/// The refusals of tight_passages: a scale <= 0, two operands without area.
 void refuse_bad_operands(const PolygonSet& P, const PolygonSet& Q, const Rational& scale);
 
 /// The area of a sum, exact; costs far more than its digits suggest (denominators multiply).

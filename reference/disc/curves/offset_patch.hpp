@@ -1,4 +1,5 @@
-// The offset curves of a polygon set: edges moved outwards by the radius, and arcs about vertices.
+// The offset curves of a polygon set or of lines: edges moved outwards by the radius, and arcs
+// about vertices.
 #pragma once
 
 #include <algorithm>
@@ -84,7 +85,7 @@ struct OffsetCurves {
   std::vector<StraightVertex> straight;
 };
 
-/// The offset curves of a valid polygon set, a point or a segment; a segment has curves on both
+/// The offset curves of a valid polygon set, or of points and segments, which have curves on both
 /// sides. Edges go on through straight vertices. O(n log n).
 OffsetCurves offset_curves(const PolygonSet& P);
 
