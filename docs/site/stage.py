@@ -49,6 +49,7 @@ GUIDE = (
     "certificates-solids",
     "certificates-paths",
     "certificates-features",
+    "certificates-disc",
     "certificates-unions",
     "degeneracies",
     "roadmap",

@@ -75,11 +75,11 @@ def command(
     """Verify certificates (docs/certificates.md) step by step, in exact arithmetic, with none of
     the code that made them, in the plane, of convex polyhedra (docs/certificates-convex.md) and of
     any polyhedra (docs/certificates-solids.md), of paths and traps (docs/certificates-paths.md),
-    bridges (docs/certificates-features.md) and unions (docs/certificates-unions.md). The checker is
-    a single file that also runs alone, oracle/checker/check.py. Exits with 0 if all are verified, 1
-    if one is refuted, 2 if one is malformed or its case is missing, 4 if one is out of budget, with
-    --proved 5 if one has a claim that is not proved; 1 takes precedence over 2, 2 over 4, and 4
-    over 5. What is proved:
+    bridges (docs/certificates-features.md), unions (docs/certificates-unions.md) and sums with a
+    disc (docs/certificates-disc.md). The checker is a single file that also runs alone,
+    oracle/checker/check.py. Exits with 0 if all are verified, 1 if one is refuted, 2 if one is
+    malformed or its case is missing, 4 if one is out of budget, with --proved 5 if one has a claim
+    that is not proved; 1 takes precedence over 2, 2 over 4, and 4 over 5. What is proved:
     docs/proved.md."""
     watch = Stopwatch()
     if proved:

@@ -70,9 +70,9 @@ def run(request: SumWithDisc) -> None:
         canonical = found.canonical_json()
         written, proof = None, None
         if files is not None:
-            names = f"{P} and {Q}"
             known = found.holes, canonical
-            proof = proved_sum(files, names, other, disc.squared_radius, known, request.point)
+            what = f"{P} and {Q}", other, disc.squared_radius
+            proof = proved_sum(files, *what, known, request.point)
             write_together(dict(proof[0].contents()))
         if target is not None:
             written = _written(target, found, other, disc, canonical, request)

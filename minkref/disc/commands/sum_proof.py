@@ -29,8 +29,8 @@ def proved_sum(
     known: tuple[int, str],
     point: tuple[str, str] | None,
 ) -> tuple[Checked, DiscSumCertificate]:
-    """The proof, checked and not written yet. `known`: holes and canonical form. Refuses a set that is no region, and a boundary too
-    fine for decimals."""
+    """The proof, checked and not written yet. `known`: the sum's holes and canonical form. Refuses
+    a set that is no region, and a boundary too fine for decimals."""
     try:
         certificate = DiscSumCertificate(P, square)
         certificate.sum(known)
