@@ -51,6 +51,7 @@ def test_by_hand(check_value: CheckValue) -> None:
         ((*TOTAL, "joints", 0, 0), "0", "not of a positive number"),
         ((*TOTAL, "joints", 0, 1), ["-1", "0"], "not of a positive number"),
         ((*TOTAL, "joints"), [], "no number"),
+        ((*TOTAL, "joints"), [grown.HIGH, grown.LOW, grown.LOW], "not used"),
         ((*TOTAL, "edges", 1), grown.FREE, "near to a free part"),
         ((*TOTAL, "edges", 0, 1), 7, "not near to a blocked part"),
         ((*TOTAL, "edges", 0, 1), [2], "does not face"),

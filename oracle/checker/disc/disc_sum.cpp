@@ -100,6 +100,9 @@ class DiscSum {
       within(curves[i]->what(),
              [&] { curves[i]->follow(i < edges.size() ? edges[i] : arcs[i - edges.size()], all); });
     }
+    std::set<std::uint32_t> used;
+    for (const auto& [joint, n, is_arc] : all.on) used.insert(joint);
+    require(used.size() == all.joints.size(), "a joint is not used");
     demand_joints_where_touched(all);
     return counted(*m[4], *m[5], *m[6], all);
   }

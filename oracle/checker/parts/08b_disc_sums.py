@@ -341,6 +341,7 @@ class DiscSum(DiscProof):
         for curve, walk in zip(curves, walks, strict=True):
             with within(f"the {'arc' if curve.is_arc else 'curve'} of edge {curve.n}"):
                 curve.follow(walk)
+        require({j for j, _, _ in self.on} == set(range(len(self.joints))), "a joint is not used")
         for joint, f in self.touched:
             arc = any((joint, n, True) in self.on for n in self.next if self.at[n] in self.edge(f))
             demand(arc or (joint, f, False) in self.on, f"edge {f} has no joint where it touches")
