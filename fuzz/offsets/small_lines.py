@@ -45,7 +45,8 @@ class SmallLines:
             read_lines(lines_value(self.lines)["lines"], "shrunk")
         except Refusal:
             return False
-        return self.radius > 0
+        has_point = any(len(line) == 1 for line in self.lines)
+        return self.radius > 0 and not (has_point and "cap" in dict(self.more))
 
     def mapped(self, factor: Fraction, step: Fraction = Fraction(0)) -> SmallLines:
         """Scaled, and rounded to multiples of a step."""
