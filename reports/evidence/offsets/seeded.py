@@ -11,7 +11,7 @@ from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.of_tests import SEEDED_OFFSETS, module, seeded_offset
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 1, 9)
+MINUTES = Minutes(0.1, 0.5, 9)
 
 SEED = 11
 EVERY = Counts(22, 1, 1)  # one fault of so many
