@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
+#include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/location.hpp"
 
@@ -22,6 +23,37 @@ std::vector<Point> vertices_of(const PolygonSet& set) {
     for (const Ring& hole : polygon.holes) all.insert(all.end(), hole.begin(), hole.end());
   }
   return all;
+}
+
+/// An edge of a cell's boundary or of a passage; a passage of one point has both ends there.
+struct OwnedEdge {
+  FilteredPoint from, to;
+  std::size_t owner;  ///< cells, then passages
+};
+
+bool is_on(const OwnedEdge& edge, const FilteredPoint& x) {
+  int winding = 0;
+  return add_winding(edge.from, edge.to, x, winding);
+}
+
+Box box_of(const OwnedEdge& edge) {
+  Box box;
+  for (const FilteredPoint* p : {&edge.from, &edge.to}) {
+    box.add({below(p->x()), below(p->y()), above(p->x()), above(p->y())});
+  }
+  return box;
+}
+
+void add_chain(std::vector<OwnedEdge>& edges, const FilteredRing& points, std::size_t owner) {
+  if (points.size() == 1) edges.push_back({points[0], points[0], owner});
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    edges.push_back({points[i - 1], points[i], owner});
+  }
+}
+
+void add_ring(std::vector<OwnedEdge>& edges, const FilteredRing& ring, std::size_t owner) {
+  add_chain(edges, ring, owner);
+  edges.push_back({ring.back(), ring.front(), owner});
 }
 
 Ring backwards(const Ring& ring) { return {ring.rbegin(), ring.rend()}; }
@@ -65,10 +97,6 @@ std::size_t FreeSpace::root(std::size_t k) const {
   return k;
 }
 
-bool FreeSpace::on_boundary(std::size_t cell, const Point& x) const {
-  return locate(cells_[cell], x) == Location::boundary;
-}
-
 bool FreeSpace::on_passage(const TightPassage& passage, const Point& x) {
   const auto& points = passage.points;
   if (points.size() == 1) return points[0] == x;
@@ -78,21 +106,30 @@ bool FreeSpace::on_passage(const TightPassage& passage, const Point& x) {
   return false;
 }
 
-/// Joins cells and passages with a common point: a vertex of either lies on the other.
+/// Joins cells and passages with a common point: a vertex of either lies on an edge of the other.
 void FreeSpace::join_touching() {
-  const std::size_t cells = cells_.size();
-  const auto holds = [&](std::size_t k, const Point& x) {
-    return k < cells ? on_boundary(k, x) : on_passage(passages_[k - cells], x);
-  };
-  for (std::size_t k = 0; k < joined_.size(); ++k) {
-    const std::vector<Point> own = k < cells ? vertices_of(cells_[k]) : passages_[k - cells].points;
-    for (std::size_t other = 0; other < joined_.size(); ++other) {
-      look_for_interrupt();
-      if (root(k) == root(other)) continue;
-      const bool touch =
-          std::any_of(own.begin(), own.end(), [&](const Point& x) { return holds(other, x); });
-      const std::size_t a = root(k), b = root(other);
-      if (touch) joined_[std::max(a, b)] = std::min(a, b);
+  const FloatEnvironment standard;
+  std::vector<OwnedEdge> edges;
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    for (const Polygon& polygon : cells_[k].polygons) {
+      add_ring(edges, filtered_ring(polygon.outer), k);
+      for (const Ring& hole : polygon.holes) add_ring(edges, filtered_ring(hole), k);
+    }
+  }
+  for (std::size_t k = 0; k < passages_.size(); ++k) {
+    add_chain(edges, filtered_ring(passages_[k].points), cells_.size() + k);
+  }
+  std::vector<Box> boxes;
+  boxes.reserve(edges.size());
+  for (const OwnedEdge& edge : edges) boxes.push_back(box_of(edge));
+  const BoxTree tree(std::move(boxes));
+  for (const OwnedEdge& edge : edges) {
+    for (const FilteredPoint* x : {&edge.from, &edge.to}) {
+      tree.query(box_of({*x, *x, edge.owner}), [&](std::uint32_t other) {
+        const std::size_t a = root(edge.owner), b = root(edges[other].owner);
+        if (a != b && is_on(edges[other], *x)) joined_[std::max(a, b)] = std::min(a, b);
+        return false;
+      });
     }
   }
 }

@@ -15,7 +15,8 @@ namespace minkref::inline motion {
 class FreeSpace {
  public:
   /// `sum`: canonical, and with tight passages if contact is allowed. `about`: points for later
-  /// questions. Exact. O(b^2) for a boundary with b vertices.
+  /// questions. Exact. O(b log n + k) for a boundary with b vertices, and k pairs of a vertex and
+  /// the box of an edge with the vertex inside.
   FreeSpace(const Sum& sum, ContactRule rule, const std::vector<Point>& about);
 
   /// The index of the part that holds a point; none if the point is not free. Part 0 has no bound.
@@ -25,7 +26,6 @@ class FreeSpace {
  private:
   void join_touching();
   std::size_t root(std::size_t k) const;
-  bool on_boundary(std::size_t cell, const Point& x) const;
   static bool on_passage(const TightPassage& passage, const Point& x);
 
   ContactRule rule_;
