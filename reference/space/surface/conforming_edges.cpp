@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "reference/interrupt.hpp"
 #include "reference/space/surface/hidden_edges.hpp"
+#include "reference/space/surface/near_things.hpp"
 #include "reference/space/surface/slits.hpp"
 
 namespace minkref::inline space {
@@ -41,18 +41,14 @@ class MeetingSearch {
   MeetingSearch(const std::vector<SpaceVertex>& points, const std::vector<PointPair>& segments)
       : cuts(segments.size()), points_(points), segments_(segments) {}
 
-  /// Point numbers; numbers beyond the given points refer to `fresh`.
+  /// Point numbers, perhaps repeated; numbers beyond the given points refer to `fresh`.
   std::vector<std::vector<std::uint32_t>> cuts;
   std::vector<SpaceVertex> fresh;
 
   void run() {
-    std::vector<SpaceBox> boxes;
-    boxes.reserve(segments_.size());
-    for (const auto& [u, v] : segments_) boxes.push_back(box_between(points_[u], points_[v]));
-    SpaceBoxTree(std::move(boxes)).pairs([&](std::uint32_t a, std::uint32_t b) {
-      look_for_interrupt();
-      meet(a, b);
-    });
+    NearThings near(points_);
+    for (const auto& [u, v] : segments_) near.add({u, v});
+    near.pairs([&](std::uint32_t a, std::uint32_t b) { meet(a, b); });
   }
 
  private:

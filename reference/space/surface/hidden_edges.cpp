@@ -2,20 +2,20 @@
 
 #include <algorithm>
 
-#include "reference/interrupt.hpp"
+#include "reference/space/surface/near_things.hpp"
 
 namespace minkref::inline space {
 namespace {
 
 class CrossingSearch {
  public:
-  explicit CrossingSearch(const LiftedRegions& regions) : regions_(regions), location_(regions) {}
+  explicit CrossingSearch(const LiftedRegions& regions)
+      : regions_(regions), location_(regions), near_(regions.points) {
+    for (const LiftedPolygon& polygon : regions.polygons) near_.add(polygon.rings[0]);
+  }
 
   std::vector<std::pair<SpaceVertex, SpaceVertex>> run() {
-    std::vector<SpaceBox> boxes;
-    for (const LiftedPolygon& polygon : regions_.polygons) boxes.push_back(polygon.box);
-    SpaceBoxTree(std::move(boxes)).pairs([&](std::uint32_t a, std::uint32_t b) {
-      look_for_interrupt();
+    near_.pairs([&](std::uint32_t a, std::uint32_t b) {
       if (corners_of(a) > corners_of(b)) std::swap(a, b);
       if (straddles(a, b) && straddles(b, a)) look_along_crossing(a, b);
     });
@@ -27,11 +27,13 @@ class CrossingSearch {
     return regions_.polygons[polygon].rings[0].size();
   }
 
-  /// Whether a polygon has corners on both sides of another polygon's plane.
+  /// Whether a polygon has corners on both sides of another polygon's plane. Common corners lie on
+  /// the plane, and need no arithmetic.
   bool straddles(std::uint32_t polygon, std::uint32_t other) const {
     const FilteredPlane& plane = regions_.plane_of(other);
     bool above = false, below = false;
     for (const std::uint32_t corner : regions_.polygons[polygon].rings[0]) {
+      if (near_.has_corner(other, corner)) continue;
       const int side = plane.side(regions_.points[corner]);
       above = above || side > 0;
       below = below || side < 0;
@@ -71,6 +73,7 @@ class CrossingSearch {
 
   const LiftedRegions& regions_;
   PolygonLocation location_;
+  NearThings near_;
   std::vector<std::pair<SpaceVertex, SpaceVertex>> found_;
 };
 
