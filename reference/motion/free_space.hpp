@@ -15,8 +15,7 @@ namespace minkref::inline motion {
 class FreeSpace {
  public:
   /// `sum`: canonical, and with tight passages if contact is allowed. `about`: points for later
-  /// questions. Exact. O(b log n + k) for a boundary with b vertices, and k pairs of a vertex and
-  /// the box of an edge with the vertex inside.
+  /// questions. Exact. O(b log b + k) for b boundary vertices, k times within an edge's box.
   FreeSpace(const Sum& sum, ContactRule rule, const std::vector<Point>& about);
 
   /// The index of the part that holds a point; none if the point is not free. Part 0 has no bound.

@@ -121,8 +121,8 @@ bool share_a_corner(const ConvolutionFacet& a, const ConvolutionFacet& b) {
   return false;
 }
 
-/// For each facet: with so many near it at a common corner, they form fans, which boxes and single
-/// planes do not tell apart.
+/// For each facet: more near facets at common corners form fans, where boxes and single planes
+/// separate little.
 constexpr std::size_t most_joined = 12;
 
 }  // namespace

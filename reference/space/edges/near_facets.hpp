@@ -1,4 +1,4 @@
-// Pairs of facets that may matter to each other's carriers.
+// Pairs of facets near enough to cut each other's carriers.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,9 @@ namespace minkref::inline space {
 
 using NearLists = std::vector<std::vector<std::uint32_t>>;
 
-/// For each facet the facets near it, ascending. Leaves out only pairs that a plane separates, and
-/// pairs that share no more than a corner of both, or in one plane no more than a point: such a
-/// facet cuts no carrier of the other. Near-linear where few facets are near each other in more
-/// than a corner, as in fans; O(n^2) at worst. Can be interrupted.
+/// For each facet the facets near it, ascending. Leaves out only separated pairs, pairs with a
+/// single common corner, and coplanar pairs with a single common point: such facets cut none of the
+/// carriers. O(n log n + m) for m pairs with overlapping boxes, fewer for fans. Can be interrupted.
 NearLists near_lists(const std::vector<ConvolutionFacet>& facets, SignCounts& signs);
 
 }  // namespace minkref::inline space

@@ -10,7 +10,7 @@
 namespace minkref::inline space {
 namespace {
 
-/// For each thing: beyond so many pairs of boxes, boxes are no help.
+/// For each thing: boxes do not help beyond so many pairs.
 constexpr std::size_t most_box_pairs = 48;
 
 }  // namespace
@@ -61,8 +61,7 @@ bool NearThings::pairs_by_boxes(const Report& report, std::uint32_t first) const
   return true;
 }
 
-/// Pairs of things with few corners. The fan of triangles from a corner covers a polygon, convex or
-/// not.
+/// Pairs with few corners each. Triangles from a corner cover a polygon, convex or not.
 void NearThings::pairs_by_clusters(const Report& report) const {
   std::vector<NearItem> items;
   for (std::uint32_t i = 0; i < corners_.size(); ++i) {

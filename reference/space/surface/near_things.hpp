@@ -1,4 +1,4 @@
-// Pairs of points, segments and polygons in space that may share more than a corner.
+// Pairs of segments and polygons in space with more in common than a corner, perhaps.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,7 @@
 
 namespace minkref::inline space {
 
-/// Segments, or polygons by the corners of their outer rings, numbered in the order in which they
-/// are added.
+/// Segments, and polygons by their outer corners, numbered as added.
 class NearThings {
  public:
   /// The points, distinct; they must live longer.
@@ -18,15 +17,14 @@ class NearThings {
 
   void add(std::vector<std::uint32_t> corners);
   const std::vector<std::uint32_t>& corners(std::uint32_t thing) const { return corners_[thing]; }
-  /// Whether a thing with few corners has the point as a corner; false if it has many.
+  /// Whether the point is a corner; false for things with many corners.
   bool has_corner(std::uint32_t thing, std::uint32_t point) const;
 
   using Report = std::function<void(std::uint32_t, std::uint32_t)>;
   /// Calls report(i, j), i < j, for each pair of things with overlapping boxes, perhaps twice;
-  /// leaves out only pairs that lie apart but for one corner that both have. `first` says from
-  /// which thing on pairs are of interest: j >= first > i, or all for 0. Near-linear where few
-  /// things are near each other in more than a corner, be they fans of slivers; a thing with many
-  /// corners is taken as its box. Can be interrupted.
+  /// leaves out only pairs without a common point, or with a single common corner. Reports pairs
+  /// with j >= first > i, or all for 0. Near-linear for fans; a box stands for a thing with many
+  /// corners. Can be interrupted.
   void pairs(const Report& report, std::uint32_t first = 0) const;
 
  private:

@@ -71,7 +71,7 @@ class SlitSearch {
     return number;
   }
 
-  /// Adds the segment to the slits if it lies inside, and its ends to what may be a tip: each point
+  /// Adds a segment inside to the slits, and ends on the plane to the possible tips: each point
   /// ends some segment.
   void look_inside(std::uint32_t polygon, const PointPair& segment) {
     const std::uint32_t r = regions_.polygons[polygon].region;
