@@ -82,10 +82,9 @@ struct ContactEnvelopes<Real>::Ahead {
 
   Ahead(const Frame& frame, double size)
       : origin(rounded(frame.origin)),
-        directions(frame.is_edge
-                       ? std::array{rounded(frame.normal), rounded(frame.normal)}
-                       : std::array{rounded(frame.direction(frame.first)),
-                                    rounded(frame.direction(frame.last))}),
+        directions(frame.is_edge ? std::array{rounded(frame.normal), rounded(frame.normal)}
+                                 : std::array{rounded(frame.direction(frame.first)),
+                                              rounded(frame.direction(frame.last))}),
         slack(0x1p-32 * size) {}
   bool meets(const plane::Box& box) const {
     return std::any_of(directions.begin(), directions.end(), [&](const Vector<double>& d) {

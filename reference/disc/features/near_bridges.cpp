@@ -91,8 +91,7 @@ BoundedPoint NearBridges::foot(const Feature& feature, const BoundedPoint& centr
 void NearBridges::place(const Rising& own, const FrameRadius& radius, NearBridge& found) const {
   BoundedPoint centre = corner_of(own.motion, radius.near, radius.off);
   if (centre.error > radius.widest_error()) centre = index_.corner_from_roots(own.half, radius);
-  const BoundedPoint from = foot(own.own, centre),
-                     to = foot(own.across, centre);
+  const BoundedPoint from = foot(own.own, centre), to = foot(own.across, centre);
   double size = 0;
   const auto put = [&](const BoundedPoint& in_frame, double& x, double& y) {
     const double across = in_frame.x * scale_, up = in_frame.y * scale_;

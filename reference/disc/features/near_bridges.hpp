@@ -59,7 +59,7 @@ class NearBridges {
   std::vector<Rising> rising_;  ///< by tree node
   std::vector<Life> lives_;
   std::uint32_t gaps_of_span_ = 1;
-  std::vector<std::vector<Part>> spans_;  ///< by tree node
+  std::vector<std::vector<Part>> spans_;                 ///< by tree node
   double scale_ = 1, x_ = 0, y_ = 0, origin_error_ = 0;  ///< from the frame of the curves to P's
 };
 

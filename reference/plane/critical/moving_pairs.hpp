@@ -34,8 +34,9 @@ PairRange pair_range(const RoundedEdge& a, const RoundedEdge& b, double from, do
                      double error);
 
 /// Finds the pairs that may meet at some scale within a closed window; an omitted pair certainly
-/// does not. Divided by 1 + s, each vertex moves from q to p along a line, so the window may have no
-/// bounds. Edges near each other share a block and a box: the float filter looks at whole blocks.
+/// does not. Divided by 1 + s, each vertex moves from q to p along a line, so the window may have
+/// no bounds. Edges near each other share a block and a box: the float filter looks at whole
+/// blocks.
 class MovingPairs {
  public:
   /// `to` may be infinite. O(n log n).

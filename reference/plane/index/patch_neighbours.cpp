@@ -62,10 +62,9 @@ class NeighbourSearch {
   /// Finds all pairs of a block's live edges with each other and with later ones.
   void operator()(std::size_t block) {
     hints_ = {};
-    pairs_.of_block(static_cast<std::uint32_t>(block), room_,
-                    [&](std::uint32_t a, std::uint32_t b) {
-                      look(subject_.live[a], subject_.live[b]);
-                    });
+    pairs_.of_block(
+        static_cast<std::uint32_t>(block), room_,
+        [&](std::uint32_t a, std::uint32_t b) { look(subject_.live[a], subject_.live[b]); });
   }
 
  private:
@@ -97,10 +96,10 @@ class NeighbourSearch {
     const RoundedEdge& a = subject_.edges[i];
     const double slope = a_slope / c, value = a_value / c;
     const double ratio = std::max(std::fabs(slope), std::fabs(value));
-    const RoundedTrack track{
-        a.qx + value * a.dx, a.qy + value * a.dy, a.px + slope * a.dx, a.py + slope * a.dy,
-        subject_.length * (error_ * (2 + 2 * ratio) / c) +
-            0x1p-48 * (subject_.size + ratio * subject_.length)};
+    const RoundedTrack track{a.qx + value * a.dx, a.qy + value * a.dy, a.px + slope * a.dx,
+                             a.py + slope * a.dy,
+                             subject_.length * (error_ * (2 + 2 * ratio) / c) +
+                                 0x1p-48 * (subject_.size + ratio * subject_.length)};
     return subject_.tracks.certainly_inside(track, low, high, hints_);
   }
 
