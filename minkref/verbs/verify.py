@@ -40,7 +40,7 @@ def _verify(context: typer.Context, **values: Any) -> None:
     from minkref.verbs.verify_run import answer  # all judges, which --help does not need
 
     parts = (request_of(part, values) for part in (Asked, Cases, Bounds, Output))
-    answer(context, VerifyRequest(*parts))
+    answer(context, VerifyRequest(*parts), command)
 
 
 FIELDS = {each.name: each for part in (Asked, Cases, Bounds, Output) for each in fields_of(part)}

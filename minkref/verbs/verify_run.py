@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +38,6 @@ from minkref.reports.conformance.markdown import markdown
 from minkref.reports.conformance.page import write_report
 from minkref.reports.conformance.sarif import sarif
 from minkref.reports.conformance.space_showcase import space_showcases, told
-from minkref.verbs.verify import command
 from minkref.verbs.verify_cases import case_list
 from minkref.verbs.verify_limits import check_numbers
 from minkref.verbs.verify_output import ProgressLine, document_of, print_tables
@@ -51,7 +50,7 @@ NOTHING_RUN: dict[str, object] = {
 }
 
 
-def answer(context: typer.Context, request: VerifyRequest) -> None:
+def answer(context: typer.Context, request: VerifyRequest, command: Callable[..., Any]) -> None:
     watch = Stopwatch()
     asked, output = request.asked, request.output
     _check(request)

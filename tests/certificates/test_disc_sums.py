@@ -16,7 +16,7 @@ import pytest
 from minkref import _core
 from minkref.certify.disc.disc_sum_certificate import DiscSumCertificate
 from minkref.certify.plane.certificate import NoProof
-from minkref.degeneracies.disc.certified_disc_sums import (
+from minkref.degeneracies.certified_disc_sums import (
     drawn_certificate,
     false_certificates,
     is_true,

@@ -10,11 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from minkref.degeneracies.disc.certified_disc_sums import (
-    drawn_certificate,
-    false_certificates,
-    made,
-)
+from minkref.degeneracies.certified_disc_sums import drawn_certificate, false_certificates, made
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
