@@ -78,7 +78,8 @@ NearBridges::Feature NearBridges::rounded(const OffsetCurves& curves, std::uint3
 
 /// The nearest point of a feature, without a branch. To project a place makes its error no longer,
 /// so no coordinate's more than 1.5 times as large.
-BoundedPoint NearBridges::foot(const Feature& feature, const BoundedPoint& centre) {
+inline __attribute__((always_inline)) BoundedPoint NearBridges::foot(const Feature& feature,
+                                                                     const BoundedPoint& centre) {
   constexpr double rounding = 0x1p-49;
   const double height = feature.x * centre.x + feature.y * centre.y - feature.level;
   const double size = std::abs(centre.x) + std::abs(centre.y) + std::abs(feature.level);

@@ -8,6 +8,7 @@ import time
 from dataclasses import dataclass
 from fractions import Fraction
 from statistics import median
+from typing import Any
 
 from minkref import _core
 from minkref.fuzz.judges.disc.offset_cgal import OffsetJudge
@@ -54,13 +55,14 @@ def _times(findings: Findings, name: str, size: Size) -> None:
     known, P = operand(name).name, operand(name).set
     diameters = diameters_of(P)
     builds, reads = [], []
+    given = [float(diameter) for diameter in diameters]
     for _ in range(size.of(REPETITIONS)):
-        found = None  # what it frees would be sorted within the first reading of the next one
+        found: Any = None  # what it frees would be sorted within the next one's first reading
         began = time.perf_counter()
         found = _core.features(P, 2)
         builds.append(time.perf_counter() - began)
         began = time.perf_counter()
-        bridges = [len(found.near(float(diameter))[0]) for diameter in diameters]
+        bridges = [len(found.near(diameter)[0]) for diameter in given]
         reads.append(time.perf_counter() - began)
     built, read = Spread(builds), Spread(reads)
     began = time.perf_counter()
