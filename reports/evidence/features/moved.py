@@ -21,7 +21,7 @@ LAWS = {
 
 
 def batch(first: int) -> dict[str, list[str]]:
-    laws = module("test_feature_laws", ROOT / "tests", ROOT / "tests" / "disc")
+    laws = module("test_feature_laws", ROOT / "tests" / "api", ROOT / "tests" / "disc")
     wrong: dict[str, list[str]] = {what: [] for what in LAWS}
     for what, name in LAWS.items():
         for seed in range(first, first + BATCH):
