@@ -79,8 +79,8 @@ def _times(findings: Findings, name: str, size: Size) -> None:
         f"{known} ({P.vertices:,} vertices): features of {DIAMETERS} diameters from "
         f"{float(LEAST):g} to {float(MOST):g} of its size, {bridges[0]:,} to {bridges[-1]:,} "
         f"bridges: read in {read}, the first time after a build in {first}, with exact feet in "
-        f"{in_roots:.3g} s; index, tree and bars built in {built}; our static route {sum(static):.3g} s, CGAL's approximated offsets "
-        f"{_told(cgal)}"
+        f"{in_roots:.3g} s; index, tree and bars built in {built}; our static route "
+        f"{sum(static):.3g} s, CGAL's approximated offsets {_told(cgal)}"
     )
     if known != "neuron":
         return
