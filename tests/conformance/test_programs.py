@@ -99,7 +99,7 @@ def turned(finding: Finding) -> Finding:
 
 CASES = [
     ("clipper2", SLIVER, ("10", "2"), True),
-    ("clipper2-double", SLIVER, ("10", "1"), True),
+    pytest.param("clipper2-double", SLIVER, ("10", "1"), True, marks=pytest.mark.thorough),
     ("boost-polygon", LOST, ("11/5", "5/2"), True),
     ("pysfcgal", SLIVER, ("10", "1"), True),
     ("pysfcgal", LOST, ("11/5", "5/2"), False),
@@ -109,7 +109,9 @@ CASES = [
     ("openscad", LOST, ("11/5", "5/2"), True),
     ("openscad", LOST, ("1/2", "1"), True),
     ("openscad", SPACE, ("10", "1/3", "1/3"), True),
-    ("clipper2-region", SLIVER, ("21/4", "64583333/50000000"), True),
+    pytest.param(
+        "clipper2-region", SLIVER, ("21/4", "64583333/50000000"), True, marks=pytest.mark.thorough
+    ),
 ]
 
 

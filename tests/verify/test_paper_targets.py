@@ -20,7 +20,7 @@ from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Reason, Verdict
 from named_cases import named
-from thoroughness import draws
+from thoroughness import draws, some
 
 Outcomes = Callable[..., list[Outcome]]
 RIGHT = "minkref-paper@rational,corrected"
@@ -60,11 +60,11 @@ def test_factors_for_each_axis_are_answered(outcomes: Outcomes, target: str) -> 
 
 def test_solids_of_any_shape_are_followed(outcomes: Outcomes) -> None:
     """Facets in a rounding arithmetic bound no set: these are given up."""
-    families = ("polycube", "l-prism", "cup", "frame", "torus")
+    families = some(("polycube", "cup", "frame", "torus"), 2)
     names = [f"space-{family}:{SEED}:0" for family in families]
     said = outcomes(RIGHT, *names, f"update(space-l-prism:{SEED}:1)")
     assert {outcome.verdict for outcome in said} == {Verdict.PASS}, said
-    assert outcomes("minkref-paper@double", names[1])[0].verdict is Verdict.GAVE_UP
+    assert outcomes("minkref-paper@double", f"space-l-prism:{SEED}:0")[0].verdict is Verdict.GAVE_UP
 
 
 def test_the_printed_program_in_doubles_is_wrong_with_a_witness(outcomes: Outcomes) -> None:
