@@ -91,7 +91,7 @@ inline __attribute__((always_inline)) BoundedPoint NearBridges::foot(const Featu
 /// Fills in a bridge's ends and centre.
 void NearBridges::place(const Rising& own, const FrameRadius& radius, NearBridge& found) const {
   BoundedPoint centre = corner_of(own.motion, radius.near, radius.off);
-  if (centre.error > radius.widest_error()) centre = index_.corner_from_roots(own.half, radius);
+  if (!(centre.error <= radius.widest_error())) centre = index_.corner_from_roots(own.half, radius);
   const BoundedPoint from = foot(own.own, centre), to = foot(own.across, centre);
   double size = 0;
   const auto put = [&](const BoundedPoint& in_frame, double& x, double& y) {

@@ -74,7 +74,8 @@ class DiscIndex {
   /// that the state just below holds {d > ρ}, closed, in place of {d >= ρ}. Nodes without a half to
   /// larger distances go below, and so does each flat ridge between two nodes, cut in its middle,
   /// for which the graph gets a node with the number 0. Nothing else changes, at other radii the
-  /// flat ridges too. Tells whether there was such a place. Exact. O(n).
+  /// flat ridges too. Tells whether there was such a place. Exact. O(n) for
+  /// each half in a chain of halves without length.
   bool fill_fits(const Rational& squared_radius);
 
   struct Place {

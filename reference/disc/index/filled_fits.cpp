@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "reference/disc/index/disc_index.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
@@ -39,6 +40,7 @@ bool DiscIndex::fill_fits(const Rational& squared_radius) {
   for (bool is_new = true; is_new;) {
     is_new = false;
     for (std::uint32_t k = 0; k < graph_.halves.size(); ++k) {
+      look_for_interrupt();
       const DiagramHalf& half = graph_.halves[k];
       if (!is_level(k) || is_between_edges(half) || leads_on[half.from] == 0) continue;
       is_new |= leads_on[half.to] == 0;

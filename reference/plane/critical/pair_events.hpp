@@ -64,8 +64,9 @@ struct PairEvents {
 
 /// All events of a kind within the window; the pair counts cover both kinds. `form`: applies the
 /// printed rule of Sec. 4.2.3 to pairs that are not parallel; its answers are wrong
-/// (docs/definitions.md, "Printed and corrected"). Exact. O(N^2 + k log k) for N edges and k
-/// events; memory O(N + k). Operands must have passed `validate`, or be cut (simply_connected.hpp).
+/// (docs/definitions.md, "Printed and corrected"). Exact. O(N log N + k log k) for N edges and k
+/// events where few boxes of edges meet (moving_pairs.hpp), O(N^2) at worst and as printed; memory
+/// O(N + k). Operands must have passed `validate`, or be cut (simply_connected.hpp).
 PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window = {},
                        EventKind kind = EventKind::both, Form form = Form::corrected,
                        bool keep_meeting = false, ConvolutionType of = ConvolutionType::reduced);

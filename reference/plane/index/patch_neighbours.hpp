@@ -20,7 +20,8 @@ struct PatchNeighbours {
 
 /// Omitted pairs certainly never meet within the window, or certainly meet inside the interiors'
 /// sum only, at all scales: the parts that they cut off from each other lie inside. S-edges first.
-/// By doubles; the same for any number of threads. O(N^2).
+/// By doubles; the same for any number of threads. O(N log N) and the pairs within blocks whose
+/// boxes meet; O(N^2) at worst.
 PatchNeighbours patch_neighbours(const InteriorTracks& tracks, InteriorSolids& solids,
                                  const std::vector<RationalEdge>& edges, const ScaleWindow& window,
                                  const BuildControl& control);

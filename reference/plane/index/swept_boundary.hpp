@@ -40,8 +40,8 @@ struct SweptBoundary {
 
 /// The boundary within a window, open towards 0 or infinity without a bound. Exact, and the same
 /// for any number of threads. Operands must have passed `validate`. Throws BadInput ("bad-window"),
-/// LimitExceeded ("memory-limit"). O(N^2) doubles for N convolution edges; the further cost depends
-/// on the remaining pairs.
+/// LimitExceeded ("memory-limit"). O(N^2) doubles for N convolution edges at worst, where most of
+/// their boxes meet (patch_neighbours.hpp); the further cost depends on the remaining pairs.
 SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                              const BuildOptions& options = {});
 
