@@ -29,7 +29,9 @@ minkref fit part.off housing.off --at 3,1/2,0
 
 minkref fit part.off housing.off --anywhere
 
-minkref fit disc pocket.wkt --between 2,2 7,2"""
+minkref fit disc pocket.wkt --between 2,2 7,2
+
+minkref fit disc pocket.wkt --anywhere -o largest.svg"""
 
 TOLD = """\
 Find all scales at which a part lies in a container: at a place, somewhere, or all along a
@@ -87,6 +89,7 @@ class FitOfDisc:
     between: Between = None
     contact: Contact = "allowed"
     clearance: Clearance = None
+    output: Picture = None
     memory: Memory = None
     json: Json = False
 
@@ -107,11 +110,7 @@ command = command_of(
     "fit",
     TOLD,
     {
-        DISC: Verb(
-            FitOfDisc,
-            "minkref.motion.commands.disc_fit:run",
-            why={"-o": "no picture is drawn of a disc's fit"},
-        ),
+        DISC: Verb(FitOfDisc, "minkref.motion.commands.disc_fit:run"),
         PLANE: Verb(FitInPlane, "minkref.motion.commands.fit:run"),
         SPACE: Verb(
             FitInSpace,

@@ -62,6 +62,7 @@ class TrapOfDisc:
     at: At
     contact: Contact = "allowed"
     clearance: Clearance = None
+    output: Picture = None
     memory: Memory = None
     json: Json = False
 
@@ -85,10 +86,7 @@ command = command_of(
         DISC: Verb(
             TrapOfDisc,
             "minkref.motion.commands.disc_trap:run",
-            why={
-                "--certify": "there is no certificate of a disc's trap",
-                "-o": "no picture is drawn of a disc's trap",
-            },
+            why={"--certify": "there is no certificate of a disc's trap"},
         ),
         PLANE: Verb(
             Trap,

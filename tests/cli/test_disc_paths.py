@@ -16,6 +16,7 @@ Minkref = Callable[..., Any]
 SQUARE = "POLYGON((-1 -1,1 -1,1 1,-1 1,-1 -1))"
 ROOM = "POLYGON((-1 -1,9 -1,9 3,8 3,8 0,0 0,0 8,8 8,8 5,9 5,9 9,-1 9,-1 -1))"
 POCKET = "POLYGON((0 0,8 0,8 3,9 3,9 0,15 0,15 8,9 8,9 5,8 5,8 8,0 8,0 0))"
+CAGE = "POLYGON((0 0,10 0,10 10,6 10,6 9,9 9,9 1,1 1,1 9,4 9,4 10,0 10,0 0))"
 WAY = "LINESTRING(20 4,11 4)"
 
 DISCS = {
@@ -52,6 +53,11 @@ def test_the_radii_are_exact_and_say_what_bounds_them(minkref: Minkref) -> None:
     assert "yes; all radii" in minkref(*DISCS["path of one disc"]).out
 
 
+def test_what_touches_is_named_by_its_side(minkref: Minkref) -> None:
+    told = minkref("fit", "disc", POCKET, "--at", "3,3").out
+    assert "of the container" in told and "obstacles" not in told
+
+
 def test_a_part_with_a_clearance(minkref: Minkref, tmp_path: Path) -> None:
     value = minkref("path", SQUARE, ROOM, WAY, "--clearance", "1/2", "--json").json
     jsonschema.validate(value, schema("path"))
@@ -72,6 +78,26 @@ def test_the_picture_shows_the_track_and_the_contact(minkref: Minkref, tmp_path:
     assert 'class="track"' in drawn and 'class="touch"' in drawn and "sqrt(5)" in drawn
     told = minkref("path", "disc", ROOM, "POINT(4 8)", "-o", str(file)).out
     assert "a place is not free" in told and 'class="track"' not in file.read_text()
+
+
+@pytest.mark.parametrize(
+    ("words", "circles", "says"),
+    [
+        (("fit", "disc", POCKET, "--anywhere"), 2, "a disc fits at the radii"),
+        (("fit", "disc", POCKET, "--at", "3,3"), 1, "a disc fits at the radii"),
+        (("trap", "disc", CAGE, "--at", "5,5"), 2, "a disc is trapped at the radii (1, 4]"),
+        (("trap", "disc", CAGE, "--at", "20,5"), 0, "radii none"),
+        (("fit", "disc", POCKET, "--at", "900,3"), 0, "radii none"),
+    ],
+)
+def test_the_picture_shows_the_largest_disc_and_each_neck(
+    minkref: Minkref, tmp_path: Path, words: tuple[str, ...], circles: int, says: str
+) -> None:
+    file = tmp_path / "room.svg"
+    ran = minkref(*words, "-o", str(file))
+    assert ran.code == 0 and "written" in ran.out
+    drawn = file.read_text()
+    assert drawn.count('class="disc"') == circles and says in drawn
 
 
 @pytest.mark.parametrize(

@@ -1,12 +1,14 @@
-"""The SVG of a disc's path: obstacles, the largest disc's track, and its first contact."""
+"""The SVG of a disc on its path, in a container or among obstacles: the largest disc, and what
+holds it."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
-from minkref.motion.disc_radii import DiscRadii
+from minkref.motion.disc_radii import DiscRadii, DiscRadius
 from minkref.output.terminal import counted
 from minkref.plane.exact_frame import Exact, Frame, Ring, box_of, box_text, exact_polygons, fitted
 from minkref.plane.operand import Operand
@@ -24,43 +26,88 @@ STYLE = (
 )
 
 
+@dataclass(frozen=True)
+class DrawnDisc:
+    """The centres where a disc is drawn, and its radius, rounded."""
+
+    centres: Sequence[Exact]
+    radius: Fraction
+
+    def reach(self) -> list[Exact]:
+        """The corners of squares about all discs."""
+        r = self.radius
+        return [(x + a, y + b) for x, y in self.centres for a in (-r, r) for b in (-r, r)]
+
+
 def disc_path_picture(
     operand: Operand, path: Sequence[tuple[str, str]], found: DiscRadii, told: str
 ) -> str:
     """An SVG document; `told`: the radii in words. Numbers stay exact until the frame places
     them."""
-    shape = exact_polygons(operand.set)
     way: list[Exact] = [(Fraction(x), Fraction(y)) for x, y in path]
-    radius = _drawn_radius(found)
-    reach = [
-        (x + dx, y + dy) for x, y in way for dx in (-radius, radius) for dy in (-radius, radius)
-    ]
-    box = box_of([*shape, [[*way, *reach]]])
-    assert box is not None
+    radius = drawn_radius(found.high)
+    contact = found.contact
+    discs = [DrawnDisc([contact.at] if contact else [], radius)]
+    title = f"a disc on {counted(max(1, len(way) - 1), 'segment')}, radii {told}"
+    touching = [contact.touching] if contact else []
+    return _picture(operand, title, discs, touching, DrawnDisc(way, radius))
+
+
+def disc_room_picture(
+    operand: Operand, places: Sequence[tuple[str, str]], found: DiscRadii, told: str, verb: str
+) -> str:
+    """An SVG document of the discs of a fit or a trap: the largest one about each place (without a
+    largest the least), and one in each room or neck. `told`: the radii in words; `verb`: what the
+    disc does at these radii."""
+    at: list[Exact] = [(Fraction(x), Fraction(y)) for x, y in places]
+    found_at = [(Fraction(x), Fraction(y)) for x, y in (each.place for each in found.events)]
+    high, low = drawn_radius(found.high), drawn_radius(found.low)
+    discs = [DrawnDisc(at, high or low), DrawnDisc(found_at, low or high)]
+    contact = found.contact
+    touching = [contact.touching] if contact else []
+    return _picture(operand, f"a disc {verb} at the radii {told}", discs, [*touching, *at])
+
+
+def _picture(
+    operand: Operand,
+    title: str,
+    discs: Sequence[DrawnDisc],
+    marks: Sequence[Exact],
+    track: DrawnDisc | None = None,
+) -> str:
+    shape = exact_polygons(operand.set)
+    swept = [track] if track else []
+    reach = [each.reach() for each in (*discs, *swept) if each.centres]
+    box = box_of([*shape, *([ring] for ring in reach)])
+    title = f"{short_name(operand.name)}: {title}"
+    if box is None:
+        return side_by_side([([title, "the empty set"], "")], STYLE, WIDTH, 0)
     frame = Frame(box[0], box[1], fitted(box, WIDTH, WIDTH).factor)
-    drawn, far = frame.ring(way), float(radius * frame.factor)
-    legs = list(zip(drawn, drawn[1:] or drawn, strict=False))
-    layers = [Layer("track", [[_stadium(a, b, far)]]) for a, b in legs] if radius else []
-    layers += [
-        Layer("obstacle", frame.polygons(shape)),
-        Layer("way", segments=[(*a, *b) for a, b in legs]),
-    ]
-    if found.contact is not None:
-        (centre, touching) = frame.ring([found.contact.at, found.contact.touching])
-        if radius:
-            layers.append(Layer("disc", [[_stadium(centre, centre, far)]]))
-        layers.append(Layer("touch", point=touching))
-    title = f"{short_name(operand.name)}: a disc on {counted(len(legs), 'segment')}, radii {told}"
-    caption = [title, box_text(box)]
+    layers, way = [], []
+    for each in swept:
+        drawn, far = frame.ring(each.centres), float(each.radius * frame.factor)
+        legs = list(zip(drawn, drawn[1:] or drawn, strict=False))
+        layers += [Layer("track", [[_stadium(a, b, far)]]) for a, b in legs] if far else []
+        way.append(Layer("way", segments=[(*a, *b) for a, b in legs]))
+    layers += [Layer("obstacle", frame.polygons(shape)), *way]
+    for each in discs:
+        far = float(each.radius * frame.factor)
+        if far:
+            layers += [
+                Layer("disc", [[_stadium(centre, centre, far)]])
+                for centre in frame.ring(each.centres)
+            ]
+    layers += [Layer("touch", point=point) for point in frame.ring(marks)]
     height = round(height_of(bounds(layers), WIDTH))
+    caption = [title, box_text(box)]
     return side_by_side([(caption, picture(layers, title, WIDTH))], STYLE, WIDTH, height)
 
 
-def _drawn_radius(found: DiscRadii) -> Fraction:
-    """The largest radius, rounded; 0 without one."""
-    if found.high is None or not math.isfinite(found.high.bounds[0]):
+def drawn_radius(radius: DiscRadius | None) -> Fraction:
+    """A radius, rounded; 0 for none."""
+    if radius is None or not math.isfinite(radius.bounds[0]):
         return Fraction(0)
-    return Fraction(max(found.high.bounds[0], 0.0))
+    return Fraction(max(radius.bounds[0], 0.0))
 
 
 def _stadium(a: tuple[float, float], b: tuple[float, float], radius: float) -> Ring:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
 from minkref.certain_digits import between
-from minkref.cli.output import give, print_lines
+from minkref.cli.output import print_lines
 from minkref.disc.disc import ANY, ROOT, Disc, is_disc, read_disc
 from minkref.disc.disc_index import OffsetEvent
 from minkref.errors import Refusal
@@ -56,8 +57,8 @@ def radii_document(
     )
 
 
-def give_radii(value: Row, json: bool, rows: list[tuple[str, str]], verb: str) -> None:
-    """Prints the document, or the given rows, the answer and its causes."""
+def radii_shown(rows: list[tuple[str, str]], verb: str) -> Callable[[Row], None]:
+    """A function that prints the given rows, the answer and its causes."""
 
     def shown(value: Row) -> None:
         clearance = value["clearance"]
@@ -66,7 +67,7 @@ def give_radii(value: Row, json: bool, rows: list[tuple[str, str]], verb: str) -
         last = [*written, ("seconds", f"{value['seconds']:.3f}")]
         print_lines([*rows, *kept, (verb, range_text(value)), *_causes(value), *last], value)
 
-    give(value, json, shown)
+    return shown
 
 
 def _asked(part: str, found: DiscRadii) -> Row | None:
@@ -161,7 +162,8 @@ def _causes(value: Row) -> list[tuple[str, str]]:
         at = touches["at"]
         place = f"segment {at['segment']}, t = {number_text(at['t'])}, {point_text(at['point'])}"
         feature, touching = feature_text(touches["obstacle"]), point_text(touches["touching"])
-        rows.append(("touches", f"{feature} of the obstacles, {touching}; {place}"))
+        whose = "container" if "container" in value else "obstacles"
+        rows.append(("touches", f"{feature} of the {whose}, {touching}; {place}"))
     word = "place" if value["cause"] == "room" else "neck"
     for event in value["events"][:MOST_ROWS]:
         x, y = (f"{c:.9g}" for c in event["place"])

@@ -10,7 +10,7 @@ from minkref.cli.memory import SMALLER, memory_wall
 from minkref.cli.output import print_lines
 from minkref.errors import Refusal, refusing
 from minkref.motion.commands.fit_picture import fit_picture
-from minkref.motion.commands.path_answer import finish
+from minkref.motion.commands.path_answer import FORMATS, finish
 from minkref.motion.commands.path_rows import (
     BY_TRANSLATION,
     MOST_ROWS,
@@ -29,8 +29,6 @@ from minkref.output.output_target import target_of
 from minkref.plane.operand import read_operand
 from minkref.verbs.fit import FitInPlane, FitOfDisc
 from minkref.verbs.path import check_words
-
-FORMATS = ("json", "svg")
 
 
 def run(request: FitInPlane) -> None:

@@ -19,6 +19,8 @@ from minkref.output.output_target import Target
 from minkref.verbs.certificate_output import Checked
 from minkref.verbs.proof_option import proof_rows
 
+FORMATS = ("json", "svg")  # of -o
+
 
 def finish(
     value: dict[str, Any],

@@ -10,9 +10,9 @@ from minkref.cli.memory import SMALLER, memory_wall
 from minkref.cli.output import print_lines
 from minkref.errors import refusing
 from minkref.exact import text_of_bounds
-from minkref.motion.commands.fit import FORMATS, bound_rows, free_document, written_rows
+from minkref.motion.commands.fit import bound_rows, free_document, written_rows
 from minkref.motion.commands.fit_picture import fit_picture
-from minkref.motion.commands.path_answer import finish
+from minkref.motion.commands.path_answer import FORMATS, finish
 from minkref.motion.commands.path_proof import proved
 from minkref.motion.commands.path_rows import point_text, ranges_text
 from minkref.motion.scale_ranges import CONTACTS, range_values

@@ -113,23 +113,21 @@ class DiscPathDocument(AnyDisc, LastingHead, Written):
     vertices: PositiveCount
 
 
-class DiscFitDocument(AnyDisc, Head):
+class DiscFitDocument(AnyDisc, LastingHead, Written):
     """The document of `minkref fit disc --json`."""
 
     command: Literal["fit"]
     container: str
     question: Literal["at", "anywhere", "between"]
     places: Annotated[list[Point], Meta(description="As asked for.", max_length=2)]
-    warnings: list[str]
 
 
-class DiscTrapDocument(AnyDisc, Head):
+class DiscTrapDocument(AnyDisc, LastingHead, Written):
     """The document of `minkref trap disc --json`."""
 
     command: Literal["trap"]
     obstacles: str
     at: Annotated[Point, Meta(description="The place of the disc's centre.")]
-    warnings: list[str]
 
 
 class RootNumber(Enclosure):
