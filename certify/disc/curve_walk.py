@@ -13,18 +13,17 @@ from minkref.certify.disc.offset_curve import Interval, OffsetCurve, Spot
 from minkref.certify.plane.certificate import NoProof
 
 Key = Any  # a joint's number; the edge, and whether an arc: a curve that goes on at an end
-GRID = Decimal("1e-50")  # of the radius: nearer places are one joint
 
 
 class Joints:
     """Places by number; places nearer than the grid are one."""
 
-    def __init__(self, unit: Decimal) -> None:
+    def __init__(self, grid: Decimal) -> None:
         self.places: list[JointPlace] = []
-        self._unit, self._cells = unit * GRID, dict[tuple[int, int], int]()
+        self._grid, self._cells = grid, dict[tuple[int, int], int]()
 
     def number(self, spot: Spot) -> int:
-        x, y = (int((c / self._unit).to_integral_value()) for c in spot.at)
+        x, y = (int((c / self._grid).to_integral_value()) for c in spot.at)
         for i in (0, -1, 1):
             for j in (0, -1, 1):
                 if (x + i, y + j) in self._cells:
@@ -36,15 +35,13 @@ class Joints:
 
 @dataclass(frozen=True)
 class BoundaryPiece:
-    """A free part of a curve, from key to key, with its ends, directions there, and its middle."""
+    """A free part of a curve, from key to key, with its directions there."""
 
     start: Key
     end: Key
     curve: OffsetCurve
     from_: Near
     to: Near
-    tips: tuple[Near, Near]
-    middle: Near
 
 
 @dataclass(frozen=True)
@@ -101,10 +98,8 @@ class CurveWalk:
             yield curve.station(x.position, y.position)
             yield link
         if not over:
-            ends = curve.point(x.position), curve.point(y.position)
-            tangents = curve.tangent(ends[0]), curve.tangent(ends[1])
-            piece = BoundaryPiece(x.key, y.key, curve, *tangents, ends, curve.point(middle))
-            self.pieces.append(piece)
+            tangents = (curve.tangent(curve.point(cut.position)) for cut in (x, y))
+            self.pieces.append(BoundaryPiece(x.key, y.key, curve, *tangents))
 
     def _covered(self, x: _Cut, y: _Cut, two: bool) -> Iterator[Any]:
         slack = self.curve.slack

@@ -13,7 +13,9 @@ from minkref.certify.case_text import disc_head
 from minkref.certify.claims_text import shown
 from minkref.certify.disc.boundary_rings import components
 from minkref.certify.disc.curve_walk import CurveWalk, Joints, Key
-from minkref.certify.disc.joint_places import DIGITS, decimal
+from minkref.certify.disc.fineness import Fineness
+from minkref.certify.disc.joint_places import decimal
+from minkref.certify.disc.near_edge import NearEdge, boxes_within
 from minkref.certify.disc.offset_curve import OffsetCurve
 from minkref.certify.disc.region_edges import (
     RegionEdges,
@@ -47,14 +49,16 @@ class DiscSumCertificate:
 
     def sum(self, known: tuple[int, str] | None = None) -> None:
         """Claims the sum with its components, holes and digest. `known`: its holes and canonical
-        form. Raises NoProof where the boundary is too fine for decimals."""
+        form. Raises NoProof where numbers are too long, or the boundary too fine for decimals."""
+        coordinates = (c for edge in self._set.edges.values() for c in edge[0])
+        fineness = Fineness.of(coordinates, self.square)
         if known is None:
             found = _core.offset(self.P, str(self.square))
             known = found.holes, found.canonical_json()
         try:
             with localcontext() as context:
-                context.prec = DIGITS
-                claim = self._walked()
+                context.prec = fineness.digits
+                claim = self._walked(fineness)
         except ArithmeticError as error:  # of decimals, as where two places have the same digits
             raise NoProof("places of the boundary are too near to each other") from error
         claim |= {"holes": known[0], "digest": digest(known[1])}
@@ -69,24 +73,29 @@ class DiscSumCertificate:
             side = -1
         self.claims.append({"claim": "point", "point": [str(c) for c in p], "distance": side})
 
-    def _walked(self) -> dict[str, Any]:
+    def _walked(self, fineness: Fineness) -> dict[str, Any]:
         """Walks all curves and joins their free parts to rings."""
         own = self._set
         arcs = [n for n, m in own.before.items() if own.turn(m, n) > 0]
         after = {m: n for n, m in own.before.items()}
-        joints, near = Joints(decimal(self.square).sqrt()), own.near(self.square)
-        class_of, join = own.classes()
+        radius = decimal(self.square).sqrt()
+        joints, root, join = Joints(radius * fineness.grid), *own.classes()
+        edges = {n: NearEdge.of(edge) for n, edge in own.edges.items()}
+        near = boxes_within(edges, 2 * radius)
         walks: list[list[CurveWalk]] = []
-        for numbers in (list(own.edges), arcs):
+        for numbers in (list(edges), arcs):
             walks.append([])
             is_arc = len(walks) == 2
             for n in numbers:
                 edge, last = own.edges[n], after[n]
-                before = own.edges[own.before[n]] if is_arc else None
-                curve = OffsetCurve(n, edge, self.square, before)
+                before = edges[own.before[n]] if is_arc else None
+                curve = OffsetCurve(n, edges[n], self.square, fineness.same, before)
                 tips = edge[:1] if is_arc else edge
-                for f in near[n]:
-                    if f != n and curve.look_at(f, own.edges[f], tips):
+                heights = {f: curve.height(edges[f]) for f in near[n] if f != n}
+                for f in sorted(heights, key=lambda f: -heights[f]):  # the likeliest to cover it
+                    if curve.is_covered and root(f) == root(n):
+                        continue
+                    if curve.look_at(f, edges[f], tips):
                         join(n, f)
                 keys: tuple[Key, Key] = (n, False), (last, last in arcs)
                 if is_arc:
@@ -98,7 +107,7 @@ class DiscSumCertificate:
             "joints": [place.entry() for place in joints.places],
             "edges": [walk.entries for walk in walks[0]],
             "arcs": [walk.entries for walk in walks[1]],
-            "components": components(pieces, class_of),
+            "components": components(pieces, root, fineness.same),
         }
 
     def case(self) -> str:

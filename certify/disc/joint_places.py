@@ -12,9 +12,6 @@ Exact = tuple[Fraction, Fraction]
 Near = tuple[Decimal, Decimal]
 Numbers = tuple[Fraction, Fraction, Fraction, Fraction]
 
-DIGITS = 150
-SAME = Decimal("1e-60")  # of the size: nearer places are taken for one
-FLAT = Decimal("1e-100")  # smaller discriminants are taken for zero
 NONE = Fraction(0)
 ONE = Fraction(1)
 

@@ -9,7 +9,6 @@ from fractions import Fraction
 from typing import Any
 
 from minkref.certify.disc.joint_places import (
-    SAME,
     Exact,
     JointPlace,
     Near,
@@ -20,26 +19,10 @@ from minkref.certify.disc.joint_places import (
     near,
     rational,
 )
+from minkref.certify.disc.near_edge import Edge, NearEdge, cross, dot, minus, way_of
 from minkref.certify.simplest import simplest_between
 
 BEYOND = Decimal(5)  # all directions
-Edge = tuple[Exact, Exact]
-
-
-def minus(p: Near, q: Near) -> Near:
-    return p[0] - q[0], p[1] - q[1]
-
-
-def cross(p: Near, q: Near) -> Decimal:
-    return p[0] * q[1] - p[1] * q[0]
-
-
-def dot(p: Near, q: Near) -> Decimal:
-    return p[0] * q[0] + p[1] * q[1]
-
-
-def way_of(edge: Edge) -> Exact:
-    return edge[1][0] - edge[0][0], edge[1][1] - edge[0][1]
 
 
 @dataclass(frozen=True)
@@ -66,37 +49,38 @@ class Interval:
 
 @dataclass
 class OffsetCurve:
-    """Edge `n` moved to its right, or the arc about the vertex where it begins."""
+    """Edge `n` moved to its right, or the arc about the vertex where it begins. Positions nearer
+    to each other than `same` times the size are one."""
 
     n: int
-    edge: Edge
+    own: NearEdge
     square: Fraction
-    before: Edge | None = None  # of an arc, the edge that ends where it is
+    same: Decimal
+    before: NearEdge | None = None  # of an arc, the edge that ends where it is
     intervals: list[Interval] = field(default_factory=list)
     spots: list[Spot] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.radius = decimal(self.square).sqrt()
-        self.v = near(self.edge[0])
-        u = near(way_of(self.edge))
-        self.length = dot(u, u).sqrt()
-        self.along = u[0] / self.length, u[1] / self.length
+        self.edge, self.v = self.own.exact, self.own.a
+        self.length, self.is_covered = self.own.length, False
+        self.along = self.own.u[0] / self.length, self.own.u[1] / self.length
         self.normal = self.along[1], -self.along[0]
         if self.before is None:
-            self.slack = SAME * (self.length + self.radius)
+            self.slack = self.same * (self.length + self.radius)
             self.ends = Decimal(0), self.length
+            self.over = self.normal
             return
-        w = near(way_of(self.before))
-        long = dot(w, w).sqrt()
-        self.first = w[1] / long, -w[0] / long
-        middle = self.first[0] + self.normal[0], self.first[1] + self.normal[1]
-        if dot(middle, middle) < Decimal("1e-8"):  # almost half a turn
-            middle = -self.first[1], self.first[0]
-        size = Fraction(max(map(abs, middle)))
-        x, y = ((Fraction(c) / size).limit_denominator(1 << 20) for c in middle)
-        self.middle = x, y
-        self.slack = SAME
-        self.ends = self.position_of(self.first), self.position_of(self.normal)
+        w, long = self.before.u, self.before.length
+        first = w[1] / long, -w[0] / long
+        self.over = first[0] + self.normal[0], first[1] + self.normal[1]
+        if dot(self.over, self.over) < Decimal("1e-8"):  # almost half a turn
+            self.over = -first[1], first[0]
+        size = Fraction(max(map(abs, self.over)))
+        x, y = ((Fraction(c) / size).limit_denominator(1 << 20) for c in self.over)
+        self.middle, self._middle = (x, y), near((x, y))
+        self.slack = self.same
+        self.ends = self.position_of(first), self.position_of(self.normal)
 
     @property
     def is_arc(self) -> bool:
@@ -105,8 +89,7 @@ class OffsetCurve:
     def position_of(self, way: Near) -> Decimal:
         """Grows with the angle from the arc's middle, from -4 to 4: the tangent up to 45 degrees,
         then 2 less the cotangent, up to 135 degrees."""
-        middle = near(self.middle)
-        x, y = dot(middle, way), cross(middle, way)
+        x, y = dot(self._middle, way), cross(self._middle, way)
         if abs(y) <= x:
             return y / x
         found = 2 - x / abs(y) if abs(y) >= -x else 4 + abs(y) / x
@@ -126,7 +109,7 @@ class OffsetCurve:
         return self.v[0] + self.radius * x / long, self.v[1] + self.radius * y / long
 
     def direction(self, position: Decimal) -> Near:
-        x, y = near(self.middle)
+        x, y = self._middle
         along, across = _turned(position)
         return along * x - across * y, along * y + across * x
 
@@ -152,13 +135,16 @@ class OffsetCurve:
         along, across = _turned(part)
         return [str(along * x - across * y), str(along * y + across * x)]
 
-    def look_at(self, f: int, edge: Edge, tips: tuple[Exact, ...]) -> bool:
+    def height(self, edge: NearEdge) -> Decimal:
+        """How far the edge reaches in the curve's direction, from anywhere."""
+        return max(dot(self.over, edge.a), dot(self.over, edge.b))
+
+    def look_at(self, f: int, edge: NearEdge, tips: tuple[Exact, ...]) -> bool:
         """Adds the part that an edge blocks, or the places that it touches. Returns whether it
         blocks some of the curve, or faces the edge. `tips`: vertices at the ends."""
-        if self.is_arc and self.edge[0] in edge:
+        if self.is_arc and self.edge[0] in edge.exact:
             return True
-        a, b = near(edge[0]), near(edge[1])
-        heights = [dot(self.normal, minus(p, self.v)) for p in (a, b)]
+        heights = [dot(self.normal, minus(p, self.v)) for p in (edge.a, edge.b)]
         if not self.is_arc and max(map(abs, heights)) <= self.slack:
             return False  # on the edge's own line
         spots = list(self._candidates(edge))
@@ -166,33 +152,42 @@ class OffsetCurve:
             return False
         low, high = (end(spots, key=lambda one: one.position) for end in (min, max))
         if high.position - low.position <= self.slack:
-            at_tip = any(p in edge for p in tips) and any(
+            at_tip = any(p in edge.exact for p in tips) and any(
                 abs(low.position - end) <= self.slack for end in self.ends
             )
             if not at_tip:
                 self.spots.append(low)
             return False
-        self.spots += [low, high]
         made = list(self._parts(f, edge, low, high))
+        first, last = self.ends[0] - 2 * self.slack, self.ends[1] + 2 * self.slack
         self.intervals += made
+        if any(one.low < first and last < one.high for one in made if not one.facing):
+            self.is_covered = True
+            self.spots.clear()
+            return True
+        self.spots += [low, high]
         if made[0].facing:
-            self.spots += self._facing_ends(made[0], edge)
+            self.spots += self._facing_ends(made[0], edge.exact)
         first, last = self.ends
         return any(one.low < last - self.slack and first + self.slack < one.high for one in made)
 
-    def _parts(self, f: int, edge: Edge, low: Spot, high: Spot) -> Iterator[Interval]:
+    def _parts(self, f: int, edge: NearEdge, low: Spot, high: Spot) -> Iterator[Interval]:
         if self.is_arc:
-            inner = self.position_of(minus(_nearest(self.v, edge), self.v))
+            inner = self.position_of(minus(edge.nearest(self.v), self.v))
             if low.position < inner < high.position:
                 yield Interval(low.position, high.position, f)
             else:
                 yield Interval(-BEYOND, low.position, f)
                 yield Interval(high.position, BEYOND, f)
             return
-        middle = self.point((low.position + high.position) / 2)
-        off = minus(middle, _nearest(middle, edge))
-        facing = dot(off, off).sqrt() > self.radius - self.slack
-        yield Interval(low.position, high.position, f, facing)
+        yield Interval(low.position, high.position, f, self._faces(edge.exact))
+
+    def _faces(self, edge: Edge) -> bool:
+        """Whether an edge is parallel, at the height of the diameter."""
+        (ax, ay), u, w = self.edge[0], way_of(self.edge), way_of(edge)
+        height = (edge[0][0] - ax) * u[1] - (edge[0][1] - ay) * u[0]
+        level = u[0] * w[1] == u[1] * w[0]
+        return level and height**2 == 4 * self.square * (u[0] ** 2 + u[1] ** 2)
 
     def _facing_ends(self, part: Interval, edge: Edge) -> Iterator[Spot]:
         """The curve's own ends that are right between two edges: their places are rational."""
@@ -204,20 +199,19 @@ class OffsetCurve:
                 exact = rational((tip[0] + part_of * u[1], tip[1] - part_of * u[0]))
                 yield Spot(position, exact, exact.near())
 
-    def _candidates(self, edge: Edge) -> Iterator[Spot]:
+    def _candidates(self, edge: NearEdge) -> Iterator[Spot]:
         """Places on the whole line or circle as far from an edge as the radius."""
-        a, b = near(edge[0]), near(edge[1])
-        u = minus(b, a)
-        for p, other in ((edge[0], minus(b, a)), (edge[1], minus(a, b))):
-            for exact in self._near_point(p):
+        slack = self.slack * edge.length
+        tips = (edge.exact[0], edge.a, 1), (edge.exact[1], edge.b, -1)
+        for tip, p, way in tips:
+            for exact in self._near_point(tip):
                 at = exact.near()
-                if dot(minus(at, near(p)), other) <= self.slack * dot(u, u).sqrt():
+                if way * dot(minus(at, p), edge.u) <= slack:
                     yield Spot(self.position(at), exact, at)
-        for exact in self._near_line(edge):
+        for exact in self._near_line(edge.exact):
             at = exact.near()
-            over = dot(minus(at, a), u)
-            slack = self.slack * dot(u, u).sqrt()
-            if -slack <= over <= dot(u, u) + slack:
+            over = dot(minus(at, edge.a), edge.u)
+            if -slack <= over <= edge.length**2 + slack:
                 yield Spot(self.position(at), exact, at)
 
     def _near_point(self, p: Exact) -> Iterator[JointPlace]:
@@ -237,10 +231,3 @@ def _turned(position: Any) -> tuple[Any, Any]:
     if abs(position) <= 1:
         return 1, position
     return 2 - abs(position), 1 if position > 0 else -1
-
-
-def _nearest(p: Near, edge: Edge) -> Near:
-    a, b = near(edge[0]), near(edge[1])
-    u = minus(b, a)
-    part = min(max(dot(minus(p, a), u) / dot(u, u), Decimal(0)), Decimal(1))
-    return a[0] + part * u[0], a[1] + part * u[1]

@@ -7,12 +7,11 @@ import json
 from collections import defaultdict
 from collections.abc import Callable
 from fractions import Fraction
-from math import isqrt
 
 from minkref import _core
 from minkref.certify.case_text import places, plain_polygons, ring_numbers
 from minkref.certify.disc.joint_places import Exact
-from minkref.certify.disc.offset_curve import Edge, way_of
+from minkref.certify.disc.near_edge import Edge, way_of
 
 
 class RegionEdges:
@@ -43,13 +42,6 @@ class RegionEdges:
             if sides[0] < sides[1] or (sides[0] == sides[1] and _side(*ways) < 0):
                 first = m
         return first
-
-    def near(self, square: Fraction) -> dict[int, list[int]]:
-        """For each edge the edges whose boxes are as near as twice the radius, or a bit more."""
-        reach = Fraction(isqrt(4 * square.numerator * square.denominator) + 1, square.denominator)
-        boxes = {n: [f(p[k] for p in edge) for f in (min, max) for k in (0, 1)]
-                 for n, edge in self.edges.items()}  # fmt: skip
-        return {n: [f for f, c in boxes.items() if _apart(b, c) <= reach] for n, b in boxes.items()}
 
     def classes(self) -> tuple[Callable[[int], int], Callable[[int, int], None]]:
         """A union-find of edges, with those of a polygon together: the class of an edge, and a
@@ -125,7 +117,3 @@ def _side(u: Exact, w: Exact) -> int:
 
 def _back(edge: Edge) -> Exact:
     return edge[0][0] - edge[1][0], edge[0][1] - edge[1][1]
-
-
-def _apart(b: list[Fraction], c: list[Fraction]) -> Fraction:
-    return max(b[0] - c[2], c[0] - b[2], b[1] - c[3], c[1] - b[3])

@@ -141,6 +141,35 @@ def test_a_vertex_inside_an_edge_becomes_a_vertex_of_both(tmp_path: Path) -> Non
     assert verdicts_on(tmp_path, [made(certificate)]) == [0]
 
 
+TEETH = ", ".join(f"{x} 0, {x} 50, {x - 10} 50, {x - 10} 0" for x in (90, 70, 50, 30, 10))
+DIAMOND = "0 0, 10 0, 10 10, 0 10, 0 0), (0 5, 5 0, 10 5, 5 10, 0 5"  # touched from within
+SIZES = {
+    "a hole touches from within": (DIAMOND, ("1e-60", "1e-12", "1e60")),
+    "teeth": (f"0 -10, 100 -10, {TEETH}, 0 -10", ("1e-60", "1e60")),
+    "far from the origin": ("1e200 1e200, 2e200 1e200, 2e200 2e200, 1e200 1e200", ("1e60",)),
+    "nearly cut in two": ("0 0, 1 0, 1 1, 0.5 1e-90, 0 1, 0 0", ("1e-30", "1e60")),
+}
+
+
+@pytest.mark.parametrize("shape", SIZES)
+def test_sizes_may_differ(tmp_path: Path, shape: str) -> None:
+    """Radii much smaller and much larger than a set: digits follow the input."""
+    rings, radii = SIZES[shape]
+    given = []
+    for radius in radii:
+        P = _core.read_text(f"POLYGON (({rings}))", "wkt")
+        certificate = DiscSumCertificate(P, Fraction(radius) ** 2)
+        certificate.sum()
+        given.append(made(certificate))
+    assert set(verdicts_on(tmp_path, given)) == {0}
+
+
+def test_numbers_of_too_many_digits_are_refused() -> None:
+    P = _set_of(polygons([["0", "0"], [f"1{'0' * 2000}", "0"], ["0", "1"]]))
+    with pytest.raises(NoProof, match="digits together"):
+        DiscSumCertificate(P, Fraction(1)).sum()
+
+
 def test_a_segment_is_refused() -> None:
     segment = {"polygons": [{"outer": [["0", "0"], ["1", "0"]], "holes": []}]}
     with pytest.raises(NoProof, match="regions"):
