@@ -21,9 +21,10 @@ Named = tuple[str, int]
 
 
 class BridgeCertificate:
-    """Claims about equal discs outside P: bridges, and discs touching more features. Exact.
-    `declined` counts reasons against claims: a disc nearly touches a third feature, rings touch at
-    an end. O(n) for each bridge."""
+    """Claims about equal discs outside P: bridges, and discs touching more features. Exact;
+    doubles, in units of the size, choose boxes. `declined` counts reasons against claims: a disc
+    nearly touches a third feature, doubles do not tell its place, rings touch at an end. O(n) for
+    each bridge."""
 
     def __init__(self, P: _core.PolygonSet, radius: Fraction) -> None:
         """`radius`: half of alpha. Validates P."""
@@ -34,11 +35,12 @@ class BridgeCertificate:
         self._at = places(P)
         x, y = self._at[0] if self._at else (Fraction(0), Fraction(0))
         self._origin = x, y
-        self._spots = [(float(p - x), float(q - y)) for p, q in self._at]
+        far = max((abs(c) for p, q in self._at for c in (p - x, q - y)), default=Fraction(0))
+        self._unit = two_to_the(far or Fraction(1))
+        self._spots = [(self._in_units(p - x), self._in_units(q - y)) for p, q in self._at]
         self._rings = ring_numbers(P)
         self._next = {n: r[(k + 1) % len(r)] for r in self._rings for k, n in enumerate(r)}
         self._last = {j: i for i, j in self._next.items()}
-        self._size = max((abs(c) for spot in self._spots for c in spot), default=1.0) or 1.0
 
     def bridges(self, features: _core.Features) -> int:
         """Claims all bridges; returns how many claims exist."""
@@ -108,25 +110,33 @@ class BridgeCertificate:
 
     def _bridge(self, left: Named, right: Named, near: Spot) -> None:
         """A box around the centre: its sides are level lines of both distances, nearly."""
-        centre = (
-            float(Fraction(near[0]) - self._origin[0]),
-            float(Fraction(near[1]) - self._origin[1]),
-        )
-        one, other = self._way(left, centre), self._way(right, centre)
-        sine = one[0] * other[1] - one[1] * other[0]
-        radius = float(self.radius)
-        room = min(self._room(left, right, centre, radius), radius)
-        half = min(room * abs(sine), radius * sine * sine) / 16
-        if half < FEWEST * self._size:
-            raise NoProof("the disc of a bridge nearly touches a third feature")
-        step = 2.0 ** math.floor(math.log2(half))
-        u = other[1] / sine * step, -other[0] / sine * step  # along it only one distance grows
-        w = -one[1] / sine * step, one[0] / sine * step
-        corner = [Fraction(c) - Fraction(a + b) for c, a, b in zip(near, u, w, strict=True)]
-        box = [[str(c) for c in corner], *([str(2 * Fraction(c)) for c in way] for way in (u, w))]
+        try:
+            centre = (
+                self._in_units(Fraction(near[0]) - self._origin[0]),
+                self._in_units(Fraction(near[1]) - self._origin[1]),
+            )
+            one, other = self._way(left, centre), self._way(right, centre)
+            sine = one[0] * other[1] - one[1] * other[0]
+            radius = self._in_units(self.radius)
+            room = min(self._room(left, right, centre, radius), radius)
+            half = min(room * abs(sine), radius * sine * sine) / 16
+            off = self._in_units(Fraction(math.ulp(near[0])) + Fraction(math.ulp(near[1])))
+            if half < max(FEWEST, off):
+                raise NoProof("the disc of a bridge nearly touches a third feature")
+            step = 2.0 ** math.floor(math.log2(half))
+            u = other[1] / sine * step, -other[0] / sine * step  # along it only one distance grows
+            w = -one[1] / sine * step, one[0] / sine * step
+        except ArithmeticError as error:  # beyond doubles, or an edge too short for them
+            raise NoProof("doubles do not tell the place of a bridge") from error
+        sides = [[Fraction(c) * self._unit for c in way] for way in (u, w)]
+        corner = [Fraction(c) - a - b for c, a, b in zip(near, *sides, strict=True)]
+        box = [[str(c) for c in corner], *([str(2 * c) for c in way] for way in sides)]
         self.claims.append(
             {"claim": "bridge", "left": list(left), "right": list(right), "box": box}
         )
+
+    def _in_units(self, x: Fraction) -> float:
+        return float(x / self._unit)
 
     def _way(self, feature: Named, centre: Spot) -> Spot:
         """The direction from the foot to the centre."""
@@ -166,7 +176,8 @@ class BridgeCertificate:
     def _distance(self, n: int, p: Spot) -> float:
         a, b = self._spots[n], self._spots[self._next[n]]
         dx, dy = b[0] - a[0], b[1] - a[1]
-        t = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / (dx * dx + dy * dy)
+        square = dx * dx + dy * dy
+        t = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square if square else 0.0
         t = min(max(t, 0.0), 1.0)
         return math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy)
 
@@ -178,3 +189,8 @@ class BridgeCertificate:
         """The certificate; `case`: its case file's relative path."""
         head = disc_head(FORM, self.P, self.radius**2, case, title, producer)
         return json.dumps({**head, "claims": self.claims}, indent=1) + "\n"
+
+
+def two_to_the(size: Fraction) -> Fraction:
+    """A power of two between half of a positive number and twice that."""
+    return Fraction(2) ** (size.numerator.bit_length() - size.denominator.bit_length())

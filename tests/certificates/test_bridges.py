@@ -3,12 +3,16 @@ and verify nothing that is not so."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import bridges
 import pytest
+from minkref import _core
+from minkref.certify.disc.bridge_certificate import BridgeCertificate
 from minkref.fuzz.judges.disc.certified_bridges import drawn_certificate, is_true, made
 from replacing import Change, changed, replaced, sample, verdicts_on
 from thoroughness import draws
@@ -35,6 +39,26 @@ def test_what_is_produced_is_verified(tmp_path: Path) -> None:
     drawn = [one for k in range(draws(30, 300)) if (one := produced(k))]
     assert len(drawn) > draws(30, 300) // 2
     assert set(verdicts_on(tmp_path, drawn)) == {0}
+
+
+SLOT = ((0, 0), (10, 0), (10, 10), (6, 10), (6, 2), (4, 2), (4, 10), (0, 10))
+
+
+@pytest.mark.parametrize(
+    ("size", "away", "count"),
+    [("1", "1e13", 1), ("1e-312", "0", 1), ("1e290", "0", 1), ("1", "1e17", 0), ("1e-322", "0", 0),
+     ("1e400", "0", 0)],
+)  # fmt: skip
+def test_any_size_is_verified_or_declined(tmp_path: Path, size: str, away: str, count: int) -> None:
+    """A slot, also where doubles do not tell the place of the disc at its bottom."""
+    corners = [*SLOT[:4], (Fraction(6) + Fraction(1, 10**31), 9), *SLOT[4:]]  # one edge is short
+    points = [[str(c * Fraction(size) + Fraction(away)) for c in point] for point in corners]
+    P = _core.PolygonSet.from_json(json.dumps(polygons(points)))
+    certificate = BridgeCertificate(P, Fraction(size) * 3 / 2)
+    assert certificate.bridges(_core.features(P)) == count
+    assert certificate.declined.total() == 1 - count
+    if count:
+        assert verdicts_on(tmp_path, [made(certificate)]) == [0]
 
 
 @pytest.mark.parametrize(
