@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import Any
 
 import typer
+from minkref.cli.given_once import give_once
 from typer.core import TyperCommand, TyperGroup
 
 #: As in the help, headings and order: the module in `minkref.verbs` has the name of the command.
@@ -72,6 +73,7 @@ def load(name: str) -> Any:
         app.command(name, epilog=module.EXAMPLES)(module.command)
     command = typer.main.get_command(app)
     command.name = name
+    give_once(command)
     return command
 
 

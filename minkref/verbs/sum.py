@@ -16,7 +16,7 @@ from minkref.cli.readings import Form, Reading
 from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
 from minkref.disc.disc import read_tolerance
-from minkref.exact import read_point, read_space_point
+from minkref.exact import read_point, read_points, read_space_point
 from minkref.plane.commands.scale_index import IndexFile
 from minkref.settings import BALL, DISC, PLANE, SPACE
 from minkref.space.general_sum import GENERAL_ROUTES
@@ -185,12 +185,14 @@ Certify = Annotated[
         "or FILE.cert.json.gz, and its case beside it. It is checked first.",
     ),
 ]
-Point = Annotated[
-    tuple[str, str] | None,
+Points = Annotated[
+    list[tuple[str, str]] | None,
     typer.Option(
-        "--point", metavar="X,Y", help="With --certify: prove too whether this point is in the sum."
+        "--point",
+        metavar="X,Y",
+        help="With --certify: prove too whether this point is in the sum; may be repeated.",
     ),
-    Read(read_point),
+    Read(read_points, list[str]),
 ]
 
 AT = typer.Option(
@@ -256,7 +258,7 @@ class SumWithDisc:
     outside: Outside = False
     measures: Measures = False
     certify: Certify = None
-    point: Point = None
+    points: Points = None
     memory: Memory = None
     json: Json = False
 

@@ -10,6 +10,9 @@ from typing import Any
 
 import jsonschema
 import pytest
+import typer
+from minkref.cli.command_group import COMMANDS, load
+from minkref.errors import Refusal
 from minkref.schemas import error_schema
 
 Minkref = Callable[..., Any]
@@ -143,6 +146,40 @@ def test_folder_is_refused_as_operand_and_as_output(minkref: Minkref, tmp_path: 
     ran = minkref("sum", "g1", "g2", "-o", named)
     assert ran.code == 2
     assert "folder" in ran.err
+
+
+def _with_those_below(command: Any) -> list[Any]:
+    below = getattr(command, "commands", {}).values()
+    return [command, *(one for each in below for one in _with_those_below(each))]
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_an_option_of_one_value_is_given_once(name: str) -> None:
+    """A second value would be taken, and the first one dropped in silence."""
+    found = 0
+    for command in _with_those_below(load(name)):
+        for option in command.params:
+            if option.param_type_name != "option" or option.is_flag or option.multiple:
+                continue
+            words = [option.opts[-1], *["1"] * option.nargs]
+            with pytest.raises(Refusal, match="given twice"):
+                command.parse_args(typer.Context(command), [*words, *words])
+            found += 1
+    assert found or name in ("families", "models", "targets")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["sum", "g1", "g2", "--scale=2", "--scale", "3"],
+        ["report", "audit", "--seed", "1", "--seed", "1"],
+        ["verify", "minkref:paper", "--pairs", "1", "--pairs", "2"],
+    ],
+)
+def test_an_option_given_twice_is_named(minkref: Minkref, words: list[str]) -> None:
+    ran = minkref(*words)
+    assert ran.code == 2 and "given twice" in ran.err and "give it once" in ran.err
+    assert next(word.partition("=")[0] for word in words if word.startswith("--")) in ran.err
 
 
 @pytest.mark.parametrize(

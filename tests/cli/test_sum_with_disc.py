@@ -302,11 +302,13 @@ def test_what_it_refuses(
 def test_a_proof_of_the_sum(minkref: Minkref, tmp_path: Path) -> None:
     """Written beside its case, scaled, and verified; lines are refused."""
     file = tmp_path / "s.cert.json"
-    ran = minkref("sum", FRAME, "disc:1/2", "--certify", file, "--point", "4,4", "--scale", "1/2")
-    assert ran.code == 0 and "2 claims" in ran.out and "checked: verified" in ran.out, ran.err
+    points = [word for point in ("4,4", "9,9", "8/2,4") for word in ("--point", point)]
+    ran = minkref("sum", FRAME, "disc:1/2", "--certify", file, *points, "--scale", "1/2")
+    assert ran.code == 0 and "3 claims" in ran.out and "checked: verified" in ran.out, ran.err
     checked = minkref("check", file, "--json")
     assert checked.code == 0 and ran.out.split("digest")[1].split()[0] in checked.out
     assert "point: (4, 4) is inside" in checked.out
+    assert "point: (9, 9) is outside" in checked.out
     ran = minkref("sum", FRAME, "disc:sqrt:2", "--certify", tmp_path / "t.cert.json", "--json")
     assert (ran.code, ran.json["certificate"]["verified"]) == (0, True), ran.err
     refused = minkref(

@@ -16,7 +16,7 @@ from minkref.cli.paper_words import in_words
 from minkref.cli.readings import ROUTE as PAPER_UPDATE
 from minkref.disc.commands.index_file import from_places
 from minkref.disc.commands.indexed_sum import IndexedSum
-from minkref.disc.commands.sum_proof import check_point, proved_sum
+from minkref.disc.commands.sum_proof import check_points, proved_sum
 from minkref.disc.disc import Disc, is_disc, read_disc
 from minkref.disc.polygons import sum_near
 from minkref.errors import Refusal, refusing
@@ -53,7 +53,7 @@ def run(request: SumWithDisc) -> None:
     offered = FORMATS if request.tolerance is not None else WITH_ARCS
     target = target_of(output, request.form, FORMATS, "json", request.json, offered=offered)
     check_polygon(request, target)
-    check_point(request.certify, request.point)
+    check_points(request.certify, request.points)
     if request.measures and not request.json:
         raise Refusal("the terms are in the document only", "--measures", "add --json")
     if is_disc(P) and is_disc(Q):
@@ -72,7 +72,7 @@ def run(request: SumWithDisc) -> None:
         if files is not None:
             known = found.holes, canonical
             what = f"{P} and {Q}", other, disc.squared_radius
-            proof = proved_sum(files, *what, known, request.point)
+            proof = proved_sum(files, *what, known, request.points or ())
             write_together(dict(proof[0].contents()))
         if target is not None:
             written = _written(target, found, other, disc, canonical, request)
@@ -116,7 +116,7 @@ def _run_paper(request: SumWithDisc, route: str, watch: Stopwatch) -> None:
     target = target_of(request.output, request.form, ("json",), "json", request.json)
     for option, given in (("--tolerance", request.tolerance is not None),
                           ("--outside", request.outside), ("--measures", request.measures),
-                          ("--certify", request.certify), ("--point", request.point),
+                          ("--certify", request.certify), ("--point", request.points),
                           ("--only-sum", request.only_sum)):  # fmt: skip
         if given:
             raise Refusal("that is of exact sums only", option, "leave it out")

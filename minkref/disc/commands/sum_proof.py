@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from minkref import _core
@@ -14,9 +15,9 @@ from minkref.verbs.certificate_output import CertificateFiles, Checked
 MEND = "leave out --certify"
 
 
-def check_point(certify: object, point: tuple[str, str] | None) -> None:
-    """Refuses a point without a proof that could tell about it."""
-    if point is not None and certify is None:
+def check_points(certify: object, points: object) -> None:
+    """Refuses points without a proof that could tell about them."""
+    if points and certify is None:
         mend = "add --certify FILE.cert.json"
         raise Refusal("points are told in certificates", "--point", mend)
 
@@ -27,14 +28,15 @@ def proved_sum(
     P: _core.PolygonSet,
     square: Fraction,
     known: tuple[int, str],
-    point: tuple[str, str] | None,
+    points: Sequence[tuple[str, str]],
 ) -> tuple[Checked, DiscSumCertificate]:
-    """The proof, checked and not written yet. `known`: the sum's holes and canonical form. Refuses
-    a set that is no region, and a boundary too fine for decimals."""
+    """The proof, checked and not written yet. `known`: the sum's holes and canonical form. A point
+    given twice is claimed once. Refuses a set that is no region, and a boundary too fine for
+    decimals."""
     try:
         certificate = DiscSumCertificate(P, square)
         certificate.sum(known)
-        if point is not None:
+        for point in dict.fromkeys(points):
             certificate.point(point)
     except NoProof as error:
         mend = error.mend or MEND
