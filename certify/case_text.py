@@ -25,16 +25,20 @@ def case_digest(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
     return digest(json.dumps(value, sort_keys=True, separators=(",", ":")))
 
 
+def set_digest(P: _core.PolygonSet) -> str:
+    """SHA-256 of the case of a set with a disc."""
+    return digest(json.dumps({"P": plain_polygons(P)}, sort_keys=True, separators=(",", ":")))
+
+
 def disc_head(
     form: str, P: _core.PolygonSet, square: Fraction, case: str, title: str, producer: str
 ) -> dict[str, Any]:
     """The members before the claims, of a certificate about P and discs of one squared radius."""
-    plain = json.dumps({"P": plain_polygons(P)}, sort_keys=True, separators=(",", ":"))
     return {
         "certificate": form,
         "title": title,
         "producer": producer or f"minkref {version()}",
-        "case": {"path": case, "sha256": digest(plain)},
+        "case": {"path": case, "sha256": set_digest(P)},
         "square": str(square),
     }
 

@@ -9,6 +9,9 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from minkref import _core
+from minkref.certify.case_text import set_digest
+from minkref.certify.disc.disc_sum_certificate import DiscSumCertificate
+from minkref.certify.plane.certificate import NoProof
 from minkref.degeneracies.case_texts import CaseTexts
 from minkref.degeneracies.disc.draft import DiscFacts
 from minkref.degeneracies.plane.case_document import set_content
@@ -35,7 +38,6 @@ class DegenerateWithDisc(CaseTexts[DiscFacts]):
     """A case of a polygon set and a disc."""
 
     schema: ClassVar[str] = "disc-case-v1"
-    certified: ClassVar[bool] = False
 
     @property
     def content(self) -> str:
@@ -90,6 +92,21 @@ class DegenerateWithDisc(CaseTexts[DiscFacts]):
             "holes": found.holes,
             "curves": found.curves,
         }
+
+    @property
+    def certificate(self) -> DiscSumCertificate:
+        """Proves the sum at the disc's radius, and how far the places are. Its case is the case
+        file: raises NoProof for a set whose rings touch inside an edge, since a certificate's case
+        has a vertex in both there."""
+        facts = self.facts
+        made = DiscSumCertificate(facts.P, facts.squared_radius)
+        if set_digest(made.P) != set_digest(facts.P):
+            raise NoProof("a vertex of one ring lies inside an edge of another")
+        found = facts.sum(facts.squared_radius)
+        made.sum((found.holes, found.canonical_json()))
+        for x, y in dict.fromkeys(facts.places):
+            made.point((str(x), str(y)))
+        return made
 
 
 def _counts(found: _core.Offset) -> tuple[int, int]:

@@ -47,7 +47,7 @@ minkref generate space --count 3 -o bodies && minkref check bodies
 
 minkref generate solids --count 2 -o solids
 
-minkref generate disc --count 2 -o discs
+minkref generate disc --count 2 -o discs && minkref check discs
 
 minkref generate paths --count 2 -o paths && minkref check paths
 
@@ -69,15 +69,15 @@ Task = tuple[str, int, int, int | None]  # family, seed, index, size
 TOLD = """\
 Make hundreds of degenerate cases (docs/degeneracies.md): files with operands, scales, the
 expected result at each, and why good code gets it wrong, each with a certificate, but those of
-polyhedra of any shape and of a disc. The same family, seed, number and size give the same bytes
-on every machine."""
+polyhedra of any shape. The same family, seed, number and size give the same bytes on every
+machine."""
 
 Families = Annotated[
     list[str],
     typer.Argument(
         help="Families (`minkref families`). all: the families in the plane with "
         "certificates; space: those of convex bodies in space; solids: of polyhedra of any "
-        "shape, disc: of a polygon set and a disc, both without certificates; paths: of parts "
+        "shape, without certificates; disc: of a polygon set and a disc; paths: of parts "
         "on paths, and traps; unions: of sets to unite; invalid, invalid-mesh: input that must be "
         "refused.",
         metavar="|".join(["FAMILY", *WORDS]),

@@ -21,6 +21,7 @@ from minkref.disc.disc import read_disc
 from minkref.exact import digest
 from minkref.fuzz.geometry.plane import read_shape
 from minkref.fuzz.judges.disc.disc_places import faults_of, rows_of
+from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from thoroughness import THOROUGH
 
 SEED = 23
@@ -31,10 +32,16 @@ Spot = tuple[Fraction, Fraction]
 _MADE: dict[str, list[dict[str, Any]]] = {}
 
 
+def cases(name: str) -> list[Path]:
+    """The family's case files of the corpus."""
+    files = (DISC.corpus / name).iterdir()
+    return sorted(file for file in files if not file.name.endswith(".cert.json"))
+
+
 def documents(name: str) -> list[dict[str, Any]]:
     """Some case documents of a family: the corpus's first if few are drawn."""
     if name not in _MADE:
-        texts = [min((DISC.corpus / name).iterdir()).read_text(encoding="utf-8")]
+        texts = [cases(name)[0].read_text(encoding="utf-8")]
         if THOROUGH:
             print(f"seed {SEED}")
             family = DISC_FAMILIES[name]
@@ -197,6 +204,30 @@ def test_twins_are_nearly_so(name: str) -> None:
         assert all(abs(square - at) < at / 2 for square in squares)
 
 
+def test_certificates_prove_sums_and_places() -> None:
+    """The sum at the disc's radius, and each place as far as distances computed here say."""
+    for file in (file for name in DISC_FAMILIES for file in cases(name)):
+        value = json.loads(file.read_text(encoding="utf-8"))
+        text = file.with_name(value["certificate"]).read_text(encoding="utf-8")
+        proof, at = json.loads(text), Fraction(value["squared_radii"][0])
+        total, *points = proof["claims"]
+        assert (Fraction(proof["square"]), total["digest"]) == (at, value["expected"][0]["digest"])
+        assert {spot(one["point"]) for one in points} == {
+            spot(row["place"]) for row in value["degeneracy"]["nearest"]
+        }
+        for one in points:
+            square, _ = nearest(value, spot(one["point"]))
+            assert one["distance"] == (square > at) - (square < at), file.name
+
+
+def test_both_checkers_verify_the_corpus() -> None:
+    certificates = sorted(DISC.corpus.glob("*/*.cert.json"))
+    assert len(certificates) == DISC.count * len(DISC_FAMILIES)
+    few = certificates[:: 1 if THOROUGH else 4]
+    for command in (in_python(), in_cpp()):
+        assert {verdict.code for verdict in verdicts(command, few)} == {0}
+
+
 @pytest.mark.parametrize("name", turn(DISC_FAMILIES, 0, 2))
 def test_the_members_of_the_corpus_are_made_again(name: str) -> None:
     family, folder = DISC_FAMILIES[name], DISC.corpus / name
@@ -221,6 +252,8 @@ def test_lint_finds_nothing_wrong_in_what_is_made(tmp_path: Path) -> None:
         (lambda v: v.__setitem__("more", 1), "Additional properties"),
         (lambda v: v["expected"][0].__setitem__("holes", 99), "expected is not what"),
         (lambda v: v["expected"].reverse(), "not each radius"),
+        (lambda v: v["expected"][0].__setitem__("digest", "0" * 64), "is not certified"),
+        (lambda v: v["P"]["polygons"].pop(), "the certificate of another case"),
         (lambda v: v["squared_radii"].reverse(), "id is not"),
         (lambda v: v["degeneracy"].__setitem__("tight_passages", []), "degeneracy is not what"),
         (lambda v: v["P"]["polygons"][0]["outer"].reverse(), "orientation"),
