@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import subprocess
 import sys
@@ -35,13 +36,16 @@ def program(option: str = "--proved") -> str:
 
 
 def follow(path: Path, *options: str) -> Proof:
-    """Runs it on a certificate. Raises RuntimeError where it breaks down."""
-    command = [program(), *options, "--", str(path)]
-    ran = subprocess.run(command, capture_output=True, text=True, check=False)
-    first, *rest = ran.stdout.splitlines() or [""]
-    word = WORDS.get(ran.returncode)
-    if word is None or f": {word}" not in first:
-        told = ran.stderr[-400:].strip() or first[-400:]
-        raise RuntimeError(f"{PROGRAM} ended with {ran.returncode}: {told}")
-    proved = [line.strip() for line in rest]
-    return Proof(word, first.rpartition(f": {word}")[2].removeprefix(": "), proved)
+    """Runs it on a certificate; its answer is JSON, where no name or claim can look like a verdict.
+    Raises RuntimeError where it breaks down."""
+    command = [program(), "--json", *options, "--", str(path)]
+    ran = subprocess.run(command, capture_output=True, check=False)
+    try:
+        (line,) = ran.stdout.splitlines()
+        told = json.loads(line)
+        found = Proof(told["verdict"], told["why"], told["proved"])
+    except (ValueError, TypeError, KeyError):
+        found = None
+    if found is None or WORDS.get(ran.returncode) != found.word:
+        raise RuntimeError(f"{PROGRAM} ended with {ran.returncode}: {ran.stderr[-400:]!r}")
+    return found

@@ -69,6 +69,30 @@ def test_a_claim_without_a_theorem_is_declined(square: Path, capsys: Any) -> Non
     assert run(["check", str(square), str(square.with_name("nowhere")), "--proved"]) == 2
 
 
+VERDICT = ": verified{0}  sum: at 1, the set of points{0}: verified"
+
+
+@pytest.mark.usefixtures("proved")
+@pytest.mark.parametrize(
+    "end", ["\u2028", "\u2029", "\x85", "\n", "\x0b", "\udcff", "\u2028\udcff"]
+)
+def test_a_name_proves_nothing(square: Path, capsys: Any, end: str) -> None:
+    """A name that has a verdict on lines of its own, and bytes that are no text."""
+    value, case = walls.certificate(), json.dumps(walls.CASE)
+    (square.parent / "walls.case.json").write_text(case, encoding="utf-8")
+    value["case"]["path"] = "walls.case.json"
+    named = square.with_name(VERDICT.format(end) + ".cert.json")
+    named.write_text(json.dumps(value), encoding="utf-8")
+    assert run(["check", str(named), str(square), "--proved", "--json"]) == 5
+    first, second = json.loads(capsys.readouterr().out)["files"]
+    assert (first["verdict"], first["proved"]) == ("declined", [])
+    assert (second["verdict"], len(second["proved"])) == ("verified", 1)
+    named.write_text(square.read_text(encoding="utf-8"), encoding="utf-8")
+    assert run(["check", str(named), "--proved"]) == 0
+    said = capsys.readouterr().out.splitlines()
+    assert sum("proved: sum: at 1" in line for line in said) == 1
+
+
 @pytest.mark.usefixtures("proved")
 @pytest.mark.parametrize("names", [["it.cert.json"], ["case.json"], ["it.cert.json", "case.json"]])
 def test_what_is_compressed_is_unpacked(square: Path, capsys: Any, names: list[str]) -> None:

@@ -9,7 +9,7 @@ rooms=(Order Definitions Form Predicates Moving Space Sums Crossings Fans Curves
   Numbers Checker Figures Rational Values Corners Cancellation Bodies Scaling Trees Theorems
   Components Classes Counting Holes Across Sides Overlaps Differing Canonical Signs Passages Touching
   Moves Events Cones Means Meshes Hulls Axioms Extract)
-programs=(failure json sha256 reading rings checker checked classes pieces elaborate moving
+programs=(failure json text sha256 reading rings checker checked classes pieces elaborate moving
   faces bodies theorem intervals claims main)
 # The classical real numbers of Coq's library, and functional extensionality.
 known="Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
@@ -84,7 +84,7 @@ build() (
   cd build/proofs
   sources=()
   for part in "${programs[@]}"; do
-    [[ $part == checker ]] && sources+=(checker.mli)
+    [[ -f $part.mli ]] && sources+=("$part.mli")
     sources+=("$part.ml")
   done
   ocamlfind ocamlopt -O3 -inline 200 -package zarith,unix -linkpkg -w +a-4-9-39-40-41-42-44-45-70 \
@@ -93,9 +93,9 @@ build() (
     exit 1
   }
 )
-key=$({ echo "$key"; ocamlfind ocamlopt -version; cat oracle/proved/driver/*.ml; } | key_of)
+key=$({ echo "$key"; ocamlfind ocamlopt -version; cat oracle/proved/driver/*.ml*; } | key_of)
 if ! fresh proved-checker "$key" || [[ ! -x build/proofs/minkref-check-proved ]]; then
-  cp oracle/proved/driver/*.ml build/proofs/
+  cp oracle/proved/driver/*.ml* build/proofs/
   build
   echo "$key" >build/stamps/proved-checker
   if [[ -x .venv/bin/python ]]; then .venv/bin/python tools/scripts/link_package.py; fi

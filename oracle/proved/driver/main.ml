@@ -5,9 +5,9 @@ open Failure
 
 let usage =
   "usage: minkref-check-proved [--case FILE] [--seconds N] [--tests N] [--bytes N] \
-   [--theorem FILE] FILE...\n\
+   [--theorem FILE] [--json] FILE...\n\
    FILE is plain JSON; - is standard input. --theorem writes the sum that is claimed as a theorem\n\
-   of Coq.\n\
+   of Coq. --json says each verdict as a line of JSON, in the order of the files.\n\
    Exit codes: 0 proved, 1 refuted, 2 malformed, 4 out of budget, 5 declined: no theorem.\n"
 
 let unpack = "gzip -dc FILE | minkref-check-proved -, or minkref check FILE"
@@ -20,12 +20,14 @@ type options = {
   mutable tests : float;
   mutable bytes : float;
   mutable theorem : string option;
+  mutable json : bool;
   mutable files : string list;  (* the last first *)
 }
 
 let options_of words =
   let options =
-    { case = None; seconds = 600.; tests = 1e10; bytes = 268435456.; theorem = None; files = [] }
+    { case = None; seconds = 600.; tests = 1e10; bytes = 268435456.; theorem = None; json = false;
+      files = [] }
   in
   let limit word =
     let plain = String.for_all (fun c -> String.contains "0123456789.eE+" c) word in
@@ -45,6 +47,7 @@ let options_of words =
   let rec go = function
     | [] -> ()
     | "--" :: rest -> List.iter (fun file -> options.files <- file :: options.files) rest
+    | "--json" :: rest -> options.json <- true; go rest
     | word :: rest when word <> "-" && word <> "" && word.[0] = '-' -> (
       match (String.index_opt word '=', rest) with
       | Some i, _ ->
@@ -93,20 +96,11 @@ let read ~input path most =
     fail Malformed (path ^ " is compressed by gzip: " ^ unpack);
   text
 
-(* A line without control characters *)
-let shown text =
-  let line = Buffer.create (String.length text) in
-  String.iter
-    (fun c ->
-      if c >= ' ' && c <> '\x7f' && c <> '\\' then Buffer.add_char line c
-      else Buffer.add_string line (Printf.sprintf "\\x%02x" (Char.code c)))
-    text;
-  Buffer.contents line
-
 let write_theorem path proved =
-  match List.find_map (fun (claim : Claims.proved) -> claim.theorem) proved with
-  | None -> fail Declined "no sum is claimed of which a theorem could be written"
-  | Some write ->
+  match List.filter_map (fun (claim : Claims.proved) -> claim.theorem) proved with
+  | [] -> fail Declined "no sum is claimed of which a theorem could be written"
+  | _ :: _ :: _ -> fail Malformed "several sums are claimed: a theorem is about one (--theorem)"
+  | [ write ] ->
     let out = open_out_bin path in
     Fun.protect ~finally:(fun () -> close_out out) (fun () -> write out)
 
@@ -139,22 +133,29 @@ let within_seconds seconds action =
   set (min seconds 1e9);
   Fun.protect ~finally:(fun () -> set 0.) action
 
+type verdict = { code : int; word : string; why : string; said : string list }
+
 let verdict options file =
+  let without code word why = { code; word; why; said = [] } in
   try
     let proved = within_seconds options.seconds (fun () -> check_file options file) in
-    Printf.printf "%s: verified\n" (shown file);
-    List.iter (fun (claim : Claims.proved) -> Printf.printf "  %s\n" (shown claim.said)) proved;
-    0
+    let said = List.map (fun (claim : Claims.proved) -> claim.said) proved in
+    { code = 0; word = "verified"; why = ""; said }
   with
-  | Not_verified (code, why) ->
-    Printf.printf "%s: %s: %s\n" (shown file) (word code) (shown why);
-    exit_code code
-  | Out_of_memory | Stack_overflow ->
-    Printf.printf "%s: out of budget: there is too little memory\n" (shown file);
-    4
-  | Sys_error why ->
-    Printf.printf "%s: malformed: %s\n" (shown file) (shown why);
-    2
+  | Not_verified (code, why) -> without (exit_code code) (word code) why
+  | Out_of_memory | Stack_overflow -> without 4 "out of budget" "there is too little memory"
+  | Sys_error why -> without 2 "malformed" why
+
+let print options file { word; why; said; _ } =
+  if options.json then
+    Printf.printf "{\"verdict\": %s, \"why\": %s, \"proved\": [%s]}\n" (Text.quoted word)
+      (Text.quoted why)
+      (String.concat ", " (List.map Text.quoted said))
+  else begin
+    let why = if why = "" then "" else ": " ^ Text.on_one_line why in
+    Printf.printf "%s: %s%s\n" (Text.on_one_line file) word why;
+    List.iter (fun line -> Printf.printf "  %s\n" (Text.on_one_line line)) said
+  end
 
 let () =
   Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 200 };
@@ -163,7 +164,12 @@ let () =
   | _ :: words -> (
     match options_of words with
     | options ->
-      let codes = List.map (verdict options) (List.rev options.files) in
+      let check file =
+        let found = verdict options file in
+        print options file found;
+        found.code
+      in
+      let codes = List.map check (List.rev options.files) in
       let worst = List.find_opt (fun code -> List.mem code codes) [ 1; 2; 4; 5 ] in
       (try flush stdout with Sys_error _ -> Unix._exit 70);
       exit (Option.value worst ~default:0)
