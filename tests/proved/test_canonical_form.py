@@ -24,6 +24,7 @@ TWO = (
 TOUCHING = (
     "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1), (2 2, 2 3, 3 3, 3 2, 2 2))"
 )
+USED = "From Proved Require Import Numbers Checker Figures.\n"
 # Polygons as [outer, holes], and for each ring its rows of stretches
 Form = tuple[list[Any], list[Any]]
 
@@ -103,6 +104,15 @@ def in_coq(value: Any) -> str:
     return str(value) if isinstance(value, str) else f"{value}%nat"
 
 
+def definitions_of(theorem: str) -> str:
+    """What a theorem's statement and its proof name, as definitions."""
+    stated, _, proof = theorem.partition("Proof.")
+    found = re.findall(r"^  let (\S+)((?: : [^\n]*)?) :=\s(.*?) in$", stated, re.DOTALL | re.M)
+    posed = re.findall(r"^pose \((\S+) :=\s(.*?)( : [^\n]*)\)\.$", proof, re.DOTALL | re.M)
+    found += [(name, kind, value) for name, value, kind in posed]
+    return "".join(f"Definition {name}{kind} :=\n{value}.\n" for name, kind, value in found)
+
+
 def from_coq(text: str, name: str) -> Any:
     """A definition of the file of Coq as lists and tuples, with fractions as texts."""
     found = re.search(rf"Definition {name} : [^\n]* :=\n(.*?)\.\n", text, re.DOTALL)
@@ -142,7 +152,8 @@ def test_other_forms_of_a_set(
         [*proved, f"--theorem={theorem}", str(written(certificate, tmp_path, "it"))],
         check=True, stdout=subprocess.DEVNULL,
     )  # fmt: skip
-    text = theorem.read_text(encoding="utf-8").partition("Theorem this_is_the_sum")[0]
+    head, _, rest = theorem.read_text(encoding="utf-8").partition("Theorem this_is_the_sum")
+    text = head + USED + definitions_of(rest)
     polygons = [list(each) for each in from_coq(text, "R'")]
     changed, rows = change(polygons, from_coq(text, "rows"))
     text += f"""

@@ -56,7 +56,7 @@ let check_claim budget p q step claim_of claim =
       let s = Intervals.scale_of scale and digest = text digest in
       let region = at_scale s at in
       let derivation = region.derivation region.form in
-      let enclosed = List.length derivation.holes_of in
+      let enclosed = Checked.holes_in derivation in
       let there = Moving.there region enclosed in
       let result = there.polygons in
       demand (Reading.digest_of (Reading.polygons_text result) = digest) "the digest is another";

@@ -7,9 +7,9 @@ open Rings
 
 type found = {
   order : int list;  (* the cells: those covered, the outside, the holes *)
-  components : Checker.component list;
-  outside : Checker.component;
-  holes : Checker.component list;
+  components : Checked.component list;
+  outside : Checked.component;
+  holes : Checked.component list;
   rows : Checked.stretch list list list list;  (* of each polygon, ring and edge *)
   beside : int * int -> int * int;  (* the covered cells on the left and on the right of an edge *)
 }

@@ -121,10 +121,10 @@ let difference text (a : _ Checked.state) (b : _ Checked.state) =
       (Reading.rings_of polygons)
   in
   match differing (turns a.polygons) (turns b.polygons) with
-  | Some n -> Some (Checker.Of_turn n)
+  | Some n -> Some (Checked.of_turn n)
   | None ->
     Option.map
-      (fun n -> Checker.Of_touching n)
+      Checked.of_touching
       (differing (List.map text a.touching) (List.map text b.touching))
 
 let text_of_mover m = List.map Q.to_string (Reading.numbers_of m)
@@ -134,7 +134,7 @@ let text_of_point (x, y) = List.map Q.to_string [ x; y ]
 let change is_of_boundary s (before : Reading.mover Checked.state) there after =
   if is_of_boundary then
     match difference text_of_mover before after with
-    | Some found -> Some (Checker.Another_after found)
+    | Some found -> Some (Checked.another_after found)
     | None ->
       let ring = List.map (at s) in
       let polygon (p : _ Reading.polygon) : _ Reading.polygon =
@@ -147,8 +147,8 @@ let change is_of_boundary s (before : Reading.mover Checked.state) there after =
           enclosed = before.enclosed;
         }
       in
-      Option.map (fun d -> Checker.Another_there d) (difference text_of_point here there)
+      Option.map Checked.another_there (difference text_of_point here there)
   else
     let numbers (m : _ Checked.state) = (List.length m.polygons, m.enclosed) in
     if numbers before = numbers there && numbers there = numbers after then None
-    else Some Checker.Other_numbers
+    else Some Checked.other_numbers

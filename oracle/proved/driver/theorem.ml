@@ -1,37 +1,46 @@
-(* A sum as a theorem in Coq: the statement in the notions of Definitions.v, proved by computing
-   [check_form] in Coq's kernel. Nothing here is trusted: the statement is there to be read. *)
+(* A sum as a theorem in Coq: first the statement in the notions of Definitions.v and Form.v, with
+   its numbers, then the proof, which has Coq's kernel compute [check_form]. Nothing here is
+   trusted: the statement is there to be read (docs/proved.md). *)
 
 let head =
   {|(** The Minkowski sum sP + Q of two sets of the plane, its components, holes and
     canonical form, as a theorem.
 
     The sets are given by their rings: outer ones counter-clockwise, holes clockwise. What the
-    statement means stands in Definitions.v and Form.v of oracle/proved, and in docs/proved.md.
-    To check it: make proofs, then coqc -Q build/proofs Proved FILE *)
-From Proved Require Import Definitions Form Numbers Checker Figures Canonical.
+    statement means stands in Definitions.v and Form.v of oracle/proved. How to check it, if it
+    comes from somebody else: docs/proved.md *)
+From Proved Require Import Definitions Form.
 Open Scope Q_scope.
 
-Definition s : Q := |}
+Theorem this_is_the_sum :
+  let s := |}
 
-let foot components holes =
+let statement components holes =
   Printf.sprintf
-    {|Theorem this_is_the_sum :
-  (forall x : point, set_of (rings_of (figure R')) x <->
+    {|  (forall x : point, set_of (rings_of (figure R')) x <->
     exists p q, set_of (points P) p /\ set_of (points Q') q /\ x = add (scale (Q2R s) p) q) /\
   has_components (set_of (rings_of (figure R'))) %d /\
   has_holes (set_of (rings_of (figure R'))) %d /\
   is_canonical (set_of (rings_of (figure R'))) (figure R').
-Proof.
-  apply (form_is_right s P Q' R' everything).
-  vm_compute. reflexivity.
-Qed.
-Print Assumptions this_is_the_sum.
 |}
     components holes
 
-let write out s p other polygons (d : Checker.derivation) =
+let proof =
+  {|Proof. (* Nothing is believed of what follows. *)
+From Proved Require Import Numbers Checker Figures Canonical.
+intros s P Q' R'.
+|}
+
+let foot =
+  {|exact (form_is_right s P Q' R' everything
+  (eq_refl true <: check_form s P Q' R' everything = true)).
+Qed.
+Print Assumptions this_is_the_sum.
+|}
+
+let write out s p other polygons derivation =
   let { Checker.region_of = witness; components_of = components; outside_of = outside;
-        holes_of = holes; rows_of = rows } = d in
+        holes_of = holes; rows_of = rows } = Checked.shown derivation in
   let print format = Printf.fprintf out format in
   let list separator write values =
     print "[";
@@ -49,9 +58,9 @@ let write out s p other polygons (d : Checker.derivation) =
   let number (q : Q.t) = fraction (Q.num q) (Q.den q) in
   let given (x, y) = print "("; number x; print ", "; number y; print ")" in
   let rings name value =
-    print "Definition %s : rings vertex :=\n  " name;
+    print "  let %s : rings vertex :=\n  " name;
     list ";\n   " (list "; " given) value;
-    print ".\n"
+    print " in\n"
   in
   let q (f : Checker.q) = fraction f.qnum f.qden in
   let vertex = function
@@ -69,11 +78,11 @@ let write out s p other polygons (d : Checker.derivation) =
   let solid (hull, leaves) = print "("; corners hull; print ", "; list "; " natural leaves;
     print ")" in
   let tiled name (t : Checker.tiled) =
-    print "Definition %s : tiled := {|\n  root := " name;
+    print "pose (%s := {|\n  root := " name;
     node t.root;
     print ";\n  solids := ";
     list ";\n   " solid t.solids;
-    print " |}.\n"
+    print " |} : tiled).\n"
   in
   let token = function
     | Checker.OpenP -> print "OpenP"
@@ -89,25 +98,26 @@ let write out s p other polygons (d : Checker.derivation) =
   in
   output_string out head;
   number s;
-  print ".\n";
+  print " in\n";
   rings "P" p;
   rings "Q'" other;
-  print "Definition R' : list (polygon vertex) :=\n  ";
+  print "  let R' : list (polygon vertex) :=\n  ";
   let ring = list "; " given in
   list ";\n   "
     (fun ({ outer; holes } : _ Reading.polygon) ->
       print "("; ring outer; print ",\n    "; list ";\n     " ring holes; print ")")
     polygons;
-  print ".\n";
-  print "\n(** What the checker is given beside; nothing is believed of it. *)\n";
+  print " in\n";
+  output_string out (statement (List.length components) (List.length holes));
+  output_string out proof;
   tiled "pieces_of_P" witness.of_P;
   tiled "pieces_of_Q" witness.of_Q;
-  print "Definition proof_of_cells : list (list corner * proof) :=\n  ";
+  print "pose (proof_of_cells :=\n  ";
   list ";\n   " cell witness.cells;
-  print ".\nDefinition proof_of_region : witness := {|\n";
+  print " : list (list corner * proof)).\npose (proof_of_region := {|\n";
   print "  of_P := pieces_of_P; of_Q := pieces_of_Q;\n  box := ";
   corners witness.box;
-  print ";\n  cells := proof_of_cells |}.\n";
+  print ";\n  cells := proof_of_cells |} : witness).\n";
   let component (c : Checker.component) =
     print "{| size := "; natural c.size; print "; links := ";
     list "; " (fun (back, m) -> print "("; natural back; print ", "; vertex m; print ")") c.links;
@@ -118,18 +128,18 @@ let write out s p other polygons (d : Checker.derivation) =
       c.rim;
     print " |}"
   in
-  print "Definition components : list component :=\n  ";
+  print "pose (components :=\n  ";
   list ";\n   " component components;
-  print ".\nDefinition outside : component := ";
+  print " : list component).\npose (outside :=\n  ";
   component outside;
-  print ".\nDefinition holes : list component :=\n  ";
+  print " : component).\npose (holes :=\n  ";
   list ";\n   " component holes;
-  print ".\nDefinition rows : list (list (list (list stretch))) :=\n  ";
+  print " : list component).\npose (rows :=\n  ";
   let stretch ((left, right), v) =
     print "("; natural left; print ", "; natural right; print ", "; vertex v; print ")"
   in
   list ";\n   " (list ";\n    " (list ";\n     " (list "; " stretch))) rows;
-  print ".\nDefinition everything : derivation := {|\n";
+  print " : list (list (list (list stretch)))).\npose (everything := {|\n";
   print "  region_of := proof_of_region; components_of := components; outside_of := outside;\n";
-  print "  holes_of := holes; rows_of := rows |}.\n\n";
-  output_string out (foot (List.length components) (List.length holes))
+  print "  holes_of := holes; rows_of := rows |} : derivation).\n";
+  output_string out foot
