@@ -18,6 +18,7 @@
 #include "bindings/vector_caster.hpp"
 #include "reference/motion/fits_and_traps.hpp"
 #include "reference/motion/path_diagram.hpp"
+#include "reference/motion/star_centre.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -177,6 +178,23 @@ void bind_paths(nb::module_& module) {
   module.def(
       "star_shaped", [](const Set& part) { return star_shaped(part.value); }, "part"_a, Released(),
       "Whether each point of the set sees the origin in it.");
+  module.def(
+      "star_centre",
+      [](const Set& part) -> std::optional<std::pair<ExactPoint, bool>> {
+        const std::optional<StarCentre> found = star_centre(part.value);
+        if (!found) return std::nullopt;
+        return std::pair(to_strings(found->at), found->is_inside);
+      },
+      "part"_a, Released(),
+      "A point that sees the whole set, and whether it lies strictly on the inner side of every "
+      "edge; None without such a point.");
+  module.def(
+      "is_inner_star_centre",
+      [](const Set& part, const ExactPoint& at) {
+        return is_inner_star_centre(part.value, point_of(at));
+      },
+      "part"_a, "at"_a, Released(),
+      "Whether a point sees the whole set, strictly on the inner side of every edge.");
   module.def(
       "fit_at",
       [](const Set& part, const Set& container, const ExactPoint& at, const std::string& contact) {

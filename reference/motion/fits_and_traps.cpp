@@ -395,7 +395,7 @@ FreeScales scales_that_fit(const PolygonSet& part, const PolygonSet& container, 
   const ContainerFrame frame(part, container, {});
   const FreeProblem problem(part, frame.set(), {}, rule);
   const auto fits = [](const FreeSpace& free) { return free.parts() > 1; };
-  return search == FitSearch::narrowed && has_star_centre(part)
+  return search == FitSearch::narrowed && star_centre(part).has_value()
              ? up_to_a_scale(problem, fits, frame.window)
              : problem.answer(fits, frame.window);
 }

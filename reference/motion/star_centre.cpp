@@ -26,11 +26,32 @@ Ring left_part(const Ring& polygon, const Point& a, const Point& b) {
   return rest;
 }
 
+Point middle_of(const Ring& ring) {
+  Point sum;
+  for (const Point& p : ring) sum = {sum.x + p.x, sum.y + p.y};
+  const Rational count = static_cast<long>(ring.size());
+  return {sum.x / count, sum.y / count};
+}
+
+bool is_one_ring(const PolygonSet& set) {
+  return set.is_region() && set.polygons.size() == 1 && set.polygons[0].holes.empty();
+}
+
 }  // namespace
 
-bool has_star_centre(const PolygonSet& set) {
-  if (!set.is_region()) return true;
-  if (set.polygons.size() != 1 || !set.polygons[0].holes.empty()) return false;
+bool is_inner_star_centre(const PolygonSet& set, const Point& at) {
+  if (!is_one_ring(set)) return false;
+  const Ring& ring = set.polygons[0].outer;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (side_of(ring[i], ring[(i + 1) % ring.size()], at) <= 0) return false;
+  }
+  return true;
+}
+
+std::optional<StarCentre> star_centre(const PolygonSet& set) {
+  if (set.empty()) return std::nullopt;
+  if (!set.is_region()) return StarCentre{set.polygons[0].outer[0], false};
+  if (!is_one_ring(set)) return std::nullopt;
   const Ring& ring = set.polygons[0].outer;
   const auto edge = [&](std::size_t i) -> std::pair<const Point&, const Point&> {
     return {ring[i], ring[(i + 1) % ring.size()]};
@@ -40,7 +61,7 @@ bool has_star_centre(const PolygonSet& set) {
     const auto [a, b] = edge(i);
     is_convex = side_of(a, b, ring[(i + 2) % ring.size()]) >= 0;
   }
-  if (is_convex) return true;
+  if (is_convex) return StarCentre{middle_of(ring), true};
   Point low = ring[0], high = ring[0];
   for (const Point& p : ring) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -52,7 +73,9 @@ bool has_star_centre(const PolygonSet& set) {
     const auto [a, b] = edge(i);
     kernel = left_part(kernel, a, b);
   }
-  return !kernel.empty();
+  if (kernel.empty()) return std::nullopt;
+  const Point middle = middle_of(kernel);
+  return StarCentre{middle, is_inner_star_centre(set, middle)};
 }
 
 }  // namespace minkref::inline motion

@@ -285,17 +285,29 @@ TEST(FreeScales, OfAClosedRoomNeedNoEvents) {
 }
 
 TEST(StarCentre, IsFoundWhereThereIsOne) {
-  EXPECT_TRUE(has_star_centre(rectangle(3, 4, 5, 6)));
   const PolygonSet angle{{{{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, {}}}};
-  EXPECT_TRUE(has_star_centre(angle));
-  const PolygonSet hook{{{{{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}, {}}}};
-  EXPECT_FALSE(has_star_centre(hook));
-  // Seen from one point alone, and not quite.
   const PolygonSet arrow{{{{{0, 0}, {4, -4}, {2, 0}, {4, 4}}, {}}}};
-  EXPECT_TRUE(has_star_centre(arrow));
+  for (const PolygonSet& set : {rectangle(3, 4, 5, 6), angle, arrow}) {
+    const auto found = star_centre(set);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->is_inside && is_inner_star_centre(set, found->at));
+  }
+  EXPECT_FALSE(is_inner_star_centre(angle, {1, Rational(1, 2)}));
+  const PolygonSet hook{{{{{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}, {}}}};
+  EXPECT_FALSE(star_centre(hook));
   const PolygonSet ring{{{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}}}};
-  EXPECT_FALSE(has_star_centre(ring));
-  EXPECT_TRUE(has_star_centre({{{{{1, 1}, {2, 3}}, {}}}}));
+  EXPECT_FALSE(star_centre(ring));
+  const auto end = star_centre({{{{{1, 1}, {2, 3}}, {}}}});
+  ASSERT_TRUE(end);
+  EXPECT_FALSE(end->is_inside);
+}
+
+TEST(StarCentre, IsNotInsideWhereOnlyASegmentSeesAll) {
+  const PolygonSet steps{{{{{0, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {1, 2}, {1, 1}, {0, 1}}, {}}}};
+  const auto found = star_centre(steps);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->at.y, 1);
+  EXPECT_FALSE(found->is_inside);
 }
 
 /// At every event scale of the arrangement, compares whether the place is free: no omitted event
