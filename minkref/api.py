@@ -58,6 +58,9 @@ from minkref.disc.features import Notch as Notch
 from minkref.disc.features import features as features
 from minkref.drawings.drawing import is_drawing, read_drawing
 from minkref.errors import Refusal as Refusal
+from minkref.motion.clear_fits import ClearTrap as ClearTrap
+from minkref.motion.clear_fits import clear_fits as clear_fits
+from minkref.motion.clear_fits import clear_trap as clear_trap
 from minkref.motion.clear_values import ClearBound as ClearBound
 from minkref.motion.clear_values import ClearRange as ClearRange
 from minkref.motion.clear_values import ClearScales as ClearScales
@@ -86,6 +89,7 @@ from minkref.motion.path_values import bad_polygons as bad_polygons
 from minkref.motion.path_values import largest_fit as largest_fit
 from minkref.motion.path_values import trapped_scales as trapped_scales
 from minkref.motion.path_values import valid_scales as valid_scales
+from minkref.motion.scale_bracket import ScaleBracket as ScaleBracket
 from minkref.motion.space_values import FitSupport as FitSupport
 from minkref.motion.space_values import SpaceFeature as SpaceFeature
 from minkref.motion.space_values import SpaceFitScales as SpaceFitScales

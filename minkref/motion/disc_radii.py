@@ -146,15 +146,25 @@ def between(
     eroded = eroded_by_disc(container, name)
     start, end = places
     found: Any = _core.disc_passage(eroded.set, start, end, *question.arguments, threads)
-    limit, first, last, radius, necks = found
+    cause, row = limit_between(found)
+    if row is None:
+        return question.none(cause)
+    if cause == "neck":
+        return question.up_to(row[0], cause, events=_events(map(eroded.in_P, found[4])))
+    return question.up_to(row[0], cause, contact=_contact(row[1], _in_container(eroded.outside)))
+
+
+def limit_between(found: Any) -> tuple[str, Any]:
+    """The limit of a disc that gets from a place to another one in a container: its cause, and its
+    radius with a contact; None where no disc passes."""
+    limit, first, last, radius, _ = found
     if first is None or last is None or BOX in (first[1][4], last[1][4]):
-        return question.none("meets")
+        return "meets", None
     if limit == "apart":
-        return question.none("apart")
+        return "apart", None
     if limit == "neck":
-        return question.up_to(radius, "neck", events=_events(map(eroded.in_P, necks)))
-    row, contact = last if limit == "end" else first
-    return question.up_to(row, "contact", contact=_contact(contact, _in_container(eroded.outside)))
+        return "neck", (radius, None)
+    return "contact", last if limit == "end" else first
 
 
 def trapped(

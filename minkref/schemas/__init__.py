@@ -6,10 +6,12 @@ import json
 from typing import Any
 
 KINDS = (
+    "at_scale",
     "in_space",
     "of_features",
     "of_scene",
     "with_ball",
+    "with_bracket",
     "with_clearance",
     "with_disc",
     "with_disc_pairs",

@@ -20,8 +20,12 @@ from minkref.schemas.disc.view import DiscViewDocument, FeatureViewDocument
 from minkref.schemas.error import ErrorDocument
 from minkref.schemas.lists import FamiliesDocument, ModelsDocument, TargetsDocument
 from minkref.schemas.motion.discs import (
+    ClearFitBracketDocument,
     ClearFitDocument,
+    ClearFitScaleDocument,
     ClearPathDocument,
+    ClearTrapDocument,
+    ClearTrapScaleDocument,
     DiscFitDocument,
     DiscPathDocument,
     DiscTrapDocument,
@@ -99,7 +103,9 @@ DOCUMENTS = {
     "families": FamiliesDocument,
     "features": FeaturesDocument,
     "fit": FitDocument,
+    "fit_at_scale": ClearFitScaleDocument,
     "fit_in_space": SpaceFitDocument,
+    "fit_with_bracket": ClearFitBracketDocument,
     "fit_with_clearance": ClearFitDocument,
     "fit_with_disc": DiscFitDocument,
     "generate": GenerateDocument,
@@ -134,7 +140,9 @@ DOCUMENTS = {
     "sweep_with_disc": DiscSweepDocument,
     "targets": TargetsDocument,
     "trap": TrapDocument,
+    "trap_at_scale": ClearTrapScaleDocument,
     "trap_in_space": SpaceTrapDocument,
+    "trap_with_clearance": ClearTrapDocument,
     "trap_with_disc": DiscTrapDocument,
     "union": UnionDocument,
     "verify": VerifyDocument,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import Annotated
 
@@ -11,7 +12,8 @@ from minkref.cli.memory import Memory
 from minkref.cli.options import Json
 from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
-from minkref.exact import read_point, read_points, read_space_point
+from minkref.disc.disc import read_tolerance
+from minkref.exact import exact_scale, read_point, read_points, read_space_point
 from minkref.settings import DISC, PLANE, SPACE
 from minkref.verbs.path import Clearance, Contact
 
@@ -31,13 +33,16 @@ minkref fit part.off housing.off --anywhere
 
 minkref fit disc pocket.wkt --between 2,2 7,2
 
-minkref fit disc pocket.wkt --anywhere -o largest.svg"""
+minkref fit disc pocket.wkt --anywhere -o largest.svg
+
+minkref fit cutter.wkt pocket.wkt --anywhere --clearance 1/2"""
 
 TOLD = """\
 Find all scales at which a part lies in a container: at a place, somewhere, or all along a
 way between two places, by translations only; in space at a place, or somewhere. Exact, and found
 again at, just below and just above each bound by static sums, in space by what the part's pieces
-cover. With `disc` as the part, all radii, with the features that bound the largest disc."""
+cover. With `disc` as the part, all radii, with the features that bound the largest disc. With
+--clearance a part that keeps a distance: --at is exact, the others lie between two scales."""
 
 Point = tuple[str, str]
 Part = Annotated[str, typer.Argument(help="The part, scaled about its origin: a file or a model.")]
@@ -66,6 +71,28 @@ Picture = Annotated[
 ]
 
 
+BracketWidth = Annotated[
+    Fraction | None,
+    typer.Option(
+        "--tolerance",
+        help="With --clearance: how far the two scales of the answer may be apart, as a share of "
+        "them. Default: a billionth.",
+        metavar="T",
+    ),
+    Read(read_tolerance),
+]
+OneScale = Annotated[
+    Fraction | None,
+    typer.Option(
+        "--scale",
+        help="With --clearance: answer for this scale only, for any part, with the clearances "
+        "that it can keep.",
+        metavar="S",
+    ),
+    Read(exact_scale),
+]
+
+
 @dataclass(frozen=True)
 class FitInPlane:
     part: Part
@@ -75,6 +102,8 @@ class FitInPlane:
     between: Between = None
     contact: Contact = "allowed"
     clearance: Clearance = None
+    tolerance: BracketWidth = None
+    scale: OneScale = None
     output: Picture = None
     memory: Memory = None
     json: Json = False

@@ -12,7 +12,7 @@ from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
 from minkref.exact import read_point, read_space_point
 from minkref.settings import DISC, PLANE, SPACE
-from minkref.verbs.fit import Part, Picture
+from minkref.verbs.fit import BracketWidth, OneScale, Part, Picture
 from minkref.verbs.path import Certify, Clearance, Contact
 
 EXAMPLES = """Examples:
@@ -27,13 +27,17 @@ minkref trap ball.wkt cage.wkt --at 2,2 --certify trap.cert.json
 
 minkref trap ball.off cage.off --at 2,2,0
 
-minkref trap disc cage.wkt --at 2,2"""
+minkref trap disc cage.wkt --at 2,2
+
+minkref trap ball.wkt cage.wkt --at 2,2 --clearance 1/2"""
 
 TOLD = """\
 Find all scales at which a part is free at a place, and no translation takes it away from the
 obstacles. A rotation may free it all the same: "trapped" is by translations only. Exact, and
 found again at, just below and just above each bound by static sums. In space the part has to be
-star-shaped about its origin. With `disc` as the part, all radii, with the neck that holds it."""
+star-shaped about its origin. With `disc` as the part, all radii, with the neck that holds it.
+With --clearance a part that keeps a distance: trapped from a scale on that is between two
+scales."""
 
 Obstacles = Annotated[str, typer.Argument(help="What may hold the part: a file or a model.")]
 AT = typer.Option("--at", help="Where the part's origin is; X,Y,Z in space.", metavar="X,Y[,Z]")
@@ -47,6 +51,9 @@ class Trap:
     obstacles: Obstacles
     at: At
     contact: Contact = "allowed"
+    clearance: Clearance = None
+    tolerance: BracketWidth = None
+    scale: OneScale = None
     from_scale: LeastScale = None
     to_scale: GreatestScale = None
     output: Picture = None
@@ -88,18 +95,15 @@ command = command_of(
             "minkref.motion.commands.disc_trap:run",
             why={"--certify": "there is no certificate of a disc's trap"},
         ),
-        PLANE: Verb(
-            Trap,
-            "minkref.motion.commands.trap:run",
-            why={
-                "--clearance": "only a disc is trapped with a clearance; with a part `path` and "
-                "`fit --at` have it"
-            },
-        ),
+        PLANE: Verb(Trap, "minkref.motion.commands.trap:run"),
         SPACE: Verb(
             TrapInSpace,
             "minkref.motion.commands.free_in_space:run_trap",
-            why={"--certify": "there is no certificate in space", "-o": "no picture is drawn"},
+            why={
+                "--certify": "there is no certificate in space",
+                "--clearance": "there is no clearance in space",
+                "-o": "no picture is drawn",
+            },
         ),
     },
 )

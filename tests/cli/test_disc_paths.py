@@ -107,10 +107,8 @@ def test_the_picture_shows_the_largest_disc_and_each_neck(
         (("path", "disc", ROOM, WAY, "--clearance", "0"), "the clearance is not above 0"),
         (("path", "disc:0", ROOM, WAY), "the radius is zero"),
         (("fit", "disc", POCKET), "one question"),
-        (("fit", SQUARE, POCKET, "--anywhere", "--clearance", "1"), "fitted at a place"),
         (("path", SQUARE, ROOM, WAY, "--clearance", "1", "--certify", "a.json"), "no certificate"),
         (("path", SQUARE, ROOM, WAY, "--clearance", "1", "--route", "contacts"), "one route"),
-        (("trap", SQUARE, ROOM, "--at", "4,4", "--clearance", "1"), "only a disc"),
         (("fit", "disc", "LINESTRING(0 0,4 0)", "--anywhere"), "no area"),
     ],
 )

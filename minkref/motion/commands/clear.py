@@ -3,7 +3,6 @@ distance."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from minkref import _core
@@ -54,13 +53,9 @@ def run_path(request: PathInPlane) -> None:
     finish(value, asked.target, request.json, printed=printed)
 
 
-def run_fit(request: FitInPlane, question: str, places: Sequence[tuple[str, str]]) -> None:
-    """Answers `minkref fit --at` with a clearance. Refuses the other questions."""
+def run_fit_at(request: FitInPlane, place: tuple[str, str]) -> None:
+    """Answers `minkref fit --at` with a clearance."""
     watch = Stopwatch()
-    if question != "at":
-        what = "a part with a clearance is fitted at a place; a disc also anywhere and between"
-        mend = "give --at X,Y, ask `minkref path` for one way, or leave --clearance out"
-        raise Refusal(what, f"--{question} --clearance", mend, "no-clearance")
     if request.output is not None:
         what = "no file is written of a fit with a clearance"
         raise Refusal(what, f"-o {request.output}", "leave it out; --json prints the document")
@@ -70,7 +65,7 @@ def run_fit(request: FitInPlane, question: str, places: Sequence[tuple[str, str]
         rows = refusing(
             f"{request.part}, {request.container}",
             lambda: _core.scales_clear_at(
-                first.set, second.set, places[0], str(request.clearance), request.contact
+                first.set, second.set, place, str(request.clearance), request.contact
             ),
         )
     value = document(
@@ -78,8 +73,8 @@ def run_fit(request: FitInPlane, question: str, places: Sequence[tuple[str, str]
         watch,
         part=first.name,
         container=second.name,
-        question=question,
-        places=[list(place) for place in places],
+        question="at",
+        places=[list(place)],
         contact=request.contact,
         clearance=str(request.clearance),
         **_answer(rows),
@@ -88,7 +83,7 @@ def run_fit(request: FitInPlane, question: str, places: Sequence[tuple[str, str]
 
     def shown(value: Row) -> None:
         part = f"{value['part']} in {value['container']}, contact {value['contact']}"
-        _print([("part", part), ("place", point_text(places[0]))], value)
+        _print([("part", part), ("place", point_text(place))], value)
 
     give(value, request.json, shown)
 
@@ -96,12 +91,12 @@ def run_fit(request: FitInPlane, question: str, places: Sequence[tuple[str, str]
 def _answer(rows: Any) -> Row:
     found = clear_scales_of(rows)
     return {
-        "clear": [_range(one) for one in found.ranges],
+        "clear": [clear_range(one) for one in found.ranges],
         "ends": [_bound(one) for one in found.bounds],
     }
 
 
-def _range(one: ClearRange) -> Row:
+def clear_range(one: ClearRange) -> Row:
     return {
         "from": _number(one.low),
         "from_in": one.low_in,
@@ -133,7 +128,7 @@ def _text(number: Row) -> str:
     return exact if len(exact) <= LONGEST else between(number["low"], number["high"])
 
 
-def _range_text(one: Row) -> str:
+def clear_range_text(one: Row) -> str:
     if one["to"] is not None and one["from"]["exact"] == one["to"]["exact"]:
         return f"{_text(one['from'])} alone"
     high = "infinity" if one["to"] is None else _text(one["to"])
@@ -151,7 +146,7 @@ def _t_text(t: Row) -> str:
 def _print(rows: list[tuple[str, str]], value: Row) -> None:
     rows += [
         ("clearance", value["clearance"]),
-        ("clear scales", ", ".join(map(_range_text, value["clear"])) or "none"),
+        ("clear scales", ", ".join(map(clear_range_text, value["clear"])) or "none"),
     ]
     for bound in value["ends"][:MOST_ROWS]:
         near = between(bound["scale"]["low"], bound["scale"]["high"])

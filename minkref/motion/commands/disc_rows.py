@@ -49,7 +49,7 @@ def radii_document(
         contact=request.contact,
         clearance=None if clearance is None else str(clearance),
         **fields,
-        radii=None if found.is_empty else _range(found),
+        radii=None if found.is_empty else radii_range(found),
         cause=found.cause,
         touches=None if found.contact is None else _touches(found.contact),
         events=[_event(each) for each in found.events],
@@ -76,7 +76,7 @@ def _asked(part: str, found: DiscRadii) -> Row | None:
     return {"radius": read_disc(part).radius, "holds": found.holds}
 
 
-def _range(found: DiscRadii) -> Row:
+def radii_range(found: DiscRadii) -> Row:
     return {
         "from": _radius(found.low),
         "from_in": found.low_in,
@@ -124,11 +124,12 @@ def _texts(place: tuple[Fraction, Fraction]) -> list[str]:
 def range_text(value: Row) -> str:
     """All radii, or the answer for one."""
     radii, asked = value["radii"], value["asked"]
-    told = "none" if radii is None else _range_text(radii, value["clearance"])
+    told = "none" if radii is None else distance_text(radii, value["clearance"])
     return told if asked is None else f"{'yes' if asked['holds'] else 'no'}; all radii: {told}"
 
 
-def _range_text(radii: Row, clearance: str | None) -> str:
+def distance_text(radii: Row, clearance: str | None = None) -> str:
+    """Write a range of radii, or of distances."""
     low = "0" if radii["from"] is None else _radius_text(radii["from"], clearance)
     high = "infinity" if radii["to"] is None else _radius_text(radii["to"], clearance)
     return f"{'[' if radii['from_in'] else '('}{low}, {high}{']' if radii['to_in'] else ')'}"

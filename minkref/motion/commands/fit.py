@@ -29,6 +29,7 @@ from minkref.output.output_target import target_of
 from minkref.plane.operand import read_operand
 from minkref.verbs.fit import FitInPlane, FitOfDisc
 from minkref.verbs.path import check_words
+from minkref.verbs.trap import Trap
 
 
 def run(request: FitInPlane) -> None:
@@ -37,10 +38,9 @@ def run(request: FitInPlane) -> None:
     check_words(contact=(contact, CONTACTS))
     question, places = question_named(request)
     if request.clearance is not None:
-        from minkref.motion.commands.clear import run_fit
-
-        run_fit(request, question, places)
+        _run_with_clearance(request, question, places)
         return
+    refuse_without_clearance(request)
     target = target_of(request.output, None, FORMATS, "json", request.json, has_format=False)
     first, second = read_operand(part), read_operand(container)
     if request.output is not None:
@@ -66,6 +66,36 @@ def run(request: FitInPlane) -> None:
     )
     drawn = partial(fit_picture, first.set, second.set, value, "fits")
     finish(value, target, request.json, drawn, printed=print_fit)
+
+
+def _run_with_clearance(request: FitInPlane, question: str, places: list[tuple[str, str]]) -> None:
+    from minkref.motion.commands import clear, clear_bracket, clear_scale
+
+    if question == "at":
+        _refuse_options(request, "a place is answered for all scales, without a bracket")
+        clear.run_fit_at(request, places[0])
+    elif request.scale is not None:
+        refuse_both(request)
+        clear_scale.run_fit(request, question, places)
+    else:
+        clear_bracket.run_fit(request, question, places)
+
+
+def refuse_without_clearance(request: FitInPlane | Trap) -> None:
+    """Refuse options that belong to a clearance."""
+    _refuse_options(request, "without a clearance all scales are answered, without a bracket")
+
+
+def refuse_both(request: FitInPlane | Trap) -> None:
+    if request.tolerance is not None:
+        what = "one scale is decided, without a bracket"
+        raise Refusal(what, f"--tolerance {request.tolerance}", "leave it out")
+
+
+def _refuse_options(request: FitInPlane | Trap, what: str) -> None:
+    for option, value in (("--scale", request.scale), ("--tolerance", request.tolerance)):
+        if value is not None:
+            raise Refusal(what, f"{option} {value}", "leave it out")
 
 
 def question_named(request: FitInPlane | FitOfDisc) -> tuple[str, list[tuple[str, str]]]:

@@ -8,9 +8,15 @@ from typing import Any
 from minkref import _core
 from minkref.cli.memory import SMALLER, memory_wall
 from minkref.cli.output import print_lines
-from minkref.errors import refusing
+from minkref.errors import Refusal, refusing
 from minkref.exact import text_of_bounds
-from minkref.motion.commands.fit import bound_rows, free_document, written_rows
+from minkref.motion.commands.fit import (
+    bound_rows,
+    free_document,
+    refuse_both,
+    refuse_without_clearance,
+    written_rows,
+)
 from minkref.motion.commands.fit_picture import fit_picture
 from minkref.motion.commands.path_answer import FORMATS, finish
 from minkref.motion.commands.path_proof import proved
@@ -30,6 +36,10 @@ def run(request: Trap) -> None:
         request.part, request.obstacles, request.contact, request.at,
     )  # fmt: skip
     check_words(contact=(contact, CONTACTS))
+    if request.clearance is not None:
+        _run_with_clearance(request)
+        return
+    refuse_without_clearance(request)
     window = text_of_bounds(request.from_scale, request.to_scale)
     target = target_of(request.output, None, FORMATS, "json", request.json, has_format=False)
     first, second = read_operand(part), read_operand(obstacles)
@@ -65,6 +75,19 @@ def run(request: Trap) -> None:
     )
     drawn = partial(fit_picture, first.set, second.set, value, "trapped")
     finish(value, target, request.json, drawn, [] if proven is None else [proven[0]], print_trap)
+
+
+def _run_with_clearance(request: Trap) -> None:
+    from minkref.motion.commands import clear_bracket, clear_scale
+
+    if request.certify is not None:
+        what = "there is no certificate of a clearance"
+        raise Refusal(what, "--certify", "leave it out, or leave --clearance out")
+    if request.scale is None:
+        clear_bracket.run_trap(request)
+        return
+    refuse_both(request)
+    clear_scale.run_trap(request)
 
 
 def print_trap(value: dict[str, Any]) -> None:

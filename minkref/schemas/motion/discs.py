@@ -188,3 +188,102 @@ class ClearFitDocument(AnyClear, Head):
     question: Literal["at"]
     places: Annotated[list[Point], Meta(min_length=1, max_length=1)]
     warnings: list[str]
+
+
+class ClearBracket(TypedDict):
+    """Two scales around the end of the scales from 0 on, both decided exactly."""
+
+    holds_to: Annotated[Number, Meta(description="Holds up to this scale; 0: at none asked.")]
+    fails_from: Annotated[
+        Number | None, Meta(description="Fails from this scale on; null: at none asked.")
+    ]
+    is_exact: Annotated[bool, Meta(description="Whether both are equal, the end itself.")]
+    end_in: Annotated[bool, Meta(description="Whether the end is one of the scales.")]
+    decisions: Annotated[Count, Meta(description="The number of scales decided.")]
+
+
+class AnyBracket(Head):
+    """Fields of `fit` and `trap` with a clearance, for all scales."""
+
+    part: Annotated[str, Meta(description="The part as named; it is scaled.")]
+    contact: ContactRule
+    clearance: Number
+    tolerance: Annotated[
+        Number, Meta(description="The most by which the scales may differ, as a share of them.")
+    ]
+    motion: str
+    cause: Annotated[Cause | None, Meta(description="What limits the distance at `holds_to`.")]
+    near: Annotated[RoundedPoint | None, Meta(description="Where it does.")]
+    warnings: list[str]
+
+
+class ClearPlace(TypedDict):
+    """A part that keeps the distance: exact."""
+
+    scale: Number
+    place: Point
+
+
+class ClearFitBracketDocument(AnyBracket, Written):
+    """The document of `minkref fit --anywhere --clearance C --json`, also with `--between`."""
+
+    command: Literal["fit"]
+    container: str
+    question: Literal["anywhere", "between"]
+    places: Annotated[list[Point], Meta(description="As asked for.", max_length=2)]
+    bracket: ClearBracket
+    witness: Annotated[
+        ClearPlace | None,
+        Meta(description="A scale and place at which the part keeps the distance."),
+    ]
+
+
+class ClearTrapDocument(AnyBracket, Window, Written):
+    """The document of `minkref trap --clearance C --json`."""
+
+    command: Literal["trap"]
+    obstacles: str
+    at: Annotated[Point, Meta(description="The place of the part's origin.")]
+    bracket: Annotated[
+        ClearBracket | None,
+        Meta(description="The scales at which the part gets away; null: it is free at none."),
+    ]
+    free: Annotated[list[ClearRange], Meta(description="The scales at which it is free there.")]
+    is_trapped: Annotated[
+        bool, Meta(description="Whether it is trapped, at the free scales from `fails_from` on.")
+    ]
+
+
+class AnyClearScale(Head):
+    """Fields of `fit` and `trap` with a clearance, for one scale."""
+
+    part: Annotated[str, Meta(description="The part as named; it is scaled.")]
+    contact: ContactRule
+    clearance: Number
+    scale: Number
+    motion: str
+    holds: Annotated[bool, Meta(description="The answer for the clearance.")]
+    distances: Annotated[
+        DiscRange | None, Meta(description="The clearances for which it holds; null: none.")
+    ]
+    cause: Cause
+    near: Annotated[list[RoundedPoint], Meta(description="Necks, or places of the most room.")]
+    warnings: list[str]
+
+
+class ClearFitScaleDocument(AnyClearScale):
+    """The document of `minkref fit --anywhere --clearance C --scale S --json`, also with
+    `--between`."""
+
+    command: Literal["fit"]
+    container: str
+    question: Literal["anywhere", "between"]
+    places: Annotated[list[Point], Meta(description="As asked for.", max_length=2)]
+
+
+class ClearTrapScaleDocument(AnyClearScale):
+    """The document of `minkref trap --clearance C --scale S --json`."""
+
+    command: Literal["trap"]
+    obstacles: str
+    at: Annotated[Point, Meta(description="The place of the part's origin.")]
