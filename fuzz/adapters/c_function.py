@@ -14,7 +14,8 @@ from adapter_protocol import Errored, Rejected, Set, Sum  # type: ignore[import-
 RESULT, SKIPPED, REJECTED = 0, 1, 2
 MOST_VERTICES = 50_000_000
 NOT_IN_C = {
-    "line-offset", "join-mitre", "join-bevel", "join-square", "cap-flat", "cap-square",
+    "line-offset", "join-mitre", "join-bevel", "join-square", "join-sharp", "inset-sharp",
+    "cap-flat", "cap-square",
 }  # fmt: skip
 ADD_ON = {
     "arithmetic": "float64",

@@ -7,6 +7,7 @@ PATH, RANGES = "path", "path-ranges"  # the verb `path`: single scales, or all o
 UNION = "union"  # of two or more sets
 OFFSET = "offset"  # a set grown by a disc
 LINES = "line-offset"  # the capability that open lines ask for
+SHARP_OFFSET, SHARP_INSET = "join-sharp", "inset-sharp"  # capabilities beside `offset`
 INSET = "inset"  # the capability that a radius below 0 asks for
 FEATURES = "features"  # of a set, under a growing disc
 REJECTS = "rejects-invalid"  # the capability that invalid cases ask for

@@ -15,14 +15,14 @@ from typing import Any
 from minkref import _core
 from minkref.errors import Refusal
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.cases.verbs import INSET, LINES, OFFSET
+from minkref.fuzz.cases.verbs import INSET, LINES, OFFSET, SHARP_INSET
 from minkref.fuzz.offsets.curves import NOTHING, form_of
 from minkref.fuzz.offsets.distance import Distances, Exact, OutsideDistances
 from minkref.fuzz.offsets.event_window import event_within
 from minkref.fuzz.offsets.exchange import IN_CURVES
 from minkref.fuzz.offsets.hole_points import far_points
 from minkref.fuzz.offsets.lines import Line, lines_value, read_lines
-from minkref.fuzz.offsets.manner import ROUND, Manner, read_manner
+from minkref.fuzz.offsets.manner import ROUND, SHARP, Manner, read_manner
 from minkref.fuzz.offsets.set_and_radius import SetAndRadius, read_radius, read_set_and_radius
 
 
@@ -58,6 +58,9 @@ class AskedOffset(SetAndRadius):
         if self.lines:
             alone = {"plane", self.verb, LINES, *(super().needs & {"rational"})}
             return frozenset(alone) | self.manner.needs
+        if self.manner.join == SHARP:  # targets may have no other offsets
+            inward = {SHARP_INSET} if self.inward else set()
+            return (super().needs - {self.verb}) | self.manner.needs | inward
         return super().needs | self.manner.needs | ({INSET} if self.inward else set())
 
     @cached_property
@@ -120,5 +123,6 @@ def named_offset(name: CaseName, value: dict[str, Any], where: str) -> AskedOffs
         mend = 'write {"offset":{"lines":[...]},"radius":"7/5"}'
         radius = read_radius(value.get("radius"), where, mend, inward=False)
         return AskedOffset(name, segments, radius, lines=lines, manner=manner)
-    P, radius = read_set_and_radius(value, OFFSET, where, inward=manner.is_round)
+    inward = manner.is_round or manner.join == SHARP
+    P, radius = read_set_and_radius(value, OFFSET, where, inward=inward)
     return AskedOffset(name, P, radius, manner=manner)

@@ -8,7 +8,7 @@ from functools import cached_property
 from minkref.fuzz.cases.verbs import LINES
 from minkref.fuzz.offsets.asked_offset import AskedOffset
 from minkref.fuzz.offsets.curves import form_of
-from minkref.fuzz.offsets.join_judgement import due_set
+from minkref.fuzz.offsets.join_judgement import expected_text
 from minkref.fuzz.offsets.judgement import doubt_about, in_doubt, judge_offset
 from minkref.fuzz.plane.reference import INDEX, ReferenceTarget
 from minkref.fuzz.targets.adapter import ProgramTarget
@@ -23,7 +23,7 @@ class OffsetAsking(UnionAsking):
 
     def expected(self, outcomes: list[Outcome]) -> str:
         case: AskedOffset = self.case
-        return case.form if case.manner.is_round else due_set(case).to_json()
+        return case.form if case.manner.is_round else expected_text(case)
 
     @cached_property
     def _doubt(self) -> str | None:

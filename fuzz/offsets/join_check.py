@@ -4,6 +4,9 @@ A missing point has a square around it, half as wide as the tolerance, in the un
 sides' rectangles, and the joins and caps: between all heights at which something begins, ends or
 crosses, one line through the square is covered. A point too much is farther than the tolerance from
 all of these.
+
+A sharp join is a whole kite, and only sets whose moved sides stay simple come here: this is checked
+first. To erode, the pieces lie inside, and are taken away together with all that is outside.
 """
 
 from __future__ import annotations
@@ -48,7 +51,10 @@ def holds(literal: str, witness: Witness) -> bool:
     value = json.loads(literal)
     radius, half = Fraction(str(value["radius"])), Fraction(witness.tolerance)
     x = (Fraction(witness.point[0]), Fraction(witness.point[1]))
-    if witness.in_truth:
+    if value.get("join") == "sharp" and not moves_simply(rings_of(value, radius < 0), abs(radius)):
+        return False
+    covered, radius = witness.in_truth != (radius < 0), abs(radius)
+    if covered:
         bodies = list(_bodies(value, radius, True))
         if half:
             return half > radius * SURE and _covered(x, half, bodies)
@@ -59,6 +65,7 @@ def holds(literal: str, witness: Witness) -> bool:
 
 def _bodies(value: dict[str, Any], r: Fraction, due: bool) -> Iterator[Body]:
     given, join, cap = value["offset"], value.get("join", "round"), value.get("cap", "round")
+    inward = Fraction(str(value["radius"])) < 0
     limit = Fraction(str(value.get("limit", 1)))
     for line in given.get("lines", ()):
         points = [(Fraction(x), Fraction(y)) for x, y in line]
@@ -67,16 +74,72 @@ def _bodies(value: dict[str, Any], r: Fraction, due: bool) -> Iterator[Body]:
             yield from _end(way, r, cap, due)
         if len(points) == 1 and cap == "round":
             yield _circle(points[0], r) if due else Body([points], r)
-    for polygon in given.get("polygons", ()):
-        rings = [
-            [(Fraction(x), Fraction(y)) for x, y in ring]
-            for ring in (polygon["outer"], *polygon.get("holes", []))
-        ]
-        yield Body(rings)
-        for k, ring in enumerate(rings):
+    rings = rings_of(value, inward)
+    if rings:
+        yield Body([*rings, _frame(rings)] if inward else rings)
+    for ring in rings:
+        yield from _right_of([*ring, ring[0], ring[1]], r, join, limit, due)
+
+
+def rings_of(value: dict[str, Any], inward: bool) -> list[Ring]:
+    """The rings of the set, or of its outside: what grows lies on their left."""
+    found = []
+    for polygon in value["offset"].get("polygons", ()):
+        for k, points in enumerate((polygon["outer"], *polygon.get("holes", []))):
+            ring = [(Fraction(x), Fraction(y)) for x, y in points]
             area = sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring[-1:] + ring, ring))  # noqa: B905
-            around = ring if (area > 0) == (k == 0) else ring[::-1]
-            yield from _right_of([*around, around[0], around[1]], r, join, limit, due)
+            found.append(ring if ((area > 0) == (k == 0)) != inward else ring[::-1])
+    return found
+
+
+def _frame(rings: list[Ring]) -> Ring:
+    """A square far around all rings."""
+    far = 4 * max(abs(x) for ring in rings for p in ring for x in p) + 4
+    return [(-far, -far), (far, -far), (far, far), (-far, far)]
+
+
+def moves_simply(rings: list[Ring], time: Fraction) -> bool:
+    """Whether rings whose sides move to the right at unit speed keep all sides, and no two sides
+    meet until the time: no vertex comes to the line of a side within it."""
+    if len({p for ring in rings for p in ring}) < sum(map(len, rings)):
+        return False
+    sides = [
+        (a, b, _moving(z, a, b), _moving(a, b, c))
+        for ring in rings
+        for z, a, b, c in zip(ring[-1:] + ring, ring, ring[1:] + ring[:1], ring[2:] + ring[:2])  # noqa: B905
+    ]
+    for a, b, u, w in sides:
+        (ax, ay), (bx, by) = a, b
+        gone = (bx - ax) * (w[0] - u[0]) + (by - ay) * (w[1] - u[1])
+        if (bx - ax) ** 2 + (by - ay) ** 2 + gone * time <= 0:
+            return False
+        for p, _, v, _ in sides:
+            if p not in (a, b) and _comes(p, v, (a, b, u, w), time):
+                return False
+    return True
+
+
+def _moving(z: Pair, a: Pair, b: Pair) -> Pair:
+    """The velocity of the vertex a, between z and b."""
+    d, e = _unit(z, a), _unit(a, b)
+    n, m = (d[1], -d[0]), (e[1], -e[0])
+    share = 1 + n[0] * m[0] + n[1] * m[1]
+    return ((n[0] + m[0]) / share, (n[1] + m[1]) / share)
+
+
+def _comes(p: Pair, v: Pair, side: tuple[Pair, Pair, Pair, Pair], time: Fraction) -> bool:
+    """Whether a moving point lies on a moving side at some time: the area of the triangle with the
+    side's ends vanishes there."""
+    a, b, u, w = side
+    d = _unit(a, b)
+    height = d[1] * (p[0] - a[0]) - d[0] * (p[1] - a[1])
+    rise = d[1] * (v[0] - u[0]) - d[0] * (v[1] - u[1])
+    if rise == 0 or not 0 <= -height / rise <= time:
+        return False
+    t = -height / rise
+    here, start, end = _go(p, v, t), _go(a, u, t), _go(b, w, t)
+    along = [(x[0] - here[0]) * d[0] + (x[1] - here[1]) * d[1] for x in (start, end)]
+    return along[0] <= 0 <= along[1]
 
 
 def _right_of(way: Ring, r: Fraction, join: str, limit: Fraction, due: bool) -> Iterator[Body]:
@@ -117,7 +180,7 @@ def _join(v: Pair, u: Pair, w: Pair, r: Fraction, join: str, limit: Fraction, du
         most = limit if join == "mitre" else Fraction(1)
         if join == "mitre":
             most *= 1 - NEAR_LIMIT if due else 1 + NEAR_LIMIT
-        if ratio <= most * most:
+        if join == "sharp" or ratio <= most * most:
             yield Body([[v, start, tip, end]])
             return
         root = Fraction(isqrt(int(ratio * ONE * ONE)), ONE)

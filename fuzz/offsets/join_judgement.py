@@ -3,6 +3,7 @@ has, deeper than the tolerance, and nothing beyond what one may have."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 
@@ -12,7 +13,9 @@ from minkref.fuzz.offsets.asked_offset import AskedOffset
 from minkref.fuzz.offsets.distance import Distances, OutsideDistances
 from minkref.fuzz.offsets.hole_points import far_points
 from minkref.fuzz.offsets.join_pieces import JoinPieces
+from minkref.fuzz.offsets.manner import SHARP
 from minkref.fuzz.offsets.sandwich import Breach, Sandwich
+from minkref.fuzz.offsets.sharp_front import front_of, is_free
 from minkref.fuzz.plane.exact_shapes import shape_of
 
 DEEP = Fraction(3, 2)  # tolerances: a square around the point lies inside, not only a disc
@@ -20,16 +23,40 @@ ROUNDED = Fraction(1, 1 << 30)  # of the radius: more than normals lose
 
 
 def join_breaches(case: AskedOffset, half: Fraction, result: Shape) -> list[Breach]:
-    """A point too much and a missing point (`missing`), if any."""
-    little = case.radius * ROUNDED
+    """A point too much and a missing point (`missing`), if any. To erode, what the answer leaves
+    out is meant."""
+    little = abs(case.radius) * ROUNDED
+    if case.manner.join == SHARP:
+        return _sharp_breaches(case, half, little, result)
     too_much = _beyond(_union(case, case.radius + half, False), half + little, result)
     lack = _lacking(_union(case, case.radius, True), DEEP * half + little, result)
     return [one for one in (too_much, lack) if one is not None]
 
 
-def due_set(case: AskedOffset) -> _core.PolygonSet:
-    """The part that every right answer has."""
-    return _union(case, case.radius, True)
+def _sharp_breaches(
+    case: AskedOffset, half: Fraction, little: Fraction, result: Shape
+) -> list[Breach]:
+    """Both for the moved rings, before parts meet; then points that the disc sweeps."""
+    if not is_free(case, half):
+        low, high = abs(case.radius) - half, abs(case.radius) + half
+        found = Sandwich(case.near, low, high, result, case.inward).breaches(())
+        return [one for one in found if one.missing]
+    front = front_of(case)
+    least, most = abs(case.radius), abs(case.radius) + half
+    if case.inward:
+        least, most = most, least
+    both = (_beyond(front.at(most), half + little, result),
+            _lacking(front.at(least), DEEP * half + little, result))  # fmt: skip
+    return [replace(one, missing=one.missing != case.inward) for one in both if one is not None]
+
+
+def expected_text(case: AskedOffset) -> str:
+    """What every right answer has, in polygons or curves; to erode with corners that depend on
+    more, what none goes beyond."""
+    if case.manner.join != SHARP:
+        return _union(case, case.radius, True).to_json()
+    free = is_free(case, Fraction(0))
+    return front_of(case).at(abs(case.radius)).to_json() if free else case.form
 
 
 @lru_cache(4)

@@ -17,7 +17,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from math import isqrt
 
 import minkref
 from minkref import _core
@@ -26,9 +25,9 @@ from minkref.fuzz.offsets.asked_offset import AskedOffset
 from minkref.fuzz.offsets.distance import exact
 from minkref.fuzz.offsets.lines import Place
 from minkref.fuzz.offsets.manner import BEVEL, MITRE, ROUND, SQUARE, Manner
+from minkref.fuzz.offsets.normals import right_of, root_of, rounded, unit
 
 Piece = list[Place]
-BITS = 60
 HALVINGS = 4  # of a sector
 WITHIN = 1 - Fraction(1, 5000)  # of the radius: the witness is checked with other polygons
 CORNERS = 64  # of a disc
@@ -60,9 +59,9 @@ class JoinPieces:
 
     def _ring(self, ring: Sequence[Place]) -> Iterator[Piece]:
         """The right side of a ring, where its outside is."""
-        sides = [_unit(minus(b, a)) for a, b in pairwise([*ring, ring[0]])]
+        sides = [unit(minus(b, a)) for a, b in pairwise([*ring, ring[0]])]
         for k, (a, b) in enumerate(pairwise([*ring, ring[0]])):
-            yield self._rectangle(a, b, _right(sides[k]))
+            yield self._rectangle(a, b, right_of(sides[k]))
             yield from self._corner(a, sides[k - 1], sides[k])
 
     def _line(self, line: Sequence[Place]) -> Iterator[Piece]:
@@ -71,9 +70,9 @@ class JoinPieces:
             yield _disc(line[0], self.reach, self.due)  # its cap is round
             return
         for way in (line, line[::-1]):
-            sides = [_unit(minus(b, a)) for a, b in pairwise(way)]
+            sides = [unit(minus(b, a)) for a, b in pairwise(way)]
             for k, (a, b) in enumerate(pairwise(way)):
-                yield self._rectangle(a, b, _right(sides[k]))
+                yield self._rectangle(a, b, right_of(sides[k]))
                 if k:
                     yield from self._corner(a, sides[k - 1], sides[k])
             yield from self._end(way[-1], sides[-1])
@@ -86,7 +85,7 @@ class JoinPieces:
         return [a, self._at(a, n), self._at(b, n), b]
 
     def _end(self, v: Place, d: Place) -> Iterator[Piece]:
-        n = _right(d)
+        n = right_of(d)
         m = (-n[0], -n[1])
         if self.manner.cap == SQUARE:
             right, left = self._at(v, n), self._at(v, m)
@@ -97,7 +96,7 @@ class JoinPieces:
 
     def _corner(self, v: Place, before: Place, after: Place) -> Iterator[Piece]:
         """The join on the right, between the sides that end and begin at v."""
-        n, m = _right(before), _right(after)
+        n, m = right_of(before), right_of(after)
         if not self.due and self.manner.join in (ROUND, BEVEL):
             yield _disc(v, self.reach, False)
             return
@@ -127,7 +126,7 @@ class JoinPieces:
                 return triangle
         tip = self._at(v, half, 1 / square)
         kite = [v, self._at(v, n), tip, self._at(v, m)]
-        length = _root(square)
+        length = root_of(square)
         return _clipped(kite, half, dot(v, half) + most * self.reach * length)
 
     def _sector(self, v: Place, n: Place, m: Place) -> Iterator[Piece]:
@@ -137,7 +136,7 @@ class JoinPieces:
             return
         ways = [n, m]
         for _ in range(HALVINGS):
-            middles = [_unit((a[0] + b[0], a[1] + b[1])) for a, b in pairwise(ways)]
+            middles = [unit((a[0] + b[0], a[1] + b[1])) for a, b in pairwise(ways)]
             ways = [w for pair in zip(ways, middles, strict=False) for w in pair] + [m]
         yield [v, *(self._at(v, way, WITHIN) for way in ways)]
 
@@ -162,30 +161,10 @@ def is_plain(case: AskedOffset) -> bool:
     return True
 
 
-def _right(way: Place) -> Place:
-    return (way[1], -way[0])
-
-
-def _unit(way: Place) -> Place:
-    length = _root(dot(way, way))
-    return (_rounded(way[0] / length), _rounded(way[1] / length))
-
-
-def _rounded(x: Fraction) -> Fraction:
-    return Fraction(round(x * (1 << BITS)), 1 << BITS)
-
-
-def _root(square: Fraction) -> Fraction:
-    """Near the root: 60 bits of it or more."""
-    n, d = square.numerator, square.denominator
-    scale = 1 << (2 * BITS + 2 * max(0, d.bit_length() - n.bit_length()))
-    return Fraction(isqrt(n * d * scale), d * isqrt(scale))
-
-
 def _disc(v: Place, radius: Fraction, inside: bool) -> Piece:
     far = radius * (WITHIN if inside else Fraction((1 + 1e-9) / math.cos(math.pi / CORNERS)))
     angles = [math.tau * k / CORNERS for k in range(CORNERS)]
-    ways = [(_rounded(Fraction(math.cos(a))), _rounded(Fraction(math.sin(a)))) for a in angles]
+    ways = [(rounded(Fraction(math.cos(a))), rounded(Fraction(math.sin(a)))) for a in angles]
     return [(v[0] + far * x, v[1] + far * y) for x, y in ways]
 
 

@@ -18,7 +18,9 @@ from minkref.fuzz.offsets.distance_check import holds
 from minkref.fuzz.offsets.join_check import holds as shows
 from minkref.fuzz.offsets.join_judgement import join_breaches
 from minkref.fuzz.offsets.join_pieces import is_plain
+from minkref.fuzz.offsets.manner import SHARP
 from minkref.fuzz.offsets.sandwich import Breach, Sandwich
+from minkref.fuzz.offsets.sharp_front import is_free
 from minkref.fuzz.plane.comparison import WitnessRefuted
 from minkref.fuzz.plane.judgement import DOUBT, REFEREE, too_large, without_answer
 from minkref.fuzz.targets.answer import Answer
@@ -66,6 +68,8 @@ def _unjudged(case: AskedOffset, answer: Answer) -> str | None:
     """Why an answer with joins and caps is not judged; None if it is."""
     if answer.curves is not None:
         return "curves have round joins and caps"
+    if case.manner.join == SHARP:
+        return None
     return None if is_plain(case) else "its joins depend on short sides or nearly straight corners"
 
 
@@ -98,7 +102,7 @@ class _Polygons:
 
     def _reason(self, region: Region, breach: Breach) -> Reason:
         if not self.case.manner.is_round:
-            return Reason.MISSING if breach.missing else Reason.EXTRA
+            return Reason.MISSING if breach.missing != self.case.inward else Reason.EXTRA
         components, holes = self.case.counts
         if breach.missing != self.case.inward:
             if region.holes > holes:
@@ -183,10 +187,15 @@ def _witness(
     )  # fmt: skip
     if not case.manner.is_round:
         witness = replace(witness, manner=str(case.manner))
-    sure = holds(case.P_json, witness) if case.manner.is_round else shows(case.literal, witness)
-    if not sure:
+    by_disc = case.manner.is_round or _by_disc(case, half)
+    if not (holds(case.P_json, witness) if by_disc else shows(case.literal, witness)):
         raise WitnessRefuted(f"the point ({x}, {y}) on {case.name.text}")
     return witness
+
+
+def _by_disc(case: AskedOffset, half: Fraction) -> bool:
+    """Whether parts with sharp corners meet: then the points that a disc sweeps are judged."""
+    return case.manner.join == SHARP and not is_free(case, half)
 
 
 def _refuted(

@@ -11,7 +11,8 @@ from minkref.errors import Refusal, choice
 from minkref.fuzz.geometry.number_text import number_of
 
 ROUND, MITRE, BEVEL, SQUARE, FLAT = "round", "mitre", "bevel", "square", "flat"
-JOINS, CAPS = (ROUND, MITRE, BEVEL, SQUARE), (ROUND, FLAT, SQUARE)
+SHARP = "sharp"  # a mitre without limit
+JOINS, CAPS = (ROUND, MITRE, BEVEL, SQUARE, SHARP), (ROUND, FLAT, SQUARE)
 MANNERS = tuple(
     f"{kind}-{word}" for kind, words in (("join", JOINS), ("cap", CAPS)) for word in words[1:]
 )  # capabilities
@@ -56,6 +57,8 @@ def read_manner(value: dict[str, Any], is_line: bool, where: str) -> Manner:
             raise Refusal(f"there is no such {name}", where, choice(str(word), words))
     if cap != ROUND and not is_line:
         raise Refusal("a set without lines has no caps", where, 'leave out "cap"')
+    if join == SHARP and is_line:
+        raise Refusal("lines have no sharp joins", where, 'write "join":"mitre","limit":"2"')
     if (limit is None) == (join == MITRE):
         mend = 'write "join":"mitre","limit":"2"'
         raise Refusal("a mitre has a limit, and no other join has one", where, mend)

@@ -23,6 +23,7 @@ offsets:SEED:INDEX        a set to grow by a disc (offsets-grid: on a grid; offs
 insets:SEED:INDEX         a set to erode by a disc (insets-grid: on a grid)
 line-offsets:SEED:INDEX   open lines to grow (line-offsets-grid: on a grid)
 joins:SEED:INDEX          sets and lines to grow with other joins and caps (joins-grid: on a grid)
+sharp-joins:SEED:INDEX    sets to grow or erode with sharp corners (sharp-joins-grid: on a grid)
 {"offset":{...},"radius":"7/5"}   such a set itself
 features:SEED:INDEX       concave features of a set, bridges at a radius (features-grid: on a grid)
 {"features":{...},"radius":"7/5"}   such a set itself

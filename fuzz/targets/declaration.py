@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref.fuzz.cases.grid import bits_of
-from minkref.fuzz.cases.verbs import FEATURES, OFFSET, PATH, RANGES, UNION
+from minkref.fuzz.cases.verbs import FEATURES, OFFSET, PATH, RANGES, SHARP_OFFSET, UNION
 from minkref.fuzz.geometry.number_text import number_of
 
 # For each capability, the trait of cases needing it.
@@ -39,6 +39,8 @@ CAPABILITIES = {
     "join-mitre": "an offset with mitred corners",
     "join-bevel": "an offset with bevelled corners",
     "join-square": "an offset with squared corners",
+    "join-sharp": "an offset with sharp corners, whether or not it has others",
+    "inset-sharp": "the same with a radius below 0",
     "cap-flat": "an offset of lines that end flat",
     "cap-square": "an offset of lines with squared ends",
     "features": "concave features of a set under a growing disc, in the plane",
@@ -54,7 +56,7 @@ MEMBERS = frozenset(
 OF_TOLERANCE = frozenset(("absolute", "relative", "radius"))
 OF_GRID = frozenset(("bits", "unit", "largest"))
 NO_SUMS = "none"  # `sum` of a target that is asked for no sums
-OTHER_VERBS = frozenset((UNION, OFFSET, FEATURES, PATH, RANGES))
+OTHER_VERBS = frozenset((UNION, OFFSET, SHARP_OFFSET, FEATURES, PATH, RANGES))
 FREE = "x-"  # members whose names begin so mean nothing to us
 
 

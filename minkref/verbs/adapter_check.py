@@ -136,6 +136,7 @@ WITH_MANNERS = {
         ("join-mitre", "a hook with mitred corners", HOOK, Manner("mitre", limit=Fraction(2))),
         ("join-bevel", "a hook with bevelled corners", HOOK, Manner("bevel")),
         ("join-square", "a hook with squared corners", HOOK, Manner("square")),
+        ("join-sharp", "a hook with sharp corners", HOOK, Manner("sharp")),
         ("cap-flat", "a line with flat ends", LINE, Manner(cap="flat")),
         ("cap-square", "a line with squared ends", LINE, Manner(cap="square")),
     )

@@ -15,6 +15,12 @@ LIBRARY = Library(
             "approximated",
             "minkref-cgal-offset",
         ),
+        Method(
+            "cgal-skeleton",
+            "CGAL, offsets along the straight skeleton: sharp corners",
+            "skeleton",
+            "minkref-cgal-skeleton",
+        ),
         Method("cgal-hull", "CGAL, convex_hull_3 of the sums of vertices (convex only)", "hull"),
     ),
     kind="cgal",
