@@ -1,4 +1,5 @@
-"""Judges witnesses in the plane by definition, in fractions: crossings of rays, and distances.
+"""Judges witnesses in the plane by definition, in fractions: crossings of rays, and distances. For
+a part on a path the point is its place, and in means that it collides there.
 
 Standard library only; written apart from every other judge. `judge.py FILE` takes findings.json, or
 a document of `minkref verify --json` with its shrunk findings. It prints a line for each witness,
@@ -90,6 +91,15 @@ def in_sum(case: dict[str, Any], x: Point, half: Fraction, curves: bool = False)
     return answers.pop() if len(answers) == 1 else None
 
 
+def collides(case: dict[str, Any], x: Point) -> bool | None:
+    """Whether the part at x meets the obstacles: whether -x lies in the sum with these turned."""
+    rings = [[p["outer"], *p.get("holes", [])] for p in case["obstacles"]["polygons"]]
+    turned = [[[[-Fraction(a), -Fraction(b)] for a, b in r] for r in each] for each in rings]
+    Q = {"polygons": [{"outer": each[0], "holes": each[1:]} for each in turned]}
+    pair = {"P": case["part"], "Q": Q, "scale": case["scales"][0]}
+    return in_sum(pair, (-x[0], -x[1]), Fraction(0))
+
+
 def truth(finding: dict[str, Any]) -> bool | None:
     """Whether the right answer contains the witness; None if the tolerance hides this."""
     case, witness = finding["case"], finding["witness"]
@@ -99,6 +109,8 @@ def truth(finding: dict[str, Any]) -> bool | None:
         return in_offset(case, x, half)
     if "sets" in case:
         return in_union(case, x, half)
+    if "part" in case:
+        return collides(case, x)
     return in_sum(case, x, half, witness.get("sum") == "boundary")
 
 

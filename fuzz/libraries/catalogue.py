@@ -24,7 +24,7 @@ HERE = Path(__file__).parent
 INSTALL_COMMAND = "minkref adapter install"
 RUN = HERE.parent / "adapters" / "run_program.py"  # beside modules that Python programs import
 OPENSCAD = "openscad"
-WITHOUT_WHEEL = ("pyclipr",)  # pip builds it, with sources that the build fetches
+ASKED_FOR = ("pyclipr", "coal")  # pip builds it, with sources that the build fetches; 450 MB
 
 
 def _libraries() -> dict[str, Library]:
@@ -76,8 +76,9 @@ def install(name: str, folder: Path | None = None) -> None:
 
 def in_everything(name: str) -> bool:
     """Whether `adapter install all` installs the adapter: toolchains such as Rust have to be asked
-    for, and so has a package without a wheel, or a language whose tools are missing."""
-    if adapter_named(name).home in WITHOUT_WHEEL:
+    for, and so has a package that is large or without a wheel, or a language whose tools are
+    missing."""
+    if adapter_named(name).home in ASKED_FOR:
         return False
     language = other_languages.LANGUAGES.get(adapter_named(name).kind)
     return language is None or not (language.asked or shutil.which(language.tool) is None)

@@ -53,6 +53,9 @@ def arguments(entry: Entry) -> list[str]:
         return [*given, _text(entry, case["offset"]), radius]
     if "sets" in case:
         return [*given, *(_text(entry, each) for each in case["sets"])]
+    if "part" in case:
+        scale = Fraction(case["scales"][0])
+        return [*given, _text(entry, case["part"], scale), _text(entry, case["obstacles"])]
     method = [entry.adapter.split("-")[1]] if entry.library == "CGAL" else []
     P = _text(entry, case["P"], Fraction(case["scale"]))
     return [*given, P, _text(entry, case["Q"]), *method]

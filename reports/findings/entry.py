@@ -18,9 +18,10 @@ LANGUAGES = {
 
 @dataclass(frozen=True)
 class Entry:
-    """`fault`: a class. `case`: operands, sets, or a set and a radius, as `minkref verify --case`
-    takes them. `answers`: the library's answer; `right`: the truth. `witness`: a point, its side in
-    truth, and a tolerance; None for a crash. `issue`: upstream's, if known. `adapter` names the
+    """`fault`: a class. `case`: operands, sets, a set and a radius, or a path, as `minkref
+    verify --case` takes them. `answers`: the library's answer; `right`: the truth. `witness`: a
+    point, its side in truth, and a tolerance (on a path the part's place, in where it collides);
+    None for a crash. `issue`: upstream's, if known. `adapter` names the
     target of `minkref verify`."""
 
     id: str

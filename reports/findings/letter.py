@@ -9,6 +9,7 @@ from minkref.reports.findings.running import Ran
 JUDGE = {
     "sum": "a point is in the sum of P and Q where P and the point less Q meet",
     "union": "a point is in the union where it is in one of the sets",
+    "path": "two sets meet where the sum of one and the turned other has the origin",
     "offset": "a point is in the offset where its distance from the set is at most the radius",
 }
 
@@ -24,10 +25,11 @@ def letter(entry: Entry, ran: Ran | None = None) -> str:
     if entry.witness is not None:
         point = ", ".join(entry.witness["point"])
         side = "in" if entry.witness["in_truth"] else "outside"
-        parts.append(
-            f"The point ({point}) is {side} the right answer, decided in exact arithmetic: "
-            f"{JUDGE[entry.verb]}."
-        )
+        said = f"The point ({point}) is {side} the right answer"
+        if entry.verb == "path":
+            meets = "meets" if entry.witness["in_truth"] else "does not meet"
+            said = f"The part at ({point}) {meets} the obstacles"
+        parts.append(f"{said}, decided in exact arithmetic: {JUDGE[entry.verb]}.")
         tolerance = entry.witness.get("tolerance", "0")
         if tolerance != "0":
             parts.append(f"So are all points nearer than {tolerance}, the tolerance that we allow.")

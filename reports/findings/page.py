@@ -57,6 +57,8 @@ def _section(entry: Entry) -> str:
     if entry.witness is not None:
         point = ", ".join(_short(number) for number in entry.witness["point"])
         side = "in" if entry.witness["in_truth"] else "outside"
+        if entry.verb == "path":
+            side = "the part's place"
         parts[-1] += f" Witness: ({point}), {side}."
     program = f"[program](../degeneracies/findings/programs/{entry.program})"
     issue = f"; upstream: <{entry.issue}>" if entry.issue else ""

@@ -19,12 +19,13 @@ CSS = (
 
 
 def case_picture(entry: Entry) -> str | None:
-    """An SVG document; None in space. A sum has no witness beside the operands."""
+    """An SVG document; None in space. Sums and paths have no witness beside
+    the operands."""
     if any("vertices" in each for each in _sets(entry.case)):
         return None
     sets = list(_sets(entry.case))
     layers = [Layer(STYLES[k % len(STYLES)], polygons=_drawn(each)) for k, each in enumerate(sets)]
-    if entry.witness is not None and "P" not in entry.case:
+    if entry.witness is not None and entry.verb not in ("sum", "path"):
         x, y = (float(Fraction(number)) for number in entry.witness["point"])
         layers.append(Layer("witness", point=(x, y)))
     text = picture(layers, entry.title, WIDTH)
@@ -34,7 +35,7 @@ def case_picture(entry: Entry) -> str | None:
 
 
 def _sets(case: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    for name in ("P", "Q", "offset"):
+    for name in ("P", "Q", "part", "obstacles", "offset"):
         if name in case:
             yield case[name]
     yield from case.get("sets", ())

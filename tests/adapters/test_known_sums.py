@@ -170,7 +170,8 @@ def test_known_unions(adapter: Any) -> None:
     """Without `load`, and one after the other."""
     hello = adapter.hello()
     if "union" not in hello["capabilities"]:
-        assert hello["sum"] != "none" or {"offset", "features"} & set(hello["capabilities"])
+        others = {"offset", "join-sharp", "features", "path"}
+        assert hello["sum"] != "none" or others & set(hello["capabilities"])
         assert adapter.ask("union", dimension=2, sets=[])["status"] == "skipped"
         return
     for name, (sets, needs, expected) in UNIONS.items():
@@ -206,6 +207,31 @@ def test_known_offsets(adapter: Any) -> None:
     answer = adapter.ask("offset", dimension=2, P=5, radius=said(1, hello))
     assert answer["status"] in ("errored", "skipped", "gave-up")
     assert adapter.stop() == 0
+
+
+def test_known_sharp_offsets(adapter: Any) -> None:
+    """A frame grows, and its hole becomes smaller, or the other way round."""
+    hello = adapter.hello()
+    for capability, radius, expected in (("join-sharp", 1, 120), ("inset-sharp", -1, 24)):
+        if capability in hello["capabilities"]:
+            words = {"P": said(FRAME, hello), "radius": said(radius, hello), "join": "sharp"}
+            answer = adapter.ask("offset", dimension=2, **words)
+            assert answer["status"] == "result", answer
+            assert abs(area(answer) - expected) < Fraction(1, 10**6)
+
+
+def test_known_paths(adapter: Any) -> None:
+    """A unit square between two blocks two apart passes until it is twice as large."""
+    hello = adapter.hello()
+    if "path" not in hello["capabilities"] or not catalogue.is_named(hello["name"]):
+        return
+    blocks = plane([box(-5, 0, 4)], [box(1, 0, 4)])
+    square = plane([[[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]])  # type: ignore[list-item]
+    words = {"dimension": 2, "P": said(square, hello), "Q": said(blocks, hello)}
+    assert adapter.ask("load", **words)["status"] == "result"
+    path, scales = said([[0, -3], [0, 2], [0, 7]], hello), ["1/2", "1", "7/4", "9/4"]
+    answer = adapter.ask("path", path=path, contact="allowed", scales=scales)
+    assert answer["valid"] == [True, True, True, False]
 
 
 def test_known_features(adapter: Any) -> None:
