@@ -16,8 +16,8 @@ from minkref.motion.clear_fits import ClearTrap, KeptDistance
 from minkref.motion.clear_rooms import Container
 from minkref.motion.commands.clear import clear_range, clear_range_text
 from minkref.motion.commands.clear_picture import clear_picture
-from minkref.motion.commands.fit import FORMATS, written_rows
-from minkref.motion.commands.path_answer import finish
+from minkref.motion.commands.fit import written_rows
+from minkref.motion.commands.path_answer import FORMATS, finish
 from minkref.motion.commands.path_rows import BY_TRANSLATION, number_text, point_text
 from minkref.motion.scale_bracket import TOLERANCE, ScaleBracket
 from minkref.motion.scale_ranges import CONTACTS
