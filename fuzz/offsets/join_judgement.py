@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 
+import minkref
 from minkref import _core
 from minkref.fuzz.geometry.plane import Shape
 from minkref.fuzz.offsets.asked_offset import AskedOffset
@@ -22,14 +23,20 @@ DEEP = Fraction(3, 2)  # tolerances: a square around the point lies inside, not 
 ROUNDED = Fraction(1, 1 << 30)  # of the radius: more than normals lose
 
 
-def join_breaches(case: AskedOffset, half: Fraction, result: Shape) -> list[Breach]:
+def join_breaches(case: AskedOffset, half: Fraction, answer: _core.PolygonSet) -> list[Breach]:
     """A point too much and a missing point (`missing`), if any. To erode, what the answer leaves
     out is meant."""
+    result = shape_of(answer)
     little = abs(case.radius) * ROUNDED
     if case.manner.join == SHARP:
         return _sharp_breaches(case, half, little, result)
     too_much = _beyond(_union(case, case.radius + half, False), half + little, result)
-    lack = _lacking(_union(case, case.radius, True), DEEP * half + little, result)
+    due, deep = _union(case, case.radius, True), DEEP * half + little
+    lack = _lacking(due, deep, result)
+    if lack is not None and half:
+        # A hole that only the last of the radius closes may stay.
+        lately = minkref.subtract(due, [_union(case, case.radius - half, True)])
+        lack = _lacking(due, deep, shape_of(minkref.unite([answer, lately])))
     return [one for one in (too_much, lack) if one is not None]
 
 

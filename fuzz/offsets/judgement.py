@@ -91,7 +91,7 @@ class _Polygons:
             low, high = abs(case.radius) - half, abs(case.radius) + half
             breaches = Sandwich(near, low, high, result, case.inward).breaches(case.beyond(high))
         else:
-            breaches = join_breaches(case, half, result)
+            breaches = join_breaches(case, half, region.set)
         if breaches:
             reasons = tuple(dict.fromkeys(self._reason(region, each) for each in breaches))
             witness = witness_of(case, breaches[0], half)

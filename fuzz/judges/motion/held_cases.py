@@ -95,7 +95,7 @@ def _door(dice: random.Random, _: int) -> Drawn:
 def _bent_door(dice: random.Random, _: int) -> Drawn:
     low, high = sorted(dice.sample(range(2, 11), 2))
     bend = dice.choice((-1, 1))
-    if high - low == 1:
+    if high - low < 3:  # a door that narrows to nothing is none
         bend = 1
     return _part(dice), _room(dice, low, high, bend), _through(dice, low, high)
 

@@ -125,7 +125,7 @@ class PlainOffset:
 
     def square_end(self, v: Point, n: Point, r: float) -> Ring:
         left, right, d = go(v, n, -r), go(v, n, r), (-n[1], n[0])
-        return ccw([left, right, go(right, d, r), go(left, d, r)])
+        return ccw([left, v, right, go(right, d, r), go(left, d, r)])  # v: no slit beside the sides
 
 
 def rings_of(P: dict[str, Any]) -> list[list[Ring]]:

@@ -7,11 +7,16 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from asked_offsets import is_proven, outcomes
+from asked_offsets import case, is_proven, outcomes, request
+from minkref.fuzz.offsets.asked_offset import AskedOffset
 from minkref.fuzz.offsets.join_check import holds as shows
-from minkref.fuzz.verdicts.verdict import GOOD, Verdict
+from minkref.fuzz.offsets.judgement import judge_offset
+from minkref.fuzz.targets.declaration import read_declaration
+from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
 from offset_faults import FAULTS
+from plain_offset import PlainOffset, Point, Ring, ccw, go
 from right_offsets import RIGHT
+from seeded_offset import answer
 from thoroughness import THOROUGH, draws
 
 SEED = 7
@@ -45,6 +50,36 @@ def test_a_right_one_is_never_accused(name: str) -> None:
     assert {one.verdict for one in said} <= {*GOOD, Verdict.SKIPPED}, said
     judged = sum(one.verdict in GOOD for one in said)
     assert judged * 2 > len(said)
+
+
+# A triangle's hole that its inradius closes, with squared corners; lines with square ends.
+CLOSED = "joins-grid:11:20"
+ENDS = ("joins-grid:11:199", "joins-grid:11:189", "joins-grid:11:77")
+
+
+def outcome(target: PlainOffset, asked: AskedOffset) -> Outcome:
+    declared = read_declaration(answer(target, "t", {"verb": "hello"}), "t")
+    value = answer(target, "t", request(asked, declared))
+    return judge_offset(asked, "t", asked.exchange.received(value, declared, 0.0))[0]
+
+
+class Slit(PlainOffset):
+    """Square ends without the line's end: doubles leave a slit."""
+
+    def square_end(self, v: Point, n: Point, r: float) -> Ring:
+        left, right, d = go(v, n, -r), go(v, n, r), (-n[1], n[0])
+        return ccw([left, right, go(right, d, r), go(left, d, r)])
+
+
+def test_a_hole_that_the_last_of_the_radius_closes_may_stay() -> None:
+    """An answer is right if it is so for a radius within the tolerance."""
+    assert outcome(RIGHT["rounded"](), case(CLOSED)).verdict in GOOD
+
+
+@pytest.mark.parametrize("name", ENDS)
+def test_a_slit_is_missing_however_thin(name: str) -> None:
+    assert outcome(PlainOffset(), case(name)).verdict in GOOD
+    assert outcome(Slit(), case(name)).verdict is Verdict.WRONG
 
 
 def test_a_witness_with_joins_that_says_too_much_is_refused() -> None:
