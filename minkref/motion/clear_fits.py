@@ -4,7 +4,7 @@ values."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from minkref import _core
@@ -20,7 +20,7 @@ from minkref.motion.clear_rooms import (
     shrinks_strictly,
 )
 from minkref.motion.clear_values import ClearScales, clear_scales_of
-from minkref.motion.scale_bracket import BracketSearch, ScaleBracket
+from minkref.motion.scale_bracket import BracketSearch, ScaleBracket, Told
 from minkref.motion.scale_ranges import CONTACTS, Number, coordinates, window_of, word_of
 
 BILLIONTH = "1/1000000000"
@@ -55,17 +55,20 @@ class ClearTrap:
 @dataclass(frozen=True)
 class KeptDistance:
     """The distance to keep; `allowed`: the distance itself is enough; how narrow a bracket has to
-    be, relative to its scales; threads to use."""
+    be, relative to its scales; threads to use; what hears each bracket on the way."""
 
     clearance: Fraction
     allowed: bool
     tolerance: Fraction
     threads: int = 1
+    told: Told | None = None
 
     def bracket(
         self, asked: Container | WayOut, strict: bool, low: Fraction, high: Fraction
     ) -> ScaleBracket:
-        search = BracketSearch(asked.room, self.clearance, self.allowed, strict, self.tolerance)
+        search = BracketSearch(
+            asked.room, self.clearance, self.allowed, strict, self.tolerance, self.told
+        )
         return search.between(low, high)
 
     def fits(self, asked: Container, name: str) -> ScaleBracket:
@@ -77,7 +80,13 @@ class KeptDistance:
         most = asked.most
         if most <= 0:
             return ScaleBracket(Fraction(0), Fraction(0), True, False, "meets", None, 0)
-        return self.bracket(asked, shrinks_strictly(asked.part, given), Fraction(0), most)
+        found = self.bracket(asked, shrinks_strictly(asked.part, given), Fraction(0), most)
+        # Beyond the box that has room, the part keeps less.
+        return (
+            found
+            if found.fails_from is not None
+            else replace(found, fails_from=most, is_exact=True)
+        )
 
     def trap(
         self,

@@ -7,7 +7,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
+from minkref.exact import approximate
+
 TOLERANCE = Fraction(1, 10**9)
+Told = Callable[[Fraction, Fraction], None]
 
 
 @dataclass(frozen=True)
@@ -60,6 +63,7 @@ class BracketSearch:
     allowed: bool
     strict: bool
     tolerance: Fraction = TOLERANCE
+    told: Told | None = None  # hears each bracket on the way
 
     def holds(self, room: Room) -> bool:
         return room.order > 0 or (room.order == 0 and self.allowed)
@@ -94,6 +98,8 @@ class BracketSearch:
             if self.holds(room):
                 best = room
             probe.learn(scale, room.near, self.holds(room))
+            if self.told is not None:
+                self.told(probe.low, probe.high)
         return ScaleBracket(
             probe.low, probe.high, False, self.allowed, best.cause, best.place, decisions
         )
@@ -112,7 +118,7 @@ class _Probe:
     behind a secant's root, in turn, so that both ends come near to the end sought."""
 
     def __init__(self, search: BracketSearch, low: Fraction, high: Fraction) -> None:
-        self.tolerance, self.clearance = search.tolerance, float(search.clearance)
+        self.tolerance, self.clearance = search.tolerance, approximate(str(search.clearance))
         self.low, self.high = low, high
         self.at_low = self.at_high = 0.0  # distances
         self.before: tuple[Fraction, float] | None = None  # a scale below the lower end
@@ -157,13 +163,13 @@ class _Probe:
         """Estimate the end sought by a line through two distances: those at the ends, or two below
         where nothing is left at the upper end."""
         line = (self.high, self.at_high) if self.at_high > 0 else self.before
-        if line is None or line[0] == self.low:
+        if line is None or line[0] == self.low or self.at_low < self.clearance:
             return None
-        rise = (line[1] - self.at_low) / float(line[0] - self.low)
-        if not (math.isfinite(rise) and rise < 0 and self.at_low >= self.clearance):
+        share = (self.at_low - self.clearance) / (self.at_low - line[1] or math.nan)
+        if not math.isfinite(share):
             return None
-        root = self.low + Fraction((self.clearance - self.at_low) / rise)
-        return root if root < self.high else None
+        root = self.low + Fraction(share) * (line[0] - self.low)
+        return root if self.low <= root < self.high else None
 
 
 def simplest(low: Fraction, high: Fraction) -> Fraction:

@@ -82,7 +82,7 @@ def test_a_segment_along_a_corridor_keeps_the_same_distance_at_all_scales() -> N
     rod = minkref.read_text("LINESTRING (-1 0, 1 0)", "wkt")
     corridor = minkref.PolygonSet([(0, 0), (20, 0), (20, 2), (0, 2)])
     found = minkref.clear_fits(rod, corridor, 1)
-    assert found.holds_to == 9 and found.fails_from is None
+    assert found.is_exact and found.end_in and found.holds_to == found.fails_from == 9
     assert minkref.clear_fits(rod, corridor, 1, contact="forbidden").is_empty
 
 

@@ -100,8 +100,8 @@ def _star(dice: random.Random) -> PolygonSet:
         for k in chosen:
             far = Fraction(dice.randint(1, 4), 2)
             corners.append((str(far * DIRECTIONS[k][0]), str(far * DIRECTIONS[k][1])))
-        part = PolygonSet([[corners]])
         try:
+            part = PolygonSet([[corners]])
             part.validate("a drawn part")
         except minkref.BadInput:
             continue

@@ -3,6 +3,9 @@ at which it fits, or gets away."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -10,12 +13,14 @@ from typing import Any
 from minkref.certain_digits import enclosing
 from minkref.cli.memory import SMALLER, memory_wall
 from minkref.cli.output import print_lines
+from minkref.cli.progress import progress
 from minkref.errors import refusing
 from minkref.exact import text_of_bounds
 from minkref.motion.clear_fits import ClearTrap, KeptDistance
 from minkref.motion.clear_rooms import Container
 from minkref.motion.commands.clear import clear_range, clear_range_text
 from minkref.motion.commands.clear_picture import clear_picture
+from minkref.motion.commands.disc_rows import rounded_place
 from minkref.motion.commands.fit import written_rows
 from minkref.motion.commands.path_answer import FORMATS, finish
 from minkref.motion.commands.path_rows import BY_TRANSLATION, number_text, point_text
@@ -45,11 +50,10 @@ def run_fit(request: FitInPlane, question: str, places: list[tuple[str, str]]) -
     first, second = read_operand(request.part), read_operand(request.container)
     if request.output is not None:
         refuse_overwriting(request.output, [first.file, second.file])
-    kept = kept_distance(request)
     names = f"{request.part} and {request.container}"
     given = None if question == "anywhere" else (places[0], places[1])
-    asked = Container(first.set, second.set, second.name, given, kept.clearance, kept.threads)
-    with memory_wall(request.memory, "the fit", names, SMALLER):
+    with _bracketing(request, "the fit", names) as kept:
+        asked = Container(first.set, second.set, second.name, given, kept.clearance, kept.threads)
         found = refusing(second.name, lambda: kept.fits(asked, first.name))
         witness = refusing(second.name, lambda: _witness(asked, found, kept.allowed))
     value = document(
@@ -85,10 +89,7 @@ def run_trap(request: Trap) -> None:
     if request.output is not None:
         refuse_overwriting(request.output, [first.file, second.file])
     window = (request.from_scale, request.to_scale)
-    kept = kept_distance(request)
-    with memory_wall(
-        request.memory, "the trap", f"{request.part} and {request.obstacles}", SMALLER
-    ):
+    with _bracketing(request, "the trap", f"{request.part} and {request.obstacles}") as kept:
         found = refusing(
             second.name, lambda: kept.trap(first.set, second.set, request.at, window, first.name)
         )
@@ -121,11 +122,25 @@ def run_trap(request: Trap) -> None:
     finish(value, target, request.json, drawn, printed=shown)
 
 
-def kept_distance(request: FitInPlane | Trap) -> KeptDistance:
+@contextmanager
+def _bracketing(request: FitInPlane | Trap, work: str, names: str) -> Iterator[KeptDistance]:
+    """Makes the distance to keep; within it memory is limited, and the certain digits are shown."""
     assert request.clearance is not None
-    return KeptDistance(
-        request.clearance, request.contact == CONTACTS[0], request.tolerance or TOLERANCE, cores()
-    )
+    tolerance = request.tolerance or TOLERANCE
+    total = max(1, _digits(tolerance))
+    with memory_wall(request.memory, work, names, SMALLER), progress(total) as steps:
+        steps.now("certain digits")
+        shown = 0
+
+        def told(low: Fraction, high: Fraction) -> None:
+            nonlocal shown
+            digits = min(total, _digits((high - low) / high))
+            steps.now(f"certain digits of about {number_text(str(high))}")
+            steps.done(max(0, digits - shown))
+            shown = max(shown, digits)
+
+        allowed = request.contact == CONTACTS[0]
+        yield KeptDistance(request.clearance, allowed, tolerance, cores(), told)
 
 
 def bracket_document(found: ScaleBracket) -> Row:
@@ -149,9 +164,7 @@ def bracket_text(bracket: Row) -> str:
         return "at no scale" if holds == "0" else f"(0, {holds}{close}"
     if holds == "0":
         return f"at no scale from {number_text(fails)} on"
-    digits = 2
-    while digits < 40 and Fraction(10) ** (1 - digits) > _relative_width(holds, fails):
-        digits += 1
+    digits = _digits(1 - Fraction(holds) / Fraction(fails)) + 2
     return f"(0, s{close}, s {enclosing(holds, fails, digits)}, both decided exactly"
 
 
@@ -168,8 +181,9 @@ def trapped_text(value: Row) -> str:
     return clear_range_text({**last, "from": {"exact": first}, "from_in": is_in})
 
 
-def _relative_width(low: str, high: str) -> Fraction:
-    return (Fraction(high) - Fraction(low)) / Fraction(high)
+def _digits(share: Fraction) -> int:
+    """Count the digits that a number has before a share of it matters."""
+    return len(str(share.denominator // share.numerator)) - 1
 
 
 def _shared(request: FitInPlane | Trap, found: ScaleBracket | None) -> Row:
@@ -180,7 +194,7 @@ def _shared(request: FitInPlane | Trap, found: ScaleBracket | None) -> Row:
         "motion": BY_TRANSLATION,
         "bracket": None if found is None else bracket_document(found),
         "cause": None if found is None else found.cause,
-        "near": None if found is None or found.place is None else list(found.place),
+        "near": None if found is None or found.place is None else rounded_place(found.place),
     }
 
 
@@ -203,7 +217,7 @@ def _witness(asked: Container, found: ScaleBracket, allowed: bool) -> Row | None
     if asked.places is not None:
         one = scale if found.end_in or not found.is_exact else less
         return {"scale": str(one), "place": list(asked.places[0])}
-    if found.place is None:
+    if found.place is None or not all(map(math.isfinite, found.place)):
         return None
     x, y = map(Fraction, found.place)
     for one in (scale, less):
@@ -214,7 +228,8 @@ def _witness(asked: Container, found: ScaleBracket, allowed: bool) -> Row | None
 
 def _limit_rows(value: Row) -> list[tuple[str, str]]:
     near = value["near"]
-    where = "" if near is None else f", near ({near[0]:.9g}, {near[1]:.9g})"
+    is_told = near is not None and None not in near
+    where = f", near ({near[0]:.9g}, {near[1]:.9g})" if is_told else ""
     return [("limit", CAUSES[value["cause"]] + where)]
 
 
@@ -223,7 +238,7 @@ def _print(value: Row, among: str, rows: list[tuple[str, str]]) -> None:
     print_lines(
         [
             ("part", f"{value['part']} in {among}, contact {value['contact']}"),
-            ("clearance", value["clearance"]),
+            ("clearance", number_text(value["clearance"])),
             *rows,
             ("motion", value["motion"]),
             ("decided", f"exactly at {decisions} scales"),

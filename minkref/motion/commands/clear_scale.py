@@ -10,7 +10,7 @@ from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import print_lines
 from minkref.errors import Refusal, refusing
 from minkref.motion.clear_rooms import Container, WayOut
-from minkref.motion.commands.disc_rows import distance_text, radii_range
+from minkref.motion.commands.disc_rows import distance_text, radii_range, rounded_place
 from minkref.motion.commands.path_answer import finish
 from minkref.motion.commands.path_rows import BY_TRANSLATION, point_text
 from minkref.motion.disc_radii import DiscRadii, RadiusQuestion, anywhere, between, trapped
@@ -107,7 +107,7 @@ def _give(
         holds=bool(found.holds),
         distances=None if found.is_empty else radii_range(found),
         cause=found.cause,
-        near=[list(event.place) for event in found.events],
+        near=[rounded_place(event.place) for event in found.events],
         warnings=first.warnings + second.warnings,
     )
     word, where = told

@@ -109,12 +109,17 @@ def _touches(contact: DiscContact) -> Row:
 def _event(event: OffsetEvent) -> Row:
     return {
         "kind": event.kind,
-        "place": [c if math.isfinite(c) else None for c in event.place],
+        "place": rounded_place(event.place),
         "features": [
             {"vertex": [first, second]} if kind == "vertex" else {"edge": [int(first), int(second)]}
             for kind, first, second in event.features
         ],
     }
+
+
+def rounded_place(place: tuple[float, float]) -> list[float | None]:
+    """Write a place in doubles; None for a coordinate beyond them."""
+    return [c if math.isfinite(c) else None for c in place]
 
 
 def _texts(place: tuple[Fraction, Fraction]) -> list[str]:

@@ -13,6 +13,7 @@ from typing import Any
 import minkref
 from minkref import _core
 from minkref.fuzz.judges.disc.offset_cgal import OffsetJudge
+from minkref.fuzz.judges.motion.clear_brackets import bracket_case, bracket_faults
 from minkref.fuzz.judges.motion.disc_comparison import clearance_faults, disc_faults, fit_faults
 from minkref.fuzz.judges.motion.disc_draws import disc_case, rings_of
 from minkref.fuzz.motion.path_cases import path_case
@@ -27,6 +28,7 @@ SEED = 3180
 CASES = Counts(12, 60, 500)
 CLEARANCES = Counts(6, 30, 200)
 FITS = Counts(2, 20, 200)
+BRACKETS = Counts(4, 20, 200)
 MODEL = "glyph1204"
 RUNS = 5  # the shortest counts
 HALVINGS = Counts(1, 4, 20)  # of a bracket as wide as the radius; 20 lead to a millionth of it
@@ -39,7 +41,9 @@ def run(findings: Findings, size: Size) -> None:
     cases, clearances = size.of(CASES), size.of(CLEARANCES)
     tally: Counter[str] = Counter()
     faults: list[str] = []
-    counts = {"disc": cases, "clear": clearances, "fit": size.of(FITS)}
+    counts = {
+        "disc": cases, "clear": clearances, "fit": size.of(FITS), "bracket": size.of(BRACKETS),
+    }  # fmt: skip
     tasks = [(kind, index) for kind, count in counts.items() for index in range(count)]
     for found in in_processes(judge, tasks, 50, "discs and clearances"):
         tally.update(found["tally"])
@@ -63,7 +67,9 @@ def _told(tally: Counter[str]) -> str:
         f"{tally['traps, apart']:,} closed): squared radii exact; {tally['clearances']:,} paths "
         f"of parts with a clearance, {tally['ends']:,} ends ({tally['ends with a root']:,} with "
         f"roots), {tally['scales']:,} scales decided at and beside them; {tally['fits']:,} fits "
-        f"with a clearance, {tally['scales of fits']:,} scales"
+        f"with a clearance, {tally['scales of fits']:,} scales; {tally['brackets']:,} rooms for "
+        f"parts with a clearance, {tally['grids']:,} brackets on a grid, {tally['exact ends']:,} "
+        f"with an exact end, {tally['traps']:,} traps"
     )
 
 
@@ -75,6 +81,8 @@ def judge(task: tuple[str, int]) -> dict[str, Any]:
         found = disc_faults(disc_case(SEED, index), tally)
     elif kind == "clear":
         found = clearance_faults(path_case(SEED, index), tally, index)
+    elif kind == "bracket":
+        found = bracket_faults(bracket_case(SEED, index), tally)
     else:
         found = fit_faults(disc_case(SEED, index), tally, index)
     return {"faults": list(found), "tally": tally}
