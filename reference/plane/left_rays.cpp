@@ -1,15 +1,12 @@
 #include "reference/plane/left_rays.hpp"
 
-#include <algorithm>
-#include <limits>
-
 #include "reference/interrupt.hpp"
 
 namespace minkref::inline plane {
 namespace {
 
-/// Rounding is monotone: points that agree have boxes that overlap. Turned left to right.
-Box mirrored(const FilteredPoint& point) { return {-point.x(), point.y(), -point.x(), point.y()}; }
+/// Rounding is monotone: points that agree have boxes that overlap.
+Box point_box(const FilteredPoint& point) { return {point.x(), point.y(), point.x(), point.y()}; }
 
 }  // namespace
 
@@ -50,34 +47,31 @@ void LeftRays::grow_tree() {
   std::vector<Box> boxes;
   boxes.reserve(edges_.size());
   for (const Edge& edge : edges_) {
-    boxes.push_back(mirrored(*edge.from));
-    boxes.back().add(mirrored(*edge.to));
+    boxes.push_back(point_box(*edge.from));
+    boxes.back().add(point_box(*edge.to));
   }
-  tree_ = BoxTree(std::move(boxes));
+  tree_ = RayTree(std::move(boxes));
 }
 
 LeftRays::Hit LeftRays::first(const FilteredPoint& point,
                               const std::function<bool(std::uint32_t)>& counts) {
   Hit hit;
-  Box ray = mirrored(point);
-  ray.xmax = std::numeric_limits<double>::infinity();
-  const auto look_at = [&](std::uint32_t e) {
+  const auto passes = [&](std::uint32_t e) {
     look_for_interrupt();
     if (!counts(e)) return false;
     hit.touches = hit.touches || touches(e, point);
-    if (!passes_left_of(e, point)) return false;
-    if (hit.edge != no_entry && !is_right_of(e, hit.edge)) return false;
-    hit.edge = e;
-    // A nearer edge reaches farther to the right than this one's leftmost point.
-    ray.xmax = std::max(-edges_[e].from->x(), -edges_[e].to->x());
-    return false;
+    return passes_left_of(e, point);
   };
   if (++asked_ < rays_before_a_tree) {
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) look_at(e);
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (passes(e) && (hit.edge == no_entry || is_right_of(e, hit.edge))) hit.edge = e;
+    }
     return hit;
   }
   if (tree_.size() == 0) grow_tree();
-  tree_.query(ray, look_at);
+  hit.edge = tree_.first(point_box(point), passes, [&](std::uint32_t e, std::uint32_t other) {
+    return is_right_of(e, other);
+  });
   return hit;
 }
 

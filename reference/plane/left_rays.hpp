@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/no_entry.hpp"
-#include "reference/plane/arrangement/box_tree.hpp"
+#include "reference/plane/arrangement/ray_tree.hpp"
 #include "reference/plane/point_predicates.hpp"
 
 namespace minkref::inline plane {
@@ -42,7 +42,7 @@ class LeftRays {
   static constexpr unsigned rays_before_a_tree = 17;  ///< fewer cost less than the tree
   std::vector<Edge> edges_;
   unsigned asked_ = 0;
-  BoxTree tree_;  ///< of the edges' boxes, mirrored: what lies near on the left comes first
+  RayTree tree_;
 };
 
 }  // namespace minkref::inline plane

@@ -38,6 +38,13 @@ PolygonSet frames(int count) {
   return set;
 }
 
+/// Squares beside each other.
+PolygonSet row(int count) {
+  PolygonSet set;
+  for (int k = 0; k < count; ++k) set.polygons.push_back({rectangle(40 * k, 0, 40 * k + 9, 9), {}});
+  return set;
+}
+
 /// A comb, whose edges fall into few directions.
 PolygonSet comb(int teeth) {
   Ring ring{{-20, -100}, {20 * teeth, -100}, {20 * teeth, 0}};
@@ -69,6 +76,12 @@ TEST(Growth, CanonicalFormsFindThePlaceOfEachHoleByATree) {
 
 TEST(Growth, SumsAskWhetherAPointIsHeldByATree) {
   const PolygonSet small = plate(16), large = plate(32);
+  const auto sum = [](const PolygonSet& P) { (void)minkowski_sum(P, octagon, 1); };
+  expect_growth([&] { sum(small); }, [&] { sum(large); });
+}
+
+TEST(Growth, ComponentsOfAnArrangementFindTheirFaceByATree) {
+  const PolygonSet small = row(400), large = row(1600);
   const auto sum = [](const PolygonSet& P) { (void)minkowski_sum(P, octagon, 1); };
   expect_growth([&] { sum(small); }, [&] { sum(large); });
 }

@@ -113,6 +113,12 @@ class Arrangement {
   void subdivide(const Meet& meet);
   void link();
   void find_faces();
+  /// Gives the half-edges of a boundary cycle their face.
+  void mark_cycle(std::uint32_t first, std::uint32_t face);
+  /// Puts each component into the face on the right of the nearest edge to its left. `least`: the
+  /// components' least nodes, from left to right.
+  void place_components(const std::vector<std::uint32_t>& component,
+                        const std::vector<std::uint32_t>& least);
   std::uint32_t find(std::uint32_t point) {
     while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
     return point;

@@ -3,6 +3,7 @@
 
 #include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
+#include "reference/plane/arrangement/ray_tree.hpp"
 
 namespace minkref::inline plane {
 
@@ -65,23 +66,31 @@ void Arrangement<K>::find_faces() {
   }
   face_.assign(origin_.size(), none);
   face_cycles_.emplace_back();  // the unbounded face
-  const auto mark = [&](std::uint32_t first, std::uint32_t face) {
-    face_cycles_[face].push_back(first);
-    std::uint32_t h = first;
-    do {
-      face_[h] = face;
-      h = next_[h];
-    } while (h != first);
-  };
   for (std::uint32_t h = 0; h < origin_.size(); ++h) {
     look_for_interrupt();
     if (outside[h] || face_[h] != none) continue;
     face_cycles_.emplace_back();
-    mark(h, static_cast<std::uint32_t>(face_cycles_.size() - 1));
+    mark_cycle(h, static_cast<std::uint32_t>(face_cycles_.size() - 1));
   }
 
-  // From left to right: a component lies in the face on the right of the nearest edge to its left.
+  // From left to right: each cycle to the left of a component's has its face already.
   std::stable_sort(least.begin(), least.end(), before);
+  place_components(component, least);
+}
+
+template <class K>
+void Arrangement<K>::mark_cycle(std::uint32_t first, std::uint32_t face) {
+  face_cycles_[face].push_back(first);
+  std::uint32_t h = first;
+  do {
+    face_[h] = face;
+    h = next_[h];
+  } while (h != first);
+}
+
+template <class K>
+void Arrangement<K>::place_components(const std::vector<std::uint32_t>& component,
+                                      const std::vector<std::uint32_t>& least) {
   std::vector<std::uint32_t> upward;
   std::vector<Box> boxes;
   if (least.size() > 1) {
@@ -94,26 +103,20 @@ void Arrangement<K>::find_faces() {
       boxes.back().add(kernel_.box(nodes_[target(h)]));
     }
   }
-  const BoxTree tree(boxes);
+  const RayTree rays(std::move(boxes));
   for (const std::uint32_t n : least) {
-    std::uint32_t nearest = none;
-    double reach =
-        -std::numeric_limits<double>::infinity();  // edges ending further left cannot be nearer
-    Box ray = kernel_.box(nodes_[n]);
-    ray.xmin = reach;
-    tree.query(ray, [&](std::uint32_t i) {
-      const std::uint32_t h = upward[i];
-      if (boxes[i].xmax < reach || component[origin_[h]] == component[n] || !left_of(h, n)) {
-        return false;
-      }
-      if (nearest == none || is_right_of(h, nearest)) {
-        nearest = h;
-        reach = boxes[i].xmin;
-      }
-      return false;
-    });
-    const std::uint32_t face = nearest == none ? 0 : face_[nearest ^ 1U];
-    mark(*(leaving_end(n) - 1), face == none ? 0 : face);
+    const std::uint32_t nearest = rays.first(
+        kernel_.box(nodes_[n]),
+        [&](std::uint32_t e) {
+          look_for_interrupt();
+          const std::uint32_t h = upward[e];
+          return component[origin_[h]] != component[n] && left_of(h, n);
+        },
+        [&](std::uint32_t e, std::uint32_t other) {
+          return is_right_of(upward[e], upward[other]);
+        });
+    const std::uint32_t face = nearest == no_entry ? 0 : face_[upward[nearest] ^ 1U];
+    mark_cycle(*(leaving_end(n) - 1), face == none ? 0 : face);
   }
 }
 
