@@ -5,7 +5,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
-#include "reference/near/near_pairs.hpp"
+#include "reference/near/edge_tree.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/number/message_number.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
@@ -161,7 +161,7 @@ class Validator {
   }
 
   /// As check_contacts, for edges whose boxes overlap far more often than the edges meet, as in a
-  /// star. Leaves out only pairs that lie apart except for a shared end.
+  /// star. Leaves out only pairs that lie apart.
   void check_near_contacts(const std::vector<Edge>& edges) const {
     std::vector<std::uint32_t> first_point;
     std::vector<NearPoint> points;
@@ -176,15 +176,14 @@ class Validator {
         points.push_back({{x.lower, y.lower, 0}, std::max(x.upper - x.lower, y.upper - y.lower)});
       }
     }
-    std::vector<NearItem> items;
-    for (std::uint32_t i = 0; i < edges.size(); ++i) {
-      const std::uint32_t first = first_point[edges[i].ring];
-      const auto from = static_cast<std::uint32_t>(first + edges[i].index),
-                 to = static_cast<std::uint32_t>(first + following(edges[i]));
-      items.push_back({{from, to, to}, i});
+    std::vector<EdgeTree::Edge> ends;
+    for (const Edge& edge : edges) {
+      const std::uint32_t first = first_point[edge.ring];
+      ends.push_back({static_cast<std::uint32_t>(first + edge.index),
+                      static_cast<std::uint32_t>(first + following(edge))});
     }
     std::optional<std::pair<std::uint32_t, std::uint32_t>> least;
-    NearPairs(std::move(points), std::move(items)).pairs([&](std::uint32_t i, std::uint32_t j) {
+    EdgeTree(std::move(points), ends).pairs([&](std::uint32_t i, std::uint32_t j) {
       if (least && *least < std::pair(i, j)) return;
       if (refusal(edges[i], edges[j])) least = {i, j};
     });

@@ -1,8 +1,12 @@
 // Work grows nearly as its input where the answer does: turns of loops are counted, no time.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "reference/disc/diagram/diagram_events.hpp"
+#include "reference/disc/distance/static_offset.hpp"
 #include "tests/counted_turns.hpp"
+#include "tests/spiked_star.hpp"
 
 namespace minkref::testing::of_disc_growth {
 namespace {
@@ -24,6 +28,14 @@ TEST(Growth, PatchesOfTheHullAskForNothing) {
   };
   // Boxes of steep edges poke through the lines of some neighbours.
   expect_growth([&] { find(small); }, [&] { find(large); }, 1.7);
+}
+
+TEST(Growth, OffsetsCompareEachCurveWithTheEdgesNearIt) {
+  const auto pairs = [](int vertices) {
+    return static_cast<double>(static_offset(spiked_star(vertices), 25).counts.pairs);
+  };
+  const double before = pairs(200), after = pairs(800);
+  EXPECT_LT(after, std::pow(4, 1.25) * before) << before << " pairs before";
 }
 
 }  // namespace

@@ -8,18 +8,29 @@ namespace minkref::inline disc {
 namespace {
 
 constexpr int most_halvings = 4;
+// Of the radius: no point of a quarter circle is farther from its chord.
+constexpr double sagitta = 0.3;
 // Error of a squared distance over the square of the largest coordinate: some hundred roundings.
 constexpr double slack = 0x1p-44;
+
+NearPoint enclosed(const Vector<Interval>& p) {
+  const plane::Box box = box_of(p);
+  return {{box.xmin, box.ymin, 0},
+          plane::above(std::max(box.xmax - box.xmin, box.ymax - box.ymin))};
+}
 
 }  // namespace
 
 NearEdges::NearEdges(const PatchesAt& at) : at_(at), radius_(at.radius().upper()) {
-  std::vector<plane::Box> boxes;
+  std::vector<NearPoint> ends;
+  std::vector<EdgeTree::Edge> edges;
   double most = radius_;
   for (std::uint32_t k = 0; k < at.curves().edges.size(); ++k) {
     const EdgeNumbers<Interval>& edge = at.edge(k);
     const plane::Box box = box_of(edge);
-    boxes.push_back(box);
+    edges.push_back({2 * k, 2 * k + 1});
+    ends.push_back(enclosed(edge.start));
+    ends.push_back(enclosed(edge.end));
     for (const double c : {box.xmin, box.ymin, box.xmax, box.ymax}) {
       most = std::max(most, std::abs(c));
     }
@@ -28,17 +39,16 @@ NearEdges::NearEdges(const PatchesAt& at) : at_(at), radius_(at.radius().upper()
     const double square = along.x * along.x + along.y * along.y;
     edges_.push_back({start, along, square > 0 ? 1 / square : 0});  // a point alone has no length
   }
-  tree_ = plane::BoxTree(std::move(boxes));
+  tree_ = EdgeTree(std::move(ends), edges);
   squared_limit_ = at.radius().lower() * at.radius().lower() - slack * most * most;
 }
 
 void NearEdges::find(std::uint32_t patch, std::vector<std::uint32_t>& found) const {
   const OffsetPatch& own = at_.curves().patches[patch];
-  plane::Box box = box_of(at_.position(patch, PatchPlace::At::start));
-  box.add(box_of(at_.position(patch, PatchPlace::At::end)));
-  // The sagitta of a quarter circle is below three tenths of the radius.
-  if (own.edge == OffsetPatch::none) box = grown(box, 0.3 * radius_);
-  tree_.query(grown(box, radius_), [&](std::uint32_t k) {
+  const double bulge = own.edge == OffsetPatch::none ? sagitta * radius_ : 0;
+  const NearPoint from = enclosed(at_.position(patch, PatchPlace::At::start)),
+                  to = enclosed(at_.position(patch, PatchPlace::At::end));
+  tree_.near(from, to, plane::above(radius_ + bulge), [&](std::uint32_t k) {
     found.push_back(k);
     return false;
   });
@@ -94,14 +104,13 @@ bool NearEdges::is_inside(std::uint32_t patch, const Part& part, int depth) cons
     left.last = right.first = middle;
   }
   bool is_near = false;
-  const bool is_covered = tree_.query(
-      plane::Box{middle.x - radius_, middle.y - radius_, middle.x + radius_, middle.y + radius_},
-      [&](std::uint32_t k) {
-        if (squared_distance(k, middle) >= squared_limit_) return false;
-        is_near = true;
-        return std::all_of(hull.begin(), hull.end(),
-                           [&](const Spot& x) { return squared_distance(k, x) < squared_limit_; });
-      });
+  const NearPoint centre{{middle.x, middle.y, 0}, 0};
+  const bool is_covered = tree_.near(centre, centre, radius_, [&](std::uint32_t k) {
+    if (squared_distance(k, middle) >= squared_limit_) return false;
+    is_near = true;
+    return std::all_of(hull.begin(), hull.end(),
+                       [&](const Spot& x) { return squared_distance(k, x) < squared_limit_; });
+  });
   if (is_covered) return true;
   return is_near && depth > 0 && is_inside(patch, left, depth - 1) &&
          is_inside(patch, right, depth - 1);

@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "reference/disc/distance/blocked_part.hpp"
-#include "reference/plane/arrangement/box_tree.hpp"
+#include "reference/near/edge_tree.hpp"
 
 namespace minkref::inline disc {
 
-/// A box tree over the edges, with doubles.
+/// A tree of turned boxes about the edges, with doubles.
 class NearEdges {
  public:
   /// `at` must outlive it.
   explicit NearEdges(const PatchesAt& at);
 
-  /// Finds the edges whose boxes lie within the radius of the box around a patch; every edge that
-  /// blocks the patch is among them.
+  /// Finds the edges that may be within the radius of a patch; every edge that blocks the patch is
+  /// among them.
   void find(std::uint32_t patch, std::vector<std::uint32_t>& found) const;
 
   /// Whether a patch, both ends included, is certainly nearer to P than the radius. The patch is
@@ -41,7 +41,7 @@ class NearEdges {
     double inverse_square;
   };
   std::vector<Edge> edges_;
-  plane::BoxTree tree_;
+  EdgeTree tree_;
   double radius_, squared_limit_;
 };
 

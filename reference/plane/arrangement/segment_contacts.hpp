@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference/interrupt.hpp"
-#include "reference/near/near_pairs.hpp"
+#include "reference/near/edge_tree.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/kernel/direction_order.hpp"
 
@@ -83,10 +83,10 @@ class SegmentContacts {
 
  private:
   /// For each segment: as many pairs have boxes that overlap in vain. Beyond it boxes are no help.
-  static constexpr std::size_t most_apart = 256;
+  static constexpr std::size_t most_apart = 48;
 
   /// All contacts anew, for segments whose boxes overlap far more often than the segments meet, as
-  /// in slanted combs. Leaves out only pairs that lie apart except for a shared end.
+  /// in slanted combs. Leaves out only pairs that lie apart.
   void find_near_contacts() {
     contacts_.clear();
     crossings_.clear();
@@ -98,12 +98,10 @@ class SegmentContacts {
       points.push_back(
           {{box.xmin, box.ymin, 0}, above(std::max(box.xmax - box.xmin, box.ymax - box.ymin))});
     }
-    std::vector<NearItem> items;
-    items.reserve(segments_.size());
-    for (const IndexedSegment& s : segments_) {
-      items.push_back({{s.from, s.to, s.to}, static_cast<std::uint32_t>(items.size())});
-    }
-    NearPairs(std::move(points), std::move(items)).pairs([this](std::uint32_t i, std::uint32_t j) {
+    std::vector<EdgeTree::Edge> edges;
+    edges.reserve(segments_.size());
+    for (const IndexedSegment& s : segments_) edges.push_back({s.from, s.to});
+    EdgeTree(std::move(points), edges).pairs([this](std::uint32_t i, std::uint32_t j) {
       meet(i, j);
     });
   }
