@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reference/plane/critical/pair_events.hpp"
+#include "reference/plane/history/edges_on_lines.hpp"
 #include "reference/plane/index/scale_index.hpp"
 #include "reference/plane/sum.hpp"
 #include "tests/counted_turns.hpp"
@@ -92,6 +93,25 @@ TEST(Growth, PairsOfEdgesAreFoundByATreeOfMovingBoxes) {
     (void)pair_events(P, octagon, {Rational(1, 2), Rational(2)});
   };
   expect_growth([&] { find(small); }, [&] { find(large); });
+}
+
+TEST(Growth, EdgesOnALineAreFoundByTheirPlaceOnIt) {
+  const auto find = [](int count) {
+    std::vector<RationalEdge> edges;
+    for (int k = 0; k < count; ++k) {
+      edges.push_back({ConvolutionEdge::Kind::S, {20 * k, 0}, {0, 0}, {9, 0}});
+    }
+    const std::vector<Track> tracks{{{-9, 0}, {0, 0}}, {{20 * count, 0}, {20 * count, 0}}};
+    const EdgeDirections directions = edge_directions(edges);
+    EdgesOnLines lines(edges, directions);
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t k = 0; k < edges.size(); ++k) {
+      lines.along({0, 1, k, 0, 0}, tracks, 1, true, {20 * static_cast<int>(k) + 5, 0}, found);
+    }
+    ASSERT_EQ(found.size(), edges.size());
+    for (std::uint32_t k = 0; k < edges.size(); ++k) EXPECT_EQ(found[k], k);
+  };
+  expect_growth([&] { find(300); }, [&] { find(1200); });
 }
 
 TEST(Growth, AnIndexKeepsNoParallelEdgesThatNeverMeet) {

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
+
+#include "reference/interrupt.hpp"
+#include "reference/plane/arrangement/box_tree.hpp"
 
 namespace minkref::inline plane {
 namespace {
@@ -23,6 +28,53 @@ bool holds(const Point& from, const Point& to, const Point& p) {
   if (outside(from.x, to.x, p.x) || outside(from.y, to.y, p.y)) return false;
   return (to.x - from.x) * (p.y - from.y) == (to.y - from.y) * (p.x - from.x);
 }
+
+/// Around points in doubles, with some doubt in each coordinate.
+Box box_with_doubt(const std::array<double, 2>& low, const std::array<double, 2>& high,
+                   const std::array<double, 2>& doubt) {
+  const Box box{low[0] - doubt[0], low[1] - doubt[1], high[0] + doubt[0], high[1] + doubt[1]};
+  const bool is_known = std::isfinite(box.xmin) && std::isfinite(box.ymin) &&
+                        std::isfinite(box.xmax) && std::isfinite(box.ymax);
+  constexpr double most = std::numeric_limits<double>::max();
+  return is_known ? box : Box{-most, -most, most, most};
+}
+
+constexpr double doubt_of(double size) { return size * 0x1p-48 + 1e-300; }
+
+/// Sub-edges below a scale and above it, by their boxes there.
+class SubEdgesAtScale {
+ public:
+  void add(std::uint32_t sub_edge, bool above, const Box& box) {
+    sub_edges_.emplace_back(sub_edge, above);
+    boxes_.push_back(box);
+  }
+
+  /// Calls report(sub-edge, above) for those whose boxes the place may meet. O(log n) for each of
+  /// many places where few boxes overlap.
+  template <class Report>
+  void at(const Box& place, Report&& report) {
+    const auto show = [&](std::uint32_t k) {
+      look_for_interrupt();
+      report(sub_edges_[k].first, sub_edges_[k].second);
+      return false;
+    };
+    if (++asked_ < places_before_a_tree) {
+      for (std::uint32_t k = 0; k < boxes_.size(); ++k) {
+        if (boxes_[k].overlaps(place)) show(k);
+      }
+      return;
+    }
+    if (tree_.size() == 0) tree_ = BoxTree(boxes_);
+    tree_.query(place, show);
+  }
+
+ private:
+  static constexpr unsigned places_before_a_tree = 17;  // fewer cost less than the tree
+  std::vector<std::pair<std::uint32_t, bool>> sub_edges_;
+  std::vector<Box> boxes_;
+  BoxTree tree_;
+  unsigned asked_ = 0;
+};
 
 /// An arriving side and a leaving side with the same direction form no corner.
 void drop_straight(std::vector<std::uint32_t>& sides) {
@@ -105,19 +157,19 @@ bool BoundaryChanges::is_place(std::span<const std::uint32_t> tracks, std::uint3
   return at_scale(tracks, point, group, here) != corner;
 }
 
-/// Whether a link surely has no point near a place at a scale, which doubles tell of most links.
-bool BoundaryChanges::is_certainly_beside(const MovingLink& link, double scale, double x,
-                                          double y) const {
+/// Around a sub-edge at a scale, as doubles tell.
+Box BoundaryChanges::box_at(std::uint32_t sub_edge, double scale) const {
+  const MovingLink& link = history_.sub_edges()[sub_edge];
   const std::array<double, 4>&u = in_doubles_[link.from], &v = in_doubles_[link.to];
-  const auto beside = [&](std::size_t k, double p) {
+  std::array<double, 2> low, high, doubt;
+  for (std::size_t k = 0; k < 2; ++k) {
     const double a = u[k] + scale * u[k + 2], b = v[k] + scale * v[k + 2];
-    const double room = (std::abs(u[k]) + std::abs(scale * u[k + 2]) + std::abs(v[k]) +
-                         std::abs(scale * v[k + 2]) + std::abs(p)) *
-                            0x1p-48 +
-                        1e-300;
-    return p < std::min(a, b) - room || p > std::max(a, b) + room;
-  };
-  return beside(0, x) || beside(1, y);
+    low[k] = std::min(a, b);
+    high[k] = std::max(a, b);
+    doubt[k] = doubt_of(std::abs(u[k]) + std::abs(scale * u[k + 2]) + std::abs(v[k]) +
+                        std::abs(scale * v[k + 2]));
+  }
+  return box_with_doubt(low, high, doubt);
 }
 
 void BoundaryChanges::add_parents(std::uint32_t sub_edge, const Rational& scale, bool above,
@@ -159,6 +211,11 @@ std::optional<BoundaryChange> BoundaryChanges::at(std::uint32_t group, const Bou
 
   std::optional<BoundaryChange> change;
   const Rational scale = history_.scale(group);
+  SubEdgesAtScale passing;
+  const auto add = [&, near_scale = to_double(scale)](std::span<const std::uint32_t> list,
+                                                      bool side) {
+    for (const std::uint32_t s : list) passing.add(s, side, box_at(s, near_scale));
+  };
   std::vector<std::uint32_t> tracks;
   for (std::size_t k = 0; k < met.size();) {
     const std::uint32_t point = met[k].first;
@@ -167,7 +224,13 @@ std::optional<BoundaryChange> BoundaryChanges::at(std::uint32_t group, const Bou
     }
     if (!is_place(tracks, point, group, here)) continue;
     const Point place = history_.tracks()[point].at(scale);
-    if (!change) change.emplace(BoundaryChange{place, {}});
+    if (!change) {
+      change.emplace(BoundaryChange{place, {}});
+      add(ended, false);
+      add(below, false);
+      add(begun, true);
+      add(above, true);
+    }
     if (is_before(place, change->place)) change->place = place;
     for (const std::uint32_t track : tracks) {
       for (const std::uint32_t sub_edge : of_track(track)) {
@@ -180,17 +243,11 @@ std::optional<BoundaryChange> BoundaryChanges::at(std::uint32_t group, const Bou
       }
     }
     // Adds sides through the place without an end there.
-    const double near_scale = to_double(scale), x = to_double(place.x), y = to_double(place.y);
-    const auto add = [&](std::span<const std::uint32_t> list, bool side) {
-      for (const std::uint32_t s : list) {
-        if (is_certainly_beside(history_.sub_edges()[s], near_scale, x, y)) continue;
-        add_parents(s, scale, side, tracks, place, change->edges);
-      }
-    };
-    add(ended, false);
-    add(below, false);
-    add(begun, true);
-    add(above, true);
+    const std::array<double, 2> at{to_double(place.x), to_double(place.y)};
+    passing.at(box_with_doubt(at, at, {doubt_of(std::abs(at[0])), doubt_of(std::abs(at[1]))}),
+               [&](std::uint32_t s, bool side) {
+                 add_parents(s, scale, side, tracks, place, change->edges);
+               });
   }
   if (change) sort_and_drop_duplicates(change->edges);
   return change;

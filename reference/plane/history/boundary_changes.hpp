@@ -6,6 +6,7 @@
 #include <span>
 
 #include "reference/plane/history/edges_on_lines.hpp"
+#include "reference/plane/kernel/box.hpp"
 
 namespace minkref::inline plane {
 
@@ -25,7 +26,7 @@ class BoundaryChanges {
   /// None if the boundary below and above is one moving figure, which reaches the boundary at the
   /// scale. `below` and `above`: sub-edges that may contain the place without ending there, besides
   /// sub-edges that end and begin. Exact. O(sub-edges at the points of change, plus the given
-  /// sub-edges).
+  /// sub-edges, and O(log n) of these for each point).
   std::optional<BoundaryChange> at(std::uint32_t group, const BoundaryAtGroup& here,
                                    std::span<const std::uint32_t> below = {},
                                    std::span<const std::uint32_t> above = {});
@@ -43,7 +44,7 @@ class BoundaryChanges {
                  const BoundaryAtGroup& here) const;
   bool is_place(std::span<const std::uint32_t> tracks, std::uint32_t point, std::uint32_t group,
                 const BoundaryAtGroup& here) const;
-  bool is_certainly_beside(const MovingLink& link, double scale, double x, double y) const;
+  Box box_at(std::uint32_t sub_edge, double scale) const;
   void add_parents(std::uint32_t sub_edge, const Rational& scale, bool above,
                    std::span<const std::uint32_t> tracks, const Point& place,
                    std::vector<std::uint32_t>& parents);

@@ -26,7 +26,7 @@ EdgesOnLines::EdgesOnLines(const std::vector<RationalEdge>& edges, const EdgeDir
   }
 }
 
-const EdgesOnLines::Lines& EdgesOnLines::lines(std::uint32_t direction) {
+EdgesOnLines::Lines& EdgesOnLines::lines(std::uint32_t direction) {
   const auto [known, fresh] = lines_.try_emplace(direction);
   Lines& result = known->second;
   if (!fresh) return result;
@@ -61,6 +61,22 @@ std::span<const std::uint32_t> EdgesOnLines::with(std::uint32_t edge) {
   return {known.edges.data() + known.first[line], known.edges.data() + known.first[line + 1]};
 }
 
+const SpansOnLine& EdgesOnLines::spans(std::uint32_t edge, std::span<const std::uint32_t> on_line) {
+  Lines& known = lines(directions_.number(edge));
+  const std::uint32_t line = known.line_of_edge.at(edge);
+  if (const auto found = known.spans.find(line); found != known.spans.end()) return found->second;
+  const V& along = directions_.along[directions_.line[edge]];
+  const auto position = [&](const V& v) {
+    return to_double(Rational(along.x() * v.x() + along.y() * v.y()));
+  };
+  std::vector<SpansOnLine::Span> spans;
+  for (const std::uint32_t e : on_line) {
+    const auto start = start_of(edges_[e]), end = end_of(edges_[e]);
+    spans.push_back({position(start.p), position(start.q), position(end.p), position(end.q)});
+  }
+  return known.spans.try_emplace(line, spans).first->second;
+}
+
 void EdgesOnLines::along(const MovingLink& link, const std::vector<Track>& tracks,
                          const Rational& scale, bool above, const Point& point,
                          std::vector<std::uint32_t>& to) {
@@ -86,7 +102,13 @@ void EdgesOnLines::along(const MovingLink& link, const std::vector<Track>& track
   const Germ low = of_track(forward ? link.from : link.to),
              high = of_track(forward ? link.to : link.from);
   const Rational here(along.x() * point.x + along.y() * point.y);
-  for (const std::uint32_t e : edges) {
+  std::vector<std::uint32_t> near;
+  spans(link.edge, edges).holding(to_double(here), to_double(scale), [&](std::uint32_t k) {
+    near.push_back(edges[k]);
+  });
+  std::sort(near.begin(), near.end());
+  for (const std::uint32_t e : near) {
+    look_for_interrupt();
     const Germ start = of_vertex(start_of(edges_[e])), end = of_vertex(end_of(edges_[e]));
     const Germ& first = forward ? start : end;
     const Germ& last = forward ? end : start;

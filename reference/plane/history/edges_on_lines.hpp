@@ -8,6 +8,7 @@
 
 #include "reference/plane/critical/edge_directions.hpp"
 #include "reference/plane/history/boundary_history.hpp"
+#include "reference/plane/history/spans_on_line.hpp"
 
 namespace minkref::inline plane {
 
@@ -23,7 +24,8 @@ class EdgesOnLines {
   std::span<const std::uint32_t> with(std::uint32_t edge);
 
   /// Adds to `to` the edges that run along a link just below a scale (or just above) and come to a
-  /// point of the link: their common part has a length there, and tends to the point.
+  /// point of the link: their common part has a length there, and tends to the point. Of n edges on
+  /// the line, ascending: O(log n) for each that may come near the point, after the first call.
   void along(const MovingLink& link, const std::vector<Track>& tracks, const Rational& scale,
              bool above, const Point& point, std::vector<std::uint32_t>& to);
 
@@ -33,8 +35,10 @@ class EdgesOnLines {
     std::vector<std::uint32_t> edges;
     std::vector<std::uint32_t> first;  ///< of each line, and the end
     std::unordered_map<std::uint32_t, std::uint32_t> line_of_edge;
+    std::unordered_map<std::uint32_t, SpansOnLine> spans;  ///< by line, where asked for
   };
-  const Lines& lines(std::uint32_t direction);
+  Lines& lines(std::uint32_t direction);
+  const SpansOnLine& spans(std::uint32_t edge, std::span<const std::uint32_t> on_line);
 
   const std::vector<RationalEdge>& edges_;
   const EdgeDirections& directions_;
