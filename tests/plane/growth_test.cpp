@@ -9,6 +9,7 @@
 #include "reference/plane/sum.hpp"
 #include "tests/counted_turns.hpp"
 #include "tests/plane/shapes.hpp"
+#include "tests/spiked_star.hpp"
 
 namespace minkref::testing::of_growth {
 namespace {
@@ -89,6 +90,14 @@ TEST(Growth, ComponentsOfAnArrangementFindTheirFaceByATree) {
 
 TEST(Growth, PairsOfEdgesAreFoundByATreeOfMovingBoxes) {
   const PolygonSet small = comb(100), large = comb(400);
+  const auto find = [](const PolygonSet& P) {
+    (void)pair_events(P, octagon, {Rational(1, 2), Rational(2)});
+  };
+  expect_growth([&] { find(small); }, [&] { find(large); });
+}
+
+TEST(Growth, PairsOfSlantedEdgesAreFoundByBoxesAlongThem) {
+  const PolygonSet small = spiked_star(500), large = spiked_star(2000);
   const auto find = [](const PolygonSet& P) {
     (void)pair_events(P, octagon, {Rational(1, 2), Rational(2)});
   };

@@ -64,25 +64,18 @@ bool MovingPairs::Box::is_within(double most) const {
   return low[0] > -most && low[1] > -most && high[0] < most && high[1] < most;
 }
 
-/// At the weights s / (1 + s) of p and 1 / (1 + s) of q.
-MovingPairs::Box MovingPairs::box_at(const RoundedEdge& edge, double of_p, double of_q) {
-  const double x = of_p * edge.px + of_q * edge.qx, y = of_p * edge.py + of_q * edge.qy;
-  const double own = edge.is_s ? of_p : of_q, dx = own * edge.dx, dy = own * edge.dy;
-  const double error =
-      0x1p-48 * (of_p * (std::abs(edge.px) + std::abs(edge.py)) +
-                 of_q * (std::abs(edge.qx) + std::abs(edge.qy)) + std::abs(dx) + std::abs(dy)) +
-      1e-300;
-  Box box;
-  box.add(x, y, error);
-  box.add(x + dx, y + dy, error);
-  return box;
-}
-
-MovingPairs::MovingBox MovingPairs::box_of(const RoundedEdge& edge, double from, double to) {
+MovingPairs::MovingBox MovingPairs::Way::box_along(const Spot& along) const {
+  MovingBox box;
+  const auto add = [&](Box& to, const Spot& p, double error) {
+    // A coordinate is at most sqrt(2) times a longer one of p's.
+    const double more = 2 * error;
+    to.add(p[0] * along[0] + p[1] * along[1], p[1] * along[0] - p[0] * along[1], more);
+  };
+  for (const std::size_t end : {0, 1}) {
+    add(box.at_first, at_first[end], error_at_first);
+    add(box.at_last, at_last[end], error_at_last);
+  }
   constexpr double most = std::numeric_limits<double>::max() / 4;
-  const bool is_bounded = to < infinity;
-  MovingBox box{box_at(edge, from / (1 + from), 1 / (1 + from)),
-                box_at(edge, is_bounded ? to / (1 + to) : 1, is_bounded ? 1 / (1 + to) : 0)};
   if (box.at_first.is_within(most) && box.at_last.is_within(most)) return box;
   box.at_first.add(-most, -most, 0);
   box.at_first.add(most, most, 0);
@@ -90,26 +83,125 @@ MovingPairs::MovingBox MovingPairs::box_of(const RoundedEdge& edge, double from,
   return box;
 }
 
+/// At the weights s / (1 + s) of p and 1 / (1 + s) of q.
+MovingPairs::Way MovingPairs::way_of(const RoundedEdge& edge, double from, double to) {
+  Way way;
+  const auto put = [&](double of_p, double of_q, std::array<Spot, 2>& ends) {
+    const double x = of_p * edge.px + of_q * edge.qx, y = of_p * edge.py + of_q * edge.qy;
+    const double own = edge.is_s ? of_p : of_q, dx = own * edge.dx, dy = own * edge.dy;
+    ends = {Spot{x, y}, Spot{x + dx, y + dy}};
+    return 0x1p-48 *
+               (of_p * (std::abs(edge.px) + std::abs(edge.py)) +
+                of_q * (std::abs(edge.qx) + std::abs(edge.qy)) + std::abs(dx) + std::abs(dy)) +
+           1e-300;
+  };
+  const bool is_bounded = to < infinity;
+  way.error_at_first = put(from / (1 + from), 1 / (1 + from), way.at_first);
+  way.error_at_last =
+      put(is_bounded ? to / (1 + to) : 1, is_bounded ? 1 / (1 + to) : 0, way.at_last);
+  return way;
+}
+
+/// By lengths at both ends of the window: squares of complex numbers do not tell opposite
+/// directions apart.
+MovingPairs::Spot MovingPairs::direction_of(const std::vector<Way>& ways,
+                                            const std::uint32_t* begin, const std::uint32_t* end) {
+  double real = 0, imaginary = 0;
+  for (const std::uint32_t* k = begin; k != end; ++k) {
+    for (const auto* ends : {&ways[*k].at_first, &ways[*k].at_last}) {
+      const double dx = (*ends)[1][0] - (*ends)[0][0], dy = (*ends)[1][1] - (*ends)[0][1];
+      real += (dx - dy) * (dx + dy);
+      imaginary += 2 * dx * dy;
+    }
+  }
+  const double angle = std::atan2(imaginary, real) / 2;
+  return std::isfinite(angle) ? Spot{std::cos(angle), std::sin(angle)} : Spot{1, 0};
+}
+
+/// Halves, across the direction in which there is most room for the edges beside each other.
+void MovingPairs::cluster(const std::vector<Way>& ways, std::uint32_t* begin, std::uint32_t* end) {
+  const auto count = static_cast<std::size_t>(end - begin);
+  if (count <= block_size) return;
+  const Spot main = direction_of(ways, begin, end);
+  std::vector<std::pair<double, std::uint32_t>> places(count), best;
+  double most = -1;
+  for (const Spot& along : {Spot{1, 0}, Spot{0, 1}, main, Spot{-main[1], main[0]}}) {
+    for (const bool is_last : {false, true}) {
+      double low = infinity, high = -infinity, extents = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        look_for_interrupt();
+        const Way& way = ways[begin[k]];
+        const auto& ends = is_last ? way.at_last : way.at_first;
+        const double u = ends[0][0] * along[0] + ends[0][1] * along[1],
+                     v = ends[1][0] * along[0] + ends[1][1] * along[1];
+        const double place = u / 2 + v / 2;
+        places[k] = {std::isfinite(place) ? place : 0, begin[k]};
+        low = std::min(low, places[k].first);
+        high = std::max(high, places[k].first);
+        extents += std::abs(u / 2 - v / 2);
+      }
+      const double spread = high - low;
+      const double room = spread > 0 ? spread / (extents + 1e-12 * spread) : 0;
+      if (room > most) most = room, best = places;
+    }
+  }
+  const std::size_t middle = (count / 2 + block_size - 1) / block_size * block_size;
+  std::nth_element(best.begin(), best.begin() + static_cast<std::ptrdiff_t>(middle), best.end());
+  for (std::size_t k = 0; k < count; ++k) begin[k] = best[k].second;
+  cluster(ways, begin, begin + middle);
+  cluster(ways, begin + middle, end);
+}
+
+/// In the frame of either: a moving rectangle's corners move along lines.
+bool MovingPairs::are_apart(const Block& a, const Block& b) {
+  const auto seen_from = [](const Block& own, const Spot& along) {
+    const double cosine = own.along[0] * along[0] + own.along[1] * along[1],
+                 sine = own.along[1] * along[0] - own.along[0] * along[1];
+    MovingBox box;
+    const auto add = [&](Box& to, const Box& from) {
+      double size = 0;
+      for (const std::size_t k : {0, 1}) {
+        size = std::max({size, std::abs(from.low[k]), std::abs(from.high[k])});
+      }
+      for (const double u : {from.low[0], from.high[0]}) {
+        for (const double v : {from.low[1], from.high[1]}) {
+          to.add(u * cosine - v * sine, u * sine + v * cosine, 0x1p-48 * size + 1e-300);
+        }
+      }
+    };
+    add(box.at_first, own.turned.at_first);
+    add(box.at_last, own.turned.at_last);
+    return box;
+  };
+  return !a.turned.overlaps(seen_from(b, a.along)) || !b.turned.overlaps(seen_from(a, b.along));
+}
+
 MovingPairs::MovingPairs(const std::vector<RoundedEdge>& edges, double from, double to) {
   std::array<EdgeColumns, 2> columns;
   for (const bool is_s : {true, false}) {
-    std::vector<std::uint32_t> of_kind;
-    std::vector<MovingBox> boxes;
+    std::vector<std::uint32_t> of_kind, order;
+    std::vector<Way> ways;
     for (std::uint32_t k = 0; k < edges.size(); ++k) {
       if (edges[k].is_s != is_s) continue;
+      order.push_back(static_cast<std::uint32_t>(of_kind.size()));
       of_kind.push_back(k);
-      boxes.push_back(box_of(edges[k], from, to));
+      ways.push_back(way_of(edges[k], from, to));
     }
-    const BasicBoxTree<MovingBox> nearby(boxes);
-    for (const std::uint32_t k : nearby.order()) {
-      const RoundedEdge& e = edges[of_kind[k]];
-      columns[is_s].add(e.px, e.py, e.qx, e.qy, e.dx, e.dy);
-      const auto place = static_cast<std::uint32_t>(edges_[is_s].size());
-      if (place % block_size == 0) blocks_.push_back({is_s, place, place, {}});
-      ++blocks_.back().last;
-      blocks_.back().box.add(boxes[k]);
-      edges_[is_s].push_back(of_kind[k]);
-      boxes_[is_s].push_back(boxes[k]);
+    cluster(ways, order.data(), order.data() + order.size());
+    for (std::uint32_t first = 0; first < order.size(); first += block_size) {
+      const std::uint32_t last =
+          std::min(first + block_size, static_cast<std::uint32_t>(order.size()));
+      const Spot along = direction_of(ways, order.data() + first, order.data() + last);
+      Block& block = blocks_.emplace_back(Block{is_s, first, last, {}, along, {}});
+      for (std::uint32_t place = first; place < last; ++place) {
+        const Way& way = ways[order[place]];
+        const RoundedEdge& e = edges[of_kind[order[place]]];
+        columns[is_s].add(e.px, e.py, e.qx, e.qy, e.dx, e.dy);
+        block.box.add(way.box());
+        block.turned.add(way.box_along(along));
+        edges_[is_s].push_back(of_kind[order[place]]);
+        ways_[is_s].push_back(way);
+      }
     }
   }
   std::vector<MovingBox> of_blocks;

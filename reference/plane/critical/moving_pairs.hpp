@@ -35,8 +35,8 @@ PairRange pair_range(const RoundedEdge& a, const RoundedEdge& b, double from, do
 
 /// Finds the pairs that may meet at some scale within a closed window; an omitted pair certainly
 /// does not. Divided by 1 + s, each vertex moves from q to p along a line, so the window may have
-/// no bounds. Edges near each other share a block and a box: the float filter looks at whole
-/// blocks.
+/// no bounds. Edges near each other share a block, an upright box, and one along most of its edges:
+/// the float filter looks at whole blocks.
 class MovingPairs {
  public:
   /// `to` may be infinite. O(n log n).
@@ -55,8 +55,12 @@ class MovingPairs {
     tree_.query(own.box, [&](std::uint32_t other) {
       if (other <= number) return false;
       const Block& later = blocks_[other];
+      if (are_apart(own, later)) return false;
       for (std::uint32_t a = own.first; a < own.last; ++a) {
-        if (boxes_[own.is_s][a].overlaps(later.box)) look(own, a, later, later.first, room, report);
+        if (ways_[own.is_s][a].box().overlaps(later.box) &&
+            ways_[own.is_s][a].box_along(later.along).overlaps(later.turned)) {
+          look(own, a, later, later.first, room, report);
+        }
       }
       return false;
     });
@@ -74,18 +78,34 @@ class MovingPairs {
     double centre(std::size_t axis) const { return low[axis] / 2 + high[axis] / 2; }
   };
   using MovingBox = BasicMovingBox<Box>;
+  using Spot = std::array<double, 2>;
+  /// An edge's two ends at both ends of the window, and how far each coordinate may be off.
+  struct Way {
+    std::array<Spot, 2> at_first, at_last;
+    double error_at_first, error_at_last;
+    MovingBox box() const { return box_along({1, 0}); }
+    /// In coordinates along a unit vector, and across.
+    MovingBox box_along(const Spot& along) const;
+  };
   /// Edges that share a kind, numbered as in the filter; S-edges have the first blocks.
   struct Block {
     bool is_s;
     std::uint32_t first, last;
     MovingBox box;
+    Spot along;  ///< the direction of most edges
+    MovingBox turned;
   };
-  static Box box_at(const RoundedEdge& edge, double of_p, double of_q);
-  static MovingBox box_of(const RoundedEdge& edge, double from, double to);
+  static Way way_of(const RoundedEdge& edge, double from, double to);
+  static Spot direction_of(const std::vector<Way>& ways, const std::uint32_t* begin,
+                           const std::uint32_t* end);
+  /// Sorts so that each block_size in a row lie beside each other.
+  static void cluster(const std::vector<Way>& ways, std::uint32_t* begin, std::uint32_t* end);
+  static bool are_apart(const Block& a, const Block& b);
 
   template <class Report>
   void look(const Block& own, std::uint32_t a, const Block& other, std::uint32_t first,
             std::vector<std::uint32_t>& room, Report& report) const {
+    look_for_interrupt();
     const std::size_t count =
         filter_.candidates(own.is_s, a, other.is_s, first, other.last, room.data());
     const std::uint32_t edge = edges_[own.is_s][a];
@@ -97,7 +117,7 @@ class MovingPairs {
   }
 
   std::array<std::vector<std::uint32_t>, 2> edges_;  ///< T-edges, S-edges, in the filter's order
-  std::array<std::vector<MovingBox>, 2> boxes_;      ///< in this order
+  std::array<std::vector<Way>, 2> ways_;             ///< in this order
   std::vector<Block> blocks_;
   BasicBoxTree<MovingBox> tree_;  ///< of blocks
   PairFilter filter_;
