@@ -11,7 +11,7 @@ from fractions import Fraction
 
 import minkref
 from minkref.api import PolygonSet, ScaleBracket
-from minkref.fuzz.judges.motion.disc_draws import rings_of, rooms
+from minkref.fuzz.judges.motion.disc_draws import disc_case, rings_of, rooms
 from minkref.fuzz.motion.path_cases import Place, texts
 from minkref.oracle.distances import PartRooms, is_inside
 
@@ -23,7 +23,8 @@ DIRECTIONS = ((2, 0), (2, 1), (1, 2), (0, 1), (-1, 2), (-1, 0), (-2, -1), (0, -2
 
 @dataclass(frozen=True)
 class BracketCase:
-    """A part that is star-shaped about its origin, rooms with doors, or the block around them."""
+    """A part that is star-shaped about its origin, and rooms with doors, the block around them, or
+    a set of another kind."""
 
     name: str
     part: PolygonSet
@@ -36,18 +37,18 @@ class BracketCase:
 
 def bracket_case(seed: int, index: int) -> BracketCase:
     """The same one for the same numbers."""
-    dice = random.Random(f"brackets {seed}:{index}")
-    container, middles = rooms(dice)
-    first, second = dice.choice(middles), dice.choice(middles)
-    return BracketCase(
-        f"brackets {seed}:{index}",
-        _star(dice),
-        container,
-        (first, second),
-        is_inside(rings_of(container), first),
-        dice.choice(CLEARANCES),
-        dice.choice(CONTACTS),
-    )
+    name = f"brackets {seed}:{index}"
+    dice = random.Random(name)
+    if index % 3 == 2:
+        drawn = disc_case(seed, index)
+        container, inside = drawn.set, dice.random() < 0.7
+        places = drawn.inside if inside else drawn.outside
+    else:
+        container, middles = rooms(dice)
+        places = dice.choice(middles), dice.choice(middles)
+        inside = is_inside(rings_of(container), places[0])
+    clearance, contact = dice.choice(CLEARANCES), dice.choice(CONTACTS)
+    return BracketCase(name, _star(dice), container, places, inside, clearance, contact)
 
 
 def bracket_faults(case: BracketCase, tally: Counter[str]) -> Iterator[str]:

@@ -159,9 +159,9 @@ def bracket_text(bracket: Row) -> str:
     holds, fails = bracket["holds_to"], bracket["fails_from"]
     close = "]" if bracket["end_in"] else ")"
     if fails is None:
-        return f"(0, {holds}], as far as was asked"
+        return f"(0, {number_text(holds)}], as far as was asked"
     if bracket["is_exact"]:
-        return "at no scale" if holds == "0" else f"(0, {holds}{close}"
+        return "at no scale" if holds == "0" else f"(0, {number_text(holds)}{close}"
     if holds == "0":
         return f"at no scale from {number_text(fails)} on"
     digits = _digits(1 - Fraction(holds) / Fraction(fails)) + 2

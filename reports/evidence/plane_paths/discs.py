@@ -51,6 +51,7 @@ def run(findings: Findings, size: Size) -> None:
     findings.none("answers that differ from a judge of all pairs", faults)
     findings.equal("paths of discs", cases, tally["paths"])
     findings.equal("containers with two places", cases, tally["ways"])
+    findings.equal("rooms for parts with a clearance", counts["bracket"], tally["brackets"])
     findings.law("ways through a neck", tally["ways, neck"] > 0, "some", tally["ways, neck"])
     findings.law("traps with a neck", tally["traps, neck"] > 0, "some", tally["traps, neck"])
     findings.note(_told(tally))
