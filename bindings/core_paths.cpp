@@ -116,9 +116,33 @@ FreeAnswer answer(const FreeScales& found) {
   return {range_rows(found.scales), std::move(bounds), std::move(proofs), found.critical_scales};
 }
 
+void bind_star_centres(nb::module_& module) {
+  module.def(
+      "star_shaped", [](const Set& part) { return star_shaped(part.value); }, "part"_a, Released(),
+      "Whether each point of the set sees the origin in it.");
+  module.def(
+      "star_centre",
+      [](const Set& part) -> std::optional<std::pair<ExactPoint, bool>> {
+        const std::optional<StarCentre> found = star_centre(part.value);
+        if (!found) return std::nullopt;
+        return std::pair(to_strings(found->at), found->is_inside);
+      },
+      "part"_a, Released(),
+      "A point that sees the whole set, and whether it lies strictly on the inner side of every "
+      "edge; None without such a point.");
+  module.def(
+      "is_inner_star_centre",
+      [](const Set& part, const ExactPoint& at) {
+        return is_inner_star_centre(part.value, point_of(at));
+      },
+      "part"_a, "at"_a, Released(),
+      "Whether a point sees the whole set, strictly on the inner side of every edge.");
+}
+
 }  // namespace
 
 void bind_paths(nb::module_& module) {
+  bind_star_centres(module);
   module.def(
       "valid_scales",
       [](const Set& part, const Set& obstacles, const std::vector<ExactPoint>& path,
@@ -175,26 +199,6 @@ void bind_paths(nb::module_& module) {
       },
       "part"_a, "obstacles"_a, "path"_a, "contact"_a, "from_scale"_a.none(), "to_scale"_a, "most"_a,
       Released(), "As path_diagram, in doubles.");
-  module.def(
-      "star_shaped", [](const Set& part) { return star_shaped(part.value); }, "part"_a, Released(),
-      "Whether each point of the set sees the origin in it.");
-  module.def(
-      "star_centre",
-      [](const Set& part) -> std::optional<std::pair<ExactPoint, bool>> {
-        const std::optional<StarCentre> found = star_centre(part.value);
-        if (!found) return std::nullopt;
-        return std::pair(to_strings(found->at), found->is_inside);
-      },
-      "part"_a, Released(),
-      "A point that sees the whole set, and whether it lies strictly on the inner side of every "
-      "edge; None without such a point.");
-  module.def(
-      "is_inner_star_centre",
-      [](const Set& part, const ExactPoint& at) {
-        return is_inner_star_centre(part.value, point_of(at));
-      },
-      "part"_a, "at"_a, Released(),
-      "Whether a point sees the whole set, strictly on the inner side of every edge.");
   module.def(
       "fit_at",
       [](const Set& part, const Set& container, const ExactPoint& at, const std::string& contact) {
