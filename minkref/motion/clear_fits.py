@@ -33,8 +33,9 @@ Window = tuple[Fraction | None, Fraction | None]
 class ClearTrap:
     """The scales at which a part keeps a distance at a place, and no way that keeps it leads away.
     `free`: at the place, exact; `escapes`: the bracket of the scales at which the part gets away,
-    among the free ones; None without free scales. The part is trapped at the free scales from
-    `escapes.fails_from` on (if `escapes.is_exact`: at that scale itself iff not `end_in`)."""
+    among the free ones; None without free scales, or without obstacles. The part is trapped at the
+    free scales from `escapes.fails_from` on (if `escapes.is_exact`: at that scale itself iff not
+    `end_in`)."""
 
     free: ClearScales
     escapes: ScaleBracket | None
@@ -105,7 +106,7 @@ class KeptDistance:
                 part, obstacles, [place], str(self.clearance), rule, *text_of_bounds(*window)
             )
         )
-        if not free.ranges:
+        if not free.ranges or obstacles.is_empty:
             return ClearTrap(free, None)
         asked = WayOut(part, obstacles, place, self.clearance, self.threads)
         strict, low = shrinks_strictly(part, True), window[0] or Fraction(0)

@@ -66,6 +66,8 @@ def test_a_cage_holds_what_the_gap_does_not_let_through() -> None:
     assert shut.escapes is not None and shut.escapes.is_empty and not shut.is_empty
     away = minkref.clear_trap(SQUARE, CAGE, (30, 4), "1/4")
     assert away.is_empty and minkref.clear_trap(SQUARE, CAGE, (0, 4), "1/4").escapes is None
+    nothing = minkref.clear_trap(SQUARE, minkref.PolygonSet(), (4, 4), "1/4")
+    assert nothing.is_empty and nothing.escapes is None
     late = minkref.clear_trap(SQUARE, CAGE, (4, 4), "1/4", from_scale=2, to_scale=3)
     assert late.escapes is not None and late.escapes.fails_from == 2 and not late.is_empty
 

@@ -246,7 +246,7 @@ class ClearTrapDocument(AnyBracket, Window, Written):
     at: Annotated[Point, Meta(description="The place of the part's origin.")]
     bracket: Annotated[
         ClearBracket | None,
-        Meta(description="The scales at which the part gets away; null: it is free at none."),
+        Meta(description="The scales at which the part gets away; null: free at none, or at all."),
     ]
     free: Annotated[list[ClearRange], Meta(description="The scales at which it is free there.")]
     is_trapped: Annotated[
