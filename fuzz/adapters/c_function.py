@@ -1,4 +1,4 @@
-"""A C function of a shared library (minkref_adapter.h), called with sets in the plane."""
+"""A C function of a shared library (minkref_adapter.h), called with sets and lines in the plane."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ from adapter_protocol import Errored, Rejected, Set, Sum  # type: ignore[import-
 
 RESULT, SKIPPED, REJECTED = 0, 1, 2
 MOST_VERTICES = 50_000_000
-NOT_IN_C = {
-    "line-offset", "join-mitre", "join-bevel", "join-square", "join-sharp", "inset-sharp",
-    "cap-flat", "cap-square",
+WITH_MANNER = {
+    "line-offset", "join-mitre", "join-bevel", "join-square", "join-sharp", "cap-flat",
+    "cap-square",
 }  # fmt: skip
+WORDS = ("round", "mitre", "bevel", "square", "sharp", "flat")  # MINKREF_ROUND and so on
 ADD_ON = {
     "arithmetic": "float64",
     "tolerance": {"absolute": "0", "relative": "1e-9"},
@@ -31,6 +32,10 @@ class _Set(Structure):
         ("is_hole", POINTER(c_ubyte)),
         ("xy", POINTER(c_double)),
     )
+
+
+class _Manner(Structure):
+    _fields_ = (("are_lines", c_int), ("join", c_int), ("limit", c_double), ("cap", c_int))
 
 
 def load(path: str, name: str) -> tuple[dict[str, Any], Sum]:
@@ -50,16 +55,15 @@ def load(path: str, name: str) -> tuple[dict[str, Any], Sum]:
     able = declared["capabilities"]
     if isinstance(able, list) and "space" in able:
         raise Errored("its declaration: capabilities has space, and a C function is for the plane")
-    beyond = sorted(set(able) & NOT_IN_C) if isinstance(able, list) else []
-    if beyond:
-        raise Errored(f"its declaration: capabilities has {beyond[0]}, and a C function gets sets")
     if isinstance(able, list) and "features" in able:
         raise Errored("its declaration: capabilities has features, and a C function gives sets")
-    return declared, _answering(found)
+    joins = isinstance(able, list) and not WITH_MANNER.isdisjoint(map(str, able))
+    return declared, _answering(found, joins)
 
 
-def _answering(function: Callable[..., int]) -> Sum:
-    """Answers sums; its attribute `answered` offsets and unions."""
+def _answering(function: Callable[..., int], joins: bool) -> Sum:
+    """Answers sums; its attribute `answered` offsets and unions. `joins`: whether the function
+    takes a manner of offsets."""
     free = ctypes.CDLL(None).free
     free.argtypes = [c_void_p]
 
@@ -67,8 +71,10 @@ def _answering(function: Callable[..., int]) -> Sum:
         return called(ctypes.byref(_packed(sP)), ctypes.byref(_packed(Q)))
 
     def answered(*given: Any) -> dict[str, Any]:
-        if len(given) == 2:
-            return called(ctypes.byref(_packed(given[0])), c_double(given[1]))
+        if len(given) > 1:
+            manner = _manner("lines" in given[0], *given[2:])
+            how = (ctypes.byref(manner),) if joins else ()
+            return called(ctypes.byref(_packed(given[0])), c_double(given[1]), *how)
         sets = [_packed(each) for each in given[0]]
         return called((_Set * len(sets))(*sets), c_int(len(sets)))
 
@@ -95,9 +101,15 @@ def _no_set(what: str) -> Exception:
     return error
 
 
+def _manner(are_lines: bool, how: Set | None = None) -> _Manner:
+    join, cap = ((how or {}).get(word, "round") for word in ("join", "cap"))
+    limit = (how or {}).get("limit", 0.0)
+    return _Manner(are_lines, WORDS.index(join), limit, WORDS.index(cap))
+
+
 def _packed(value: Set) -> _Set:
-    rings, holes = [], []
-    for polygon in value["polygons"]:
+    rings, holes = list(value.get("lines", ())), [0] * len(value.get("lines", ()))
+    for polygon in value.get("polygons", ()):
         rings += [polygon["outer"], *polygon["holes"]]
         holes += [0] + [1] * len(polygon["holes"])
     numbers = [number for ring in rings for point in ring for number in point]

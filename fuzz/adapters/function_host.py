@@ -65,8 +65,8 @@ def other_verbs(declared: dict[str, Any], sum_of: Any) -> dict[str, Any]:
     able = declared.get("capabilities", [])
     if declared.get("sum") != "none":
         return {}
-    for verb in ("offset", "features"):
-        if verb in able:
+    for word, verb in (("offset",) * 2, ("join-sharp", "offset"), ("features",) * 2):
+        if word in able:
             return {f"{verb}_of": lambda P, radius, *how: sum_of.answered(P, radius, *how)}
     return {"union_of": lambda sets: sum_of.answered(sets)} if "union" in able else {}
 

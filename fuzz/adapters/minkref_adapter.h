@@ -45,6 +45,28 @@ typedef int minkref_sum_function(const minkref_set* sP, const minkref_set* Q, mi
 typedef int minkref_offset_function(const minkref_set* P, double radius, minkref_set* grown);
 typedef int minkref_union_function(const minkref_set* sets, int count, minkref_set* united);
 
+/* How corners and ends grow. */
+enum {
+  MINKREF_ROUND = 0,
+  MINKREF_MITRE = 1, /* a join, with a limit */
+  MINKREF_BEVEL = 2, /* a join */
+  MINKREF_SQUARE = 3,
+  MINKREF_SHARP = 4, /* a join: a mitre without limit */
+  MINKREF_FLAT = 5   /* a cap */
+};
+
+typedef struct minkref_manner {
+  int are_lines; /* 1: the rings of P are open lines, each from its first vertex to its last */
+  int join;
+  double limit; /* of a mitre: the most distance of its tip from the corner, in radii; else 0 */
+  int cap;      /* of lines; else MINKREF_ROUND */
+} minkref_manner;
+
+/* Replaces minkref_offset_function if the library declares "line-offset", a join or a cap, and is
+ * then called for round joins, too. */
+typedef int minkref_joined_offset_function(const minkref_set* P, double radius,
+                                           const minkref_manner* manner, minkref_set* grown);
+
 /* Optional: the declaration, the members of the answer to `hello` as JSON
  * (docs/adapter-protocol.md). The library owns the text. Numbers are doubles, so "numbers" is
  * "double" whatever the text says. Defaults:

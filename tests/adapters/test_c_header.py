@@ -28,7 +28,16 @@ int my_sum(const minkref_set* sP, const minkref_set* Q, minkref_set* sum) {
   return MINKREF_RESULT;
 }
 
+static int grown(const minkref_set* P, double radius, const minkref_manner* manner,
+                 minkref_set* out) {
+  return manner->are_lines || manner->join != MINKREF_ROUND || manner->cap != MINKREF_ROUND ||
+                 radius > manner->limit
+             ? MINKREF_SKIPPED
+             : my_sum(P, P, out);
+}
+
 minkref_sum_function* const check = my_sum;
+minkref_joined_offset_function* const checked = grown;
 const char* minkref_hello(void) { return "{\\"name\\": \\"mine\\"}"; }
 """
 

@@ -166,6 +166,36 @@ const char* minkref_hello(void) {
          "\\"tolerance\\": {\\"relative\\": \\"1e-9\\", \\"radius\\": \\"0.0013\\"}}";
 }
 """
+JOINING = """
+/* One level line, or the square, grown: no round joins. */
+int grown(const minkref_set* P, double r, const minkref_manner* how, minkref_set* out) {
+  double low = P->xy[0], high = P->xy[2], bottom = P->xy[1], top = P->xy[how->are_lines ? 1 : 5];
+  double more = 0;
+  if (how->are_lines) {
+    if (P->rings != 1 || P->sizes[0] != 2) return MINKREF_SKIPPED;
+    top = bottom;
+    more = how->cap == MINKREF_SQUARE ? r : 0;
+    if (how->cap == MINKREF_ROUND) return MINKREF_SKIPPED;
+  } else {
+    if (how->join != MINKREF_SHARP && !(how->join == MINKREF_MITRE && how->limit == 2))
+      return MINKREF_SKIPPED;
+    more = r;
+  }
+  double xy[] = {low - more, bottom - r, high + more, bottom - r,
+                 high + more, top + r, low - more, top + r};
+  out->rings = 1;
+  out->sizes = (int*)malloc(sizeof(int));
+  out->xy = (double*)malloc(sizeof(xy));
+  out->sizes[0] = 4;
+  memcpy(out->xy, xy, sizeof(xy));
+  return MINKREF_RESULT;
+}
+const char* minkref_hello(void) {
+  return "{\\"sum\\": \\"none\\", \\"capabilities\\": [\\"plane\\", \\"offset\\", "
+         "\\"line-offset\\", \\"join-mitre\\", \\"join-sharp\\", \\"inset-sharp\\", "
+         "\\"cap-flat\\", \\"cap-square\\"]}";
+}
+"""
 SQUARE = {"polygons": [{"outer": [[0, 0], [2, 0], [2, 2], [0, 2]]}]}
 INNER = {"polygons": [{"outer": [[0, 0], [1, 0], [1, 1], [0, 1]]}]}
 
@@ -187,3 +217,27 @@ def test_a_function_grows_or_unites(tmp_path: Path, outcomes: Callable[..., list
         subprocess.run([*words, *verbs], check=True, timeout=60)
         (said,) = outcomes(f"so:{library}:{name}", case)
         assert said.verdict is verdict, (name, said)
+
+
+def test_a_function_grows_lines_and_joins(
+    tmp_path: Path, outcomes: Callable[..., list[Outcome]]
+) -> None:
+    """Each manner as it is asked; a wrong one shows."""
+    source, library = tmp_path / "joined.c", tmp_path / "libjoined.so"
+    head = '#include "minkref_adapter.h"\n#include <stdlib.h>\n#include <string.h>\n'
+    source.write_text(head + JOINING, encoding="utf-8")
+    words = ["gcc", "-std=c99", "-O1", "-shared", "-fPIC", f"-I{HEADER.parent}", str(source)]
+    subprocess.run([*words, "-o", str(library)], check=True, timeout=60)
+    line = {"lines": [[[0, 0], [4, 0]]]}
+    asked = [
+        ({"offset": line, "radius": "1", "cap": "flat"}, Verdict.PASS_WITHIN),
+        ({"offset": line, "radius": "1", "cap": "square"}, Verdict.PASS_WITHIN),
+        ({"offset": line, "radius": "1"}, Verdict.ERRORED),  # declared, and skipped
+        ({"offset": SQUARE, "radius": "1", "join": "sharp"}, Verdict.PASS_WITHIN),
+        ({"offset": SQUARE, "radius": "-1/2", "join": "sharp"}, Verdict.PASS_WITHIN),
+        ({"offset": SQUARE, "radius": "1", "join": "mitre", "limit": "2"}, Verdict.PASS_WITHIN),
+        ({"offset": SQUARE, "radius": "1", "join": "mitre", "limit": "3"}, Verdict.ERRORED),
+        ({"offset": SQUARE, "radius": "1", "join": "bevel"}, Verdict.SKIPPED),
+    ]
+    said = outcomes(f"so:{library}:grown", *(json.dumps(case) for case, _ in asked))
+    assert [one.verdict for one in said] == [verdict for _, verdict in asked], said
