@@ -1,5 +1,5 @@
-"""Sets to grow with a known answer (degeneracies/known_offsets.json): degenerate sets, and cases on
-which `minkref verify` found libraries wrong. Small, so a run begins with them."""
+"""Sets to grow or erode with a known answer (degeneracies/known_offsets.json): degenerate sets, and
+cases on which `minkref verify` found libraries wrong. Small, so a run begins with them."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ FILE = Path(__file__).parents[2] / "degeneracies" / "known_offsets.json"
 
 @dataclass(frozen=True)
 class KnownOffset:
-    """`digest`: of the canonical form (docs/disc.md). `witness`: a point where the first victim is
-    wrong; None if it gave no answer."""
+    """`radius`: below 0 to erode. `digest`: of the canonical form (docs/disc.md). `witness`: a point
+    where the first victim is wrong; None if it gave no answer."""
 
     title: str
     story: str

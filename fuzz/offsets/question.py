@@ -30,7 +30,7 @@ class Offsets(ShrinkableQuestion):
     cases = AskedOffset
     asking = OffsetAsking
     families: ClassVar[dict[str, str]] = {
-        FAMILY: "sets to grow with known answers: degenerate sets, faults of libraries",
+        FAMILY: "sets to grow or erode, known answers: degenerate sets, faults of libraries",
         **FAMILIES,
         **INWARD,
         **OF_LINES,

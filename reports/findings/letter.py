@@ -11,6 +11,7 @@ JUDGE = {
     "union": "a point is in the union where it is in one of the sets",
     "path": "two sets meet where the sum of one and the turned other has the origin",
     "offset": "a point is in the offset where its distance from the set is at most the radius",
+    "inset": "a point is in the inset where its distance from the outside is at least the radius",
 }
 
 

@@ -57,7 +57,7 @@ def test_each_finding_is_whole() -> None:
     for each in entries():
         assert catalogue.is_named(each.adapter) or each.adapter.startswith("cgal-"), each.id
         assert "minkref" not in each.path.read_text(encoding="utf-8"), each.program
-        assert each.verb in ("sum", "union", "offset", "path")
+        assert each.verb in ("sum", "union", "offset", "inset", "path")
         assert each.issue is None or each.issue.startswith("https://github.com/")
 
 

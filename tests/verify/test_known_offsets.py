@@ -1,5 +1,5 @@
-"""Offsets with a known answer: each route of the reference has the digest, the witness holds, and
-`verify` has them as cases."""
+"""Offsets and insets with a known answer: each route of the reference has the digest, the witness
+holds, and `verify` has them as cases."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.judges.disc.offset_findings import confirmed, squared
 from minkref.fuzz.offsets.asked_offset import AskedOffset
-from minkref.fuzz.offsets.distance import Distances
 from minkref.fuzz.offsets.distance_check import holds
 from minkref.fuzz.offsets.known import FAMILY, KnownOffset, known_offsets
 from minkref.fuzz.offsets.question import OFFSETS
@@ -34,10 +33,11 @@ def test_what_is_said_of_an_offset_holds(known: KnownOffset) -> None:
     known.set.validate(known.title)
     square = str(known.radius**2)
     for route in ("definition", "paper"):
-        found = _core.offset(known.set, square, 1, route)
+        of = _core.offset if known.radius > 0 else _core.inset
+        found = of(known.set, square, 1, route)
         assert digest(found.canonical_json()) == known.digest
         assert (found.components, found.holes) == (known.components, known.holes)
-    if known.set.is_region:
+    if known.set.is_region and known.radius > 0:
         assert digest(_core.disc_index(known.set).canonical_json(square)) == known.digest
     assert known.story.endswith(".") and known.title
     assert known.victims or known.witness is None
@@ -60,9 +60,9 @@ def test_three_ways_to_measure_a_distance_agree() -> None:
     """The judge of the run, the check of its witnesses, the judge of findings."""
     for known in (one for one in KNOWN if not one.set.is_empty):
         case = AskedOffset(CaseName("known", "test"), known.set, known.radius)
-        near, polygons = Distances(case.shape), json.loads(case.P_json)["polygons"]
+        near, polygons = case.near, json.loads(case.P_json)["polygons"]
         for x in range(-5, 12, 4):
             for y in range(-5, 12, 3):
                 point = (Fraction(x) / 3, Fraction(y) / 2)
                 found = near.of(point).square
-                assert found == squared(polygons, *point), (known.title, point)
+                assert found == squared(polygons, *point, case.inward), (known.title, point)

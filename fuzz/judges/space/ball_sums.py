@@ -28,13 +28,14 @@ class BallTrial:
 
 
 def ball_trial(seed: int, index: int, points: int) -> BallTrial:
-    """Sums the first solid of a pair and a ball of a random radius, or erodes it, in turn; half of
-    the radii are roots. Asks for points near the surface of the answer, of both sets and by
-    distances. Exact."""
+    """Sums the first solid of a pair and a ball of a random radius, or erodes it, in turn (only
+    sums, of a segment or a point); half of the radii are roots. Asks for points near the surface of
+    the answer, of both sets and by distances. Exact."""
     pair = general_pair(seed, index)
     dice = random.Random(f"minkref balls {seed} {index}")
-    solid, erodes = pair.P, index % 2 == 1
-    size = max(max(c) - min(c) for c in zip(*solid.vertices, strict=True))
+    solid = pair.P
+    erodes = index % 2 == 1 and not solid.is_thin
+    size = max(max(c) - min(c) for c in zip(*solid.vertices, strict=True)) or 1
     square = (size * Fraction(dice.randrange(2, 30), 400 if erodes else 40)) ** 2
     if dice.random() < 0.5:
         square *= Fraction(dice.randrange(3, 9), 5)
