@@ -22,8 +22,8 @@ FILE = Path(__file__).parents[2] / "degeneracies" / "known_offsets.json"
 
 @dataclass(frozen=True)
 class KnownOffset:
-    """`radius`: below 0 to erode. `digest`: of the canonical form (docs/disc.md). `witness`: a point
-    where the first victim is wrong; None if it gave no answer."""
+    """`radius`: below 0 to erode. `digest`: of the canonical form (docs/disc.md). `witness`: a
+    point where the first victim is wrong; None if it gave no answer."""
 
     title: str
     story: str
