@@ -30,6 +30,7 @@ inline std::vector<FaceEdge> sorted_edges(const std::vector<Face>& faces) {
     }
   }
   std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
+    look_for_interrupt();
     return std::tuple(a.ends(), a.face) < std::tuple(b.ends(), b.face);
   });
   return edges;

@@ -1,7 +1,7 @@
 #include "reference/space/polyhedral_set.hpp"
 
 #include <algorithm>
-#include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -17,6 +17,52 @@ std::string text_of(const OrientedPlane& plane) {
   const IntegerVector& n = plane.normal;
   return R"("normal":[")" + n[0].str() + R"(",")" + n[1].str() + R"(",")" + n[2].str() +
          R"("],"offset":")" + to_string(plane.offset) + '"';
+}
+
+/// Each face alone, seen in its plane counter-clockwise; planes ascend.
+std::vector<PlaneRegion> faces_by_plane(const Polyhedron& surface) {
+  const IntegerPoints integers = integer_points(surface.vertices);
+  std::vector<PlaneRegion> faces(surface.faces.size());
+  std::vector<std::uint32_t> order(faces.size());
+  std::iota(order.begin(), order.end(), 0U);
+  for (const std::uint32_t f : order) {
+    look_for_interrupt();
+    const Face& face = surface.faces[f];
+    OrientedPlane& plane = faces[f].plane;
+    plane.normal = primitive(area_vector(integers.points, face));
+    plane.offset =
+        Rational(dot(plane.normal, integers.points[face[0]])) / Rational(integers.denominator);
+    Ring& ring = faces[f].region.polygons.emplace_back().outer;
+    ring.reserve(face.size());
+    for (const std::uint32_t v : face) {
+      ring.push_back(seen(surface.vertices[v], viewing_axis(plane.normal)));
+    }
+    if (is_mirrored(plane)) std::reverse(ring.begin(), ring.end());
+  }
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    look_for_interrupt();
+    return std::tie(faces[a].plane, a) < std::tie(faces[b].plane, b);
+  });
+  std::vector<PlaneRegion> sorted;
+  sorted.reserve(faces.size());
+  for (const std::uint32_t f : order) {
+    look_for_interrupt();
+    sorted.push_back(std::move(faces[f]));
+  }
+  return sorted;
+}
+
+/// Unites counter-clockwise polygons; a lone triangle only starts at its least corner.
+void make_canonical(PolygonSet& region) {
+  Ring& first = region.polygons[0].outer;
+  if (region.polygons.size() > 1 || first.size() > 3) {
+    region = canonicalize(region).region;
+    return;
+  }
+  const auto is_before = [](const Point& a, const Point& b) {
+    return std::tie(a.x, a.y) < std::tie(b.x, b.y);
+  };
+  std::rotate(first.begin(), std::min_element(first.begin(), first.end(), is_before), first.end());
 }
 
 }  // namespace
@@ -74,23 +120,21 @@ Rational volume(const PolyhedralSet& set) {
 
 PolyhedralSet polyhedral_set(const Polyhedron& surface) {
   const FloatEnvironment standard;
-  const IntegerPoints integers = integer_points(surface.vertices);
-  std::map<OrientedPlane, PolygonSet> planes;
-  for (const Face& face : surface.faces) {
-    const IntegerVector normal = primitive(area_vector(integers.points, face));
-    const OrientedPlane plane{
-        normal, Rational(dot(normal, integers.points[face[0]])) / Rational(integers.denominator)};
-    Ring ring;
-    for (const std::uint32_t v : face) {
-      ring.push_back(seen(surface.vertices[v], viewing_axis(normal)));
-    }
-    planes[plane].polygons.push_back({std::move(ring), {}});
-  }
+  std::vector<PlaneRegion> faces = faces_by_plane(surface);
   PolyhedralSet set;
-  for (auto& [plane, rings] : planes) {
+  std::size_t planes = 0;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
     look_for_interrupt();
-    orient(rings);
-    set.faces.push_back({plane, canonicalize(rings).region});
+    planes += k == 0 || faces[k].plane != faces[k - 1].plane ? 1 : 0;
+  }
+  set.faces.reserve(planes);
+  for (std::size_t k = 0, end = 0; k < faces.size(); k = end) {
+    look_for_interrupt();
+    PlaneRegion& region = set.faces.emplace_back(std::move(faces[k]));
+    for (end = k + 1; end < faces.size() && faces[end].plane == region.plane; ++end) {
+      region.region.polygons.push_back(std::move(faces[end].region.polygons[0]));
+    }
+    make_canonical(region.region);
   }
   return set;
 }

@@ -43,8 +43,10 @@ void join_sides(std::vector<SurfaceTriangle>& triangles, const std::vector<Face>
       sides.push_back({std::min(from, to), std::max(from, to), edge ? 0 : f + 1, t, k});
     }
   }
-  std::sort(sides.begin(), sides.end(),
-            [](const TriangleSide& a, const TriangleSide& b) { return a.edge() < b.edge(); });
+  std::sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
+    look_for_interrupt();
+    return a.edge() < b.edge();
+  });
   for (std::size_t k = 0; k + 1 < sides.size(); k += 2) {
     triangles[sides[k].triangle].beyond[sides[k].place] = sides[k + 1].triangle;
     triangles[sides[k + 1].triangle].beyond[sides[k + 1].place] = sides[k].triangle;

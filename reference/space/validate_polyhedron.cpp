@@ -201,6 +201,7 @@ class PolyhedronValidator {
       }
     }
     const auto less = [](const Corner& a, const Corner& b) {
+      look_for_interrupt();
       return std::pair(a.vertex, a.after) < std::pair(b.vertex, b.after);
     };
     std::sort(corners.begin(), corners.end(), less);

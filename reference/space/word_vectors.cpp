@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref::inline space {
 namespace {
 
@@ -42,6 +44,7 @@ std::optional<std::vector<WordVector>> in_words(const std::vector<IntegerVector>
   std::vector<WordVector> result;
   result.reserve(points.size());
   for (const IntegerVector& p : points) {
+    look_for_interrupt();
     if (!std::all_of(p.begin(), p.end(), is_short)) return std::nullopt;
     result.push_back({static_cast<std::int64_t>(p[0]), static_cast<std::int64_t>(p[1]),
                       static_cast<std::int64_t>(p[2])});

@@ -119,6 +119,7 @@ class OperandCells {
 
   /// Marks a triangle's cells, halving the triangle across the longest side down to cell size.
   bool touch(const std::array<BoundedVector, 3>& corners, int halvings) {
+    look_for_interrupt();
     if (++pieces_ > InteriorCells::most_pieces) return false;
     const SpaceBox box = box_of(corners);
     const bool is_small = box.high[0] - box.low[0] <= size_ && box.high[1] - box.low[1] <= size_ &&
