@@ -35,6 +35,10 @@ int CarrierCutting::compare(const Cut& a, const Cut& b) {
     return certain;
   }
   if (a.plane.facet == b.plane.facet && a.plane.side == b.plane.side && a.end == b.end) return 0;
+  if (a.plane.facet != nullptr && b.plane.facet != nullptr && a.plane.side != CutterPlane::own &&
+      b.plane.side != CutterPlane::own && side_of(a) == side_of(b)) {
+    return 0;  // within both facets' planes the line meets their common side once
+  }
   ++signs.by_integer;
   const auto exact = [&](const Cut& cut) -> std::pair<Integer, Integer> {
     if (cut.plane.facet == nullptr) return {Integer(cut.end), Integer(1)};
@@ -43,6 +47,11 @@ int CarrierCutting::compare(const Cut& a, const Cut& b) {
   const auto [a_num, a_den] = exact(a);
   const auto [b_num, b_den] = exact(b);
   return Integer(a_num * b_den - b_num * a_den).sign() * a_den.sign() * b_den.sign();
+}
+
+/// The side behind a cut.
+std::uint32_t CarrierCutting::side_of(const Cut& cut) {
+  return cut.plane.facet->sides[static_cast<std::size_t>(cut.plane.side)];
 }
 
 /// Clips the line, which lies in the facet's plane, to the facet; returns false if nothing remains.
@@ -80,6 +89,25 @@ AlongFacet CarrierCutting::along_border(std::uint32_t facet, std::size_t side) {
   return {facet, same < 0, same > 0};
 }
 
+/// Whether all facets ending at the side share a plane, and no further facet runs along the side's
+/// line. Sectors between coplanar half-planes span half a turn or a whole turn: such a side, like a
+/// face's diagonal, bears no edge, and shares no piece with a side bearing an edge.
+bool CarrierCutting::lies_in_one_plane(const FacetSide& side,
+                                       const std::vector<std::uint32_t>& candidates) {
+  const ConvolutionFacet& flat = facets_[side.uses.front().facet];
+  const auto shares_plane = [&](const ConvolutionFacet& facet) {
+    return CarrierLine::parallel(flat, facet, signs);
+  };
+  if (!std::all_of(side.uses.begin(), side.uses.end(),
+                   [&](const auto& use) { return shares_plane(facets_[use.facet]); })) {
+    return false;
+  }
+  return std::all_of(candidates.begin(), candidates.end(), [&](std::uint32_t c) {
+    look_for_interrupt();
+    return line_->slope(facets_[c], signs) != 0 || shares_plane(facets_[c]);
+  });
+}
+
 const std::vector<CarrierPiece>& CarrierCutting::cut_side(std::uint32_t number) {
   const FacetSide& side = convolution_.sides[number];
   pieces_.clear();
@@ -89,11 +117,12 @@ const std::vector<CarrierPiece>& CarrierCutting::cut_side(std::uint32_t number) 
   from_ = {{}, 0, BoundedDouble(0)};
   to_ = {{}, 1, BoundedDouble(1)};
   if (is_covered()) return pieces_;
-  for (const auto& [facet, k] : side.uses) covers_.push_back({along_border(facet, k), start, end});
   // A facet that touches the side also touches each facet at the side.
   const auto fewest = std::min_element(
       side.uses.begin(), side.uses.end(),
       [&](const auto& a, const auto& b) { return near_[a.facet].size() < near_[b.facet].size(); });
+  if (lies_in_one_plane(side, near_[fewest->facet])) return pieces_;
+  for (const auto& [facet, k] : side.uses) covers_.push_back({along_border(facet, k), start, end});
   for (const std::uint32_t c : near_[fewest->facet]) {
     const bool used = std::any_of(side.uses.begin(), side.uses.end(),
                                   [&](const auto& u) { return u.facet == c; });
@@ -173,6 +202,7 @@ const std::vector<CarrierPiece>& CarrierCutting::cut_crossing(std::uint32_t a, s
 }
 
 void CarrierCutting::look_at(std::uint32_t number) {
+  look_for_interrupt();
   const ConvolutionFacet& facet = facets_[number];
   const int slope = line_->slope(facet, signs);
   if (slope != 0) return add_transversal(number, slope);
@@ -265,14 +295,18 @@ void CarrierCutting::make_pieces() {
     if (cut.covers_before) covered[cut.position - 1] = true;
     if (cut.covers_after) covered[cut.position] = true;
   }
+  std::vector<std::vector<AlongFacet>> along(last + 1);
+  for (const Cover& cover : covers_) {
+    const std::uint32_t first = cover.from == start ? 0 : cuts_[cover.from].position;
+    const std::uint32_t beyond = cover.to == end ? last + 1 : cuts_[cover.to].position;
+    for (std::uint32_t k = first; k < beyond; ++k) {
+      if (!covered[k]) along[k].push_back(cover.along);
+    }
+  }
   for (std::uint32_t k = 0; k <= last; ++k) {
     if (covered[k]) continue;
-    CarrierPiece piece{k == 0 ? from_ : at[k]->cut, k == last ? to_ : at[k + 1]->cut, {}};
-    for (const Cover& cover : covers_) {
-      const std::uint32_t first = cover.from == start ? 0 : cuts_[cover.from].position;
-      const std::uint32_t beyond = cover.to == end ? last + 1 : cuts_[cover.to].position;
-      if (first <= k && k < beyond) piece.facets.push_back(cover.along);
-    }
+    CarrierPiece piece{k == 0 ? from_ : at[k]->cut, k == last ? to_ : at[k + 1]->cut,
+                       std::move(along[k])};
     std::sort(piece.facets.begin(), piece.facets.end(),
               [](const AlongFacet& a, const AlongFacet& b) { return a.facet < b.facet; });
     pieces_.push_back(std::move(piece));

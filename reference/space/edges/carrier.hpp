@@ -66,6 +66,7 @@ class CarrierCutting {
 
   void begin(CarrierLine line);
   bool is_covered() const;
+  bool lies_in_one_plane(const FacetSide& side, const std::vector<std::uint32_t>& candidates);
   bool clip(const ConvolutionFacet& facet, Cut& from, Cut& to, int& border);
   bool spans_crossing(std::uint32_t a, std::uint32_t b);
   void add_transversal(std::uint32_t facet, int slope);
@@ -73,6 +74,7 @@ class CarrierCutting {
   void look_at(std::uint32_t facet);
   int within(const ConvolutionFacet& facet, int slope);
   int compare(const Cut& a, const Cut& b);
+  static std::uint32_t side_of(const Cut& cut);
   Cut cut_at(const ConvolutionFacet& facet, int side);
   AlongFacet along_border(std::uint32_t facet, std::size_t side);
   void make_pieces();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "reference/number/error_free.hpp"
+
 namespace minkref::inline space {
 namespace {
 
@@ -67,13 +69,20 @@ bool Collision::surfaces_cross(const NearPoint& x) {
     if (meet(x, recent_[k].of_P, recent_[k].of_Q)) return true;
   }
   const SpaceBox at = box_around(x.rounded());
+  // Where a bound equals x the step from x decides: facets in the piece's own plane drop out.
   const auto overlap = [&](const SpaceBox& p, const SpaceBox& q) {
     for (std::size_t k = 0; k < 3; ++k) {
-      // Each sum is rounded once: only a gap beyond the slack tells the boxes apart.
-      const double least = p.low[k] + q.low[k], most = p.high[k] + q.high[k];
-      const double slack = 0x1p-51 * (std::abs(p.low[k]) + std::abs(q.low[k]) +
-                                      std::abs(p.high[k]) + std::abs(q.high[k]));
-      if (at.high[k] < least - slack || at.low[k] > most + slack) return false;
+      const double low = at.low[k], high = at.high[k];
+      const double most = p.high[k] + q.high[k], least = p.low[k] + q.low[k];
+      if (low > most || high < least) return false;
+      if (low == most) {
+        const double left = error_free::sum_residual(p.high[k], q.high[k], most);
+        if (left < 0 || (left == 0 && x.step(k) > 0)) return false;
+      }
+      if (high == least) {
+        const double left = error_free::sum_residual(p.low[k], q.low[k], least);
+        if (left > 0 || (left == 0 && x.step(k) < 0)) return false;
+      }
     }
     return true;
   };

@@ -36,14 +36,28 @@ class NearPoint {
     return exact_side(form(std::type_identity<Integer>{}));
   }
 
+  /// 1 or -1: along an axis the point lies above or below x.
+  int step(std::size_t axis) const {
+    IntegerVector normal{0, 0, 0};
+    normal[axis] = 1;
+    return exact_step(normal);
+  }
+
  private:
-  int exact_side(const FormIn<Integer>& form) const {
+  const Exact& exact() const {
     if (!exact_) exact_ = make_exact_();
-    const int sign = Integer(dot(form.normal, exact_->point) - form.offset * exact_->weight).sign();
-    if (sign != 0) return sign;
-    if (const int step = dot(form.normal, exact_->along).sign(); step != 0) return step;
-    if (const int step = dot(form.normal, exact_->into).sign(); step != 0) return step;
-    return dot(form.normal, cross(exact_->along, exact_->into)).sign();
+    return *exact_;
+  }
+
+  int exact_side(const FormIn<Integer>& form) const {
+    const int sign = Integer(dot(form.normal, exact().point) - form.offset * exact().weight).sign();
+    return sign != 0 ? sign : exact_step(form.normal);
+  }
+
+  int exact_step(const IntegerVector& normal) const {
+    if (const int step = dot(normal, exact().along).sign(); step != 0) return step;
+    if (const int step = dot(normal, exact().into).sign(); step != 0) return step;
+    return dot(normal, cross(exact().along, exact().into)).sign();
   }
 
   BoundedVector rounded_;
