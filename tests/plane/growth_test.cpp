@@ -6,6 +6,7 @@
 #include "reference/plane/critical/pair_events.hpp"
 #include "reference/plane/history/edges_on_lines.hpp"
 #include "reference/plane/index/scale_index.hpp"
+#include "reference/plane/routes/simply_connected.hpp"
 #include "reference/plane/sum.hpp"
 #include "tests/counted_turns.hpp"
 #include "tests/plane/shapes.hpp"
@@ -86,6 +87,12 @@ TEST(Growth, ComponentsOfAnArrangementFindTheirFaceByATree) {
   const PolygonSet small = row(400), large = row(1600);
   const auto sum = [](const PolygonSet& P) { (void)minkowski_sum(P, octagon, 1); };
   expect_growth([&] { sum(small); }, [&] { sum(large); });
+}
+
+TEST(Growth, SlitsToHolesAreFoundByATree) {
+  const PolygonSet small = plate(16), large = plate(32);
+  expect_growth([&] { (void)cut_to_simply_connected(small); },
+                [&] { (void)cut_to_simply_connected(large); });
 }
 
 TEST(Growth, PairsOfEdgesAreFoundByATreeOfMovingBoxes) {

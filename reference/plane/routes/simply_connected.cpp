@@ -8,115 +8,13 @@
 #include "reference/plane/boundary/set_boundary.hpp"
 #include "reference/plane/lines.hpp"
 #include "reference/plane/point_predicates.hpp"
+#include "reference/plane/routes/joined_holes.hpp"
 
 namespace minkref::inline plane {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
 using IndexTriangle = std::array<std::uint32_t, 3>;
-
-/// Joins a component's walks, the outer walk first.
-class Cutter {
- public:
-  explicit Cutter(const std::vector<FilteredPoint>& points) : points_(points) {}
-
-  Indices join(Indices ring, std::vector<Indices> holes) const {
-    // Holes from right to left: a ray to the right meets only joined rings.
-    std::vector<std::pair<std::uint32_t, const Indices*>> order;
-    for (const Indices& hole : holes) {
-      order.emplace_back(
-          *std::max_element(hole.begin(), hole.end(),
-                            [&](auto a, auto b) { return compare_xy(points_[a], points_[b]) < 0; }),
-          &hole);
-    }
-    std::stable_sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
-      return compare_xy(points_[a.first], points_[b.first]) > 0;
-    });
-    for (const auto& [rightmost, hole] : order) {
-      look_for_interrupt_now();
-      const std::uint32_t end = visible_vertex(ring, rightmost);
-      splice(ring, corner(ring, end, rightmost), *hole, corner(*hole, rightmost, end));
-    }
-    return ring;
-  }
-
- private:
-  /// A vertex of the ring visible from m, to the right (Eberly, "Triangulation by ear clipping").
-  std::uint32_t visible_vertex(const Indices& ring, std::uint32_t m) const {
-    const FilteredPoint& at = points_[m];
-    bool found = false, hit_vertex = false;
-    Rational nearest;
-    std::uint32_t a_hit = 0, b_hit = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const std::uint32_t a = ring[i], b = ring[(i + 1) % ring.size()];
-      const int ya = compare_y(points_[a], at), yb = compare_y(points_[b], at);
-      Rational x;
-      bool vertex = false;
-      if (ya == 0) {
-        if (compare_x(points_[a], at) <= 0) continue;
-        x = points_[a].exact().x;
-        vertex = true;
-      } else if (ya * yb < 0) {
-        // Only an edge that runs upwards has the interior on the side of m.
-        if (ya > 0 || orientation(points_[a], points_[b], at) <= 0) continue;
-        const Point &p = points_[a].exact(), &q = points_[b].exact();
-        x = p.x + (at.exact().y - p.y) / (q.y - p.y) * (q.x - p.x);
-      } else {
-        continue;
-      }
-      if (found && !(x < nearest)) continue;
-      found = true;
-      hit_vertex = vertex;
-      nearest = x;
-      a_hit = a;
-      b_hit = b;
-    }
-    if (hit_vertex) return a_hit;
-    const bool upper = compare_x(points_[b_hit], points_[a_hit]) >= 0;
-    const std::uint32_t end = upper ? b_hit : a_hit;
-    // Vertices within the triangle of m, the point hit and `end` may hide `end`: the vertex nearest
-    // to the ray by angle, then by distance, is visible.
-    const int sense = upper ? 1 : -1;
-    std::uint32_t best = end;
-    for (const std::uint32_t r : ring) {
-      if (r == best || compare_y(points_[r], at) != sense) continue;
-      if (orientation(points_[a_hit], points_[b_hit], points_[r]) < 0) continue;
-      if (orientation(at, points_[end], points_[r]) * sense > 0) continue;
-      const int angle = orientation(at, points_[best], points_[r]) * sense;
-      if (angle < 0 || (angle == 0 && compare_x(points_[r], points_[best]) < 0)) best = r;
-    }
-    return best;
-  }
-
-  /// The position of `point` within the ring whose interior wedge holds the direction to `towards`.
-  std::size_t corner(const Indices& ring, std::uint32_t point, std::uint32_t towards) const {
-    const std::size_t n = ring.size();
-    std::size_t last = n;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (ring[i] != point) continue;
-      last = i;
-      const FilteredPoint &at = points_[point], &out = points_[ring[(i + 1) % n]],
-                          &in = points_[ring[(i + n - 1) % n]], &to = points_[towards];
-      const int wedge = orientation(at, out, in);
-      const int after_out = orientation(at, out, to), before_in = orientation(at, to, in);
-      const bool inside = wedge > 0   ? after_out > 0 && before_in > 0
-                          : wedge < 0 ? after_out > 0 || before_in > 0
-                                      : after_out > 0 || ring[(i + 1) % n] == ring[(i + n - 1) % n];
-      if (inside) return i;
-    }
-    return last;
-  }
-
-  static void splice(Indices& ring, std::size_t at, const Indices& hole, std::size_t from) {
-    Indices detour;
-    const std::size_t steps = hole.size() == 1 ? 0 : hole.size();
-    for (std::size_t k = 0; k <= steps; ++k) detour.push_back(hole[(from + k) % hole.size()]);
-    detour.push_back(ring[at]);
-    ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(at) + 1, detour.begin(), detour.end());
-  }
-
-  const std::vector<FilteredPoint>& points_;
-};
 
 /// Ear clipping of a weakly simple ring with a connected interior.
 class EarClipper {
@@ -205,9 +103,10 @@ std::vector<Indices> cut_rings(const BoundaryGraph& graph,
       holes[walk.component].push_back(walk.points);
     }
   }
-  const Cutter cutter(points);
-  for (std::size_t c = 0; c < outer.size(); ++c)
-    outer[c] = cutter.join(std::move(outer[c]), std::move(holes[c]));
+  for (std::size_t c = 0; c < outer.size(); ++c) {
+    look_for_interrupt();
+    outer[c] = joined_holes(points, outer[c], holes[c]);
+  }
   return outer;
 }
 
@@ -248,7 +147,7 @@ std::vector<Triangle> triangulate(const PolygonSet& set) {
 std::vector<IndexTriangle> triangulate(const std::vector<FilteredPoint>& points,
                                        const Indices& outer, const std::vector<Indices>& holes) {
   std::vector<IndexTriangle> triangles;
-  const Indices ring = Cutter(points).join(outer, holes);
+  const Indices ring = joined_holes(points, outer, holes);
   EarClipper(points, ring).clip(triangles);
   return triangles;
 }

@@ -14,7 +14,7 @@ namespace minkref::inline plane {
 /// The set with its holes joined to their outer rings by slits between vertices: one weakly simple
 /// ring for each connected component of the interior, as `outer`, and no holes. Every vertex of the
 /// result belongs to the set. The interior less the slits is simply connected. Returns sets without
-/// holes, points and segments unchanged. Exact. O(h n + n log n).
+/// holes, points and segments unchanged. Exact. O(n log n) if slits are short (joined_holes.hpp).
 PolygonSet cut_to_simply_connected(const PolygonSet& set);
 
 /// The operand whose convolution is followed to find a sum: cut for the full convolution.
