@@ -54,11 +54,26 @@ CertificateMade = Annotated[
 ]
 
 
+class CheckedCase(TypedDict):
+    path: Annotated[str, Meta(description="The file that P, Q and so on were read from.")]
+    sha256: Annotated[str, Meta(description="Its digest, as in the certificate.")]
+
+
 class CheckedFile(TypedDict):
     file: str
     verdict: CheckVerdict
-    message: Annotated[str, Meta(description="Why it is not verified.")]
+    message: Annotated[str, Meta(description="Why it is not verified, or was passed over.")]
+    case: Annotated[CheckedCase | None, Meta(description="What is verified is about this case.")]
     claims: Annotated[list[str], Meta(description="What is proven.")]
+    checked: NotRequired[
+        Annotated[
+            Literal["verified"],
+            Meta(
+                description="With --proved: the verdict of check.py, which proves `claims`; "
+                "`verdict` is that of the checker that is proved right."
+            ),
+        ]
+    ]
     proved: NotRequired[
         Annotated[
             list[str],

@@ -8,11 +8,11 @@ from typing import Annotated, Any
 
 import typer
 from minkref.cli.options import Json, Schema
-from minkref.errors import Refusal
 from minkref.oracle.checker import check as checker
 from minkref.output.documents import Stopwatch, as_text, document, scratch_folder
 from minkref.output.terminal import escaped
 from minkref.verbs import check_proved
+from minkref.verbs.certificates_of import certificates_of
 from minkref.verbs.unpacked import Unpacking
 
 EXAMPLES = """Examples:
@@ -25,7 +25,6 @@ minkref check event.cert.json --case event.case.json --seconds 60
 
 minkref check sum.cert.json --proved"""
 
-ENDINGS = ("*.cert.json", "*.cert.json.gz")
 MOST = 1e18
 WORDS = {
     checker.VERIFIED: "verified",
@@ -40,7 +39,10 @@ WORST = (checker.REFUTED, checker.MALFORMED, checker.OUT_OF_BUDGET, check_proved
 def command(
     files: Annotated[
         list[Path],
-        typer.Argument(help="Certificates, or folders of *.cert.json.", metavar="FILE|DIR..."),
+        typer.Argument(
+            help="Certificates, or folders of *.cert.json; - is standard input.",
+            metavar="FILE|DIR...",
+        ),
     ],
     case: Annotated[
         Path | None,
@@ -84,15 +86,21 @@ def command(
     watch = Stopwatch()
     if proved:
         check_proved.program()
-    rows = []
-    for path in _found(files):
+    rows: list[dict[str, Any]] = []
+    for path, why_not in (found for given in files for found in certificates_of(given)):
+        if why_not:
+            rows.append({"file": str(path), "verdict": "malformed", "message": why_not})
+            rows[-1] |= {"case": None, "claims": []}
+            if not json:
+                _print(rows[-1])
+            continue
         read = Unpacking()
         limits = (seconds, tests, bytes_)
-        code, message, claims = checker.verdict(path, case, limits, (read, read))
-        row: dict[str, Any] = {"file": str(path), "verdict": WORDS[code]}
-        row |= {"message": message, "claims": claims}
+        code, message, said = checker.verdict(path, case, limits, (read.certificate, read))
+        row: dict[str, Any] = {"file": str(path), "verdict": WORDS[code], "message": message}
+        row |= {"case": _case(read, said), "claims": said[1:]}
         if proved and code == checker.VERIFIED:
-            row |= _proved(read, limits, claims)
+            row |= {"checked": WORDS[code], **_proved(read, limits, said[1:])}
         rows.append(row)
         if not json:
             _print(row)
@@ -115,25 +123,21 @@ def _proved(read: Unpacking, limits: tuple[float, ...], claims: list[str]) -> di
     }  # fmt: skip
 
 
-def _found(files: list[Path]) -> list[Path]:
-    found: list[Path] = []
-    for path in files:
-        if not path.is_dir():
-            found.append(path)
-            continue
-        inside = sorted(p for ending in ENDINGS for p in path.rglob(ending) if p.is_file())
-        if not inside:
-            mend = f"name files, or a folder that holds {' or '.join(ENDINGS)}"
-            raise Refusal("there is no certificate in this folder", str(path), mend)
-        found += inside
-    return found
+def _case(read: Unpacking, said: list[str]) -> dict[str, str] | None:
+    """The case of what is verified: its file, and its digest, which the checker says last."""
+    if not said:
+        return None
+    return {"path": str(read.read[1][0]), "sha256": said[0].rpartition(" ")[2]}
 
 
 def _print(row: dict[str, Any]) -> None:
     message = f": {escaped(row['message'])}" if row["message"] else ""
     sys.stdout.write(f"{escaped(row['file'])}: {row['verdict']}{message}\n")
+    if row["case"]:
+        sys.stdout.write(f"  case {escaped(row['case']['path'])}, {row['case']['sha256']}\n")
+    by = "by check.py: " if "checked" in row else ""
     for claim in row["claims"]:
-        sys.stdout.write(f"  {escaped(claim)}\n")
+        sys.stdout.write(f"  {by}{escaped(claim)}\n")
     for name, word in (("proved", "proved"), ("not_proved", "not proved")):
         for line in row.get(name, ()):
             sys.stdout.write(f"  {word}: {escaped(line)}\n")

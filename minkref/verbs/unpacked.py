@@ -16,10 +16,18 @@ class Unpacking:
 
     def __call__(self, path: Path, most: float) -> bytes:
         """The plain bytes, one more than `most` where there are too many. Raises NotVerified."""
-        data = checker.file_bytes(path, most)
+        return self._kept(path, checker.file_bytes(path, most), most)
+
+    def certificate(self, path: Path, most: float) -> bytes:
+        """The same of a certificate: `-` is standard input."""
+        if str(path) != "-":
+            return self(path, most)
+        return self._kept(path, checker.INPUT[0](path, most), most)
+
+    def _kept(self, path: Path, data: bytes, most: float) -> bytes:
         packed = data[:2] == checker.GZIP and len(data) <= most
         data = plain(data, path, int(most)) if packed else data
-        self.read.append((path, data if packed else None))
+        self.read.append((path, data if packed or str(path) == "-" else None))
         return data
 
     def files(self, folder: Path) -> list[Path]:

@@ -1,12 +1,9 @@
 #!/usr/bin/env python3
-"""Checks certificates of Minkowski sums: `python3 check.py FILE...`. The forms: sums sP + Q in the
-plane (certificate-v1; by a factor for each axis, axes-certificate-v1), of convex polyhedra (convex-
-certificate-v1), of any (solid-certificate-v1); parts on paths (path-...), discs that touch a set
-(feature-...), unions (union-...), sums with a disc (disc-sum-...).
+"""Checks certificates of Minkowski sums, paths, bridges and unions: `python3 check.py FILE...`.
 
 The checker stands alone: this file and the standard library. Each part of it needs this one, the
-last one, and those that it names. The members, the demands of each rule and why they are enough:
-docs/certificates.md; of others certificates-convex, -solids, -paths, -features, -unions, -disc.md.
+last one, and those that it names. The forms, the demands of each rule and why they are enough:
+docs/certificates.md, and certificates-convex.md, -solids, -paths, -features, -unions, -disc.
 Signs are decided in integers and fractions. Anything unknown, unused or left over is malformed.
 
 Exit codes: 0 verified; 1 refuted; 2 malformed, or its case is missing; 4 out of budget.
@@ -20,6 +17,7 @@ import itertools
 import json
 import os
 import re
+import signal
 import sys
 import time
 from collections import Counter, defaultdict
@@ -33,7 +31,7 @@ from typing import Any, ClassVar, NamedTuple, TypeVar
 VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET = 0, 1, 2, 4
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?(\d{1,3}|1000))?|[+-]?\d+/\d+", re.ASCII)
 SURROGATE = re.compile(r"(?<!\\)(\\\\)*\\u[dD][89a-fA-F]")
-MOST_DIGITS = 100_000  # of one number
+MOST_DIGITS, MOST_BITS = 100_000, 2**31  # of one number; of numbers over one denominator
 GZIP = b"\x1f\x8b"
 
 Json = Any
@@ -68,20 +66,30 @@ def within(place: str) -> Iterator[None]:
 
 
 class Budget:
-    """The time and the tests that may still be spent."""
+    """The time and the tests that may still be spent. A signal ends work between two tests."""
 
     def __init__(self, seconds: float, tests: float) -> None:
         self.deadline, self.tests = time.monotonic() + seconds, tests
+        signal.signal(signal.SIGALRM, lambda *_: self.spend(inf))
+        signal.setitimer(signal.ITIMER_REAL, max(1e-6, min(seconds, 1e9)))
 
-    def spend(self, tests: int) -> None:
+    def spend(self, tests: float) -> None:
         self.tests -= tests
         left = self.tests >= 0 and time.monotonic() < self.deadline
         demand(left, "a limit is reached (--seconds, --tests)", OUT_OF_BUDGET)
 
+    def common(self, points: Sequence[Sequence[Fraction]]) -> int:
+        """The common denominator, by which all coordinates become whole: they take room."""
+        unit = 1
+        for point in points:
+            unit = lcm(unit, *(c.denominator for c in point))
+            self.spend(1 + (bits := unit.bit_length()) // 64)
+            demand(bits * len(points) <= MOST_BITS, "a denominator is too large", OUT_OF_BUDGET)
+        return unit
+
 
 def members(value: Json, names: str) -> list[Json]:
-    """The members of an object, in the order of `names`. No other may be there; `name?` may lack
-    and is None then."""
+    """The members of an object, in the order of `names`, no others; `name?` may lack: None."""
     require(isinstance(value, dict), f"an object with {names} is missing")
     missing = [name for name in names.split() if name[-1] != "?" and name not in value]
     require(not missing, f"a member is missing: {', '.join(missing)}")
@@ -144,9 +152,6 @@ def read_json(path: Path, read: Reader, most: float, decimals: bool) -> Json:
     def refuse(text: str) -> Json:
         raise NotVerified(MALFORMED, f"{text[:60]} is no number here")
 
-    def whole_number(text: str) -> int:
-        return int(text) if len(text) <= MOST_DIGITS else refuse(text)
-
     try:
         data = read(path, most)
         demand(len(data) <= most, f"{path} has over {most:,.0f} bytes (--bytes)", OUT_OF_BUDGET)
@@ -154,8 +159,8 @@ def read_json(path: Path, read: Reader, most: float, decimals: bool) -> Json:
         require(data[:2] != GZIP, f"{path} is compressed by gzip: {mend}")
         text = data.decode()
         require(not SURROGATE.search(text), f"{path} escapes a surrogate")
-        real = str if decimals else refuse
-        hooks: Json = {"parse_constant": refuse, "parse_float": real, "parse_int": whole_number}
+        hooks: Json = {"parse_constant": refuse, "parse_float": str if decimals else refuse}
+        hooks["parse_int"] = lambda text: (int if len(text) <= MOST_DIGITS else refuse)(text)
         return json.loads(text, object_pairs_hook=unique, **hooks)
     except OSError as error:
         raise NotVerified(MALFORMED, f"{path} cannot be read: {error.strerror}") from error
@@ -333,12 +338,8 @@ class Pieces:
 
 class Region:
     """`eq` at one scale, `move` from one to another: convex cells that tile a box, each covered by
-    the sum of two solid nodes or apart from the sum, which is thus the union of those covered.
-
-    The corners of cells are meets of lines of fixed directions whose distances from the origin are
-    linear in s, so that what is linear and holds at both ends holds between. The rings, which are
-    given, put the sum in canonical form: the boundary of a component can be cut into simple rings
-    in one way only."""
+    the sum of two solid nodes or apart from it, which is thus the union of those covered. Corners
+    are linear in s: what is linear and holds at both ends holds between."""
 
     def __init__(self, step: Json, proof: Proof) -> None:
         names = "rule scales by box elements cells normals proofs contacts polygons"
@@ -448,8 +449,8 @@ class Region:
         return s.numerator * self.P.most(A, normal) + s.denominator * self.Q.most(B, normal)
 
     def least(self, end: int, corners: list[int], normal: Vector, side: int) -> int:
-        """The least value (side 1) of normal * x on points, rounded down, or the largest (side -1),
-        rounded up: to be compared with integers. In the unit of `most`."""
+        """The least value (side 1) of normal * x on points, rounded down, or the largest (-1),
+        rounded up, in the unit of `most`."""
         factor = side * self.scales[end].denominator
         points = (self.points[i][end] for i in corners)
         return side * int(min(factor * dot(normal, p) // p[2] for p in points))
@@ -555,8 +556,7 @@ def plain(polygons: list[Rings]) -> Json:
 
 
 class Proof:
-    """The operands, and the steps and claims that hold so far. Each member of a claim is compared
-    with what the steps have shown."""
+    """The operands, and the steps and claims that hold so far."""
 
     rules: ClassVar[dict[Any, Any]] = {"pieces": Pieces, "eq": Region, "move": Region}
     claims: ClassVar[dict[Any, Any]] = {}  # what checks one; returns its text and what it shows
@@ -569,10 +569,7 @@ class Proof:
         self.shown: list[Any] = []  # the region, or the regions, that a claim is about
         self.said: list[str] = []
         self.spend = budget.spend
-        self.unit = 1
-        for x, y in P.exact + Q.exact:
-            self.unit = lcm(self.unit, x.denominator, y.denominator)
-            self.spend(1 + self.unit.bit_length() // 64)
+        self.unit = budget.common(P.exact + Q.exact)
         for o in (P, Q):
             o.points = [(int(x * self.unit), int(y * self.unit), 1) for x, y in o.exact]
             areas = [doubled_area([o.points[i] for i in ring]) for ring in o.rings]
@@ -750,6 +747,8 @@ def signs_of(proof: Proof, predicate: Json, ends: list[Fraction]) -> set[int]:
     if name == "concurrent":
         points = [point for line in points for point in items(line, 2)]
     moving = [[moved(proof, point, s) for s in ends] for point in points]
+    apart = len(moving) == 3 or all(moving[k] != moving[k + 1] for k in (0, 2, 4))
+    require(apart, "a line has one point given twice")
     sums = [Fraction(0)] * (len(points) + 1)
     for choice in itertools.product((0, 1), repeat=len(points)):
         u, v, w, *more = (point[end] for point, end in zip(moving, choice, strict=True))
@@ -921,8 +920,7 @@ class ConvexSum:
         begin = all(ring[0] == min(ring) for ring in self.rings)
         require(begin, "a facet does not begin with its least vertex")
         require(self.rings == sorted(self.rings), "the facets do not ascend")
-        used = len(set(itertools.chain(*self.rings))) == len(pairs)
-        require(used, "a vertex is in no facet")
+        require(len(set(itertools.chain(*self.rings))) == len(pairs), "a vertex is in no facet")
         budget.spend(sum(ends))
         common = lcm(*(factor.denominator for factor in self.scaling))
         self.unit = unit * common
@@ -981,10 +979,7 @@ def of_convex_bodies(
     case: Json, digest: Json, entries: Json, claims: Json, budget: Budget
 ) -> list[str]:
     P, Q = bodies_of(case, digest)
-    unit = 1
-    for point in P.exact + Q.exact:
-        unit = lcm(unit, *(c.denominator for c in point))
-        budget.spend(1 + unit.bit_length() // 64)
+    unit = budget.common(P.exact + Q.exact)
     for operand in (P, Q):
         operand.check(unit, budget)
     sums: list[ConvexSum] = []
@@ -1271,8 +1266,7 @@ class SolidSum:
                     height = d * self.unit
                     other = below(polygon, ((-a, -b, -c), -height), self.budget)
                     part = below(polygon, ((a, b, c), height), self.budget)
-                    cuts = bool(part) and bool(other) and part is not polygon
-                    demand(cuts, "it does not cut")
+                    demand(bool(part) and bool(other) and part is not polygon, "it does not cut")
                     stack += [other, part]
                 elif kind == "none":
                     items(rest, 0)
@@ -1495,12 +1489,8 @@ def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budge
     bodies = bodies_of(case, digest)
     *parts, entries = members(proof, "P Q sums")
     exact, hulls = zip(*map(read_pieces, parts, bodies), strict=True)
-    few = len(hulls[0]) * len(hulls[1]) <= MOST_PAIRS
-    demand(few, "there are too many pairs of pieces", OUT_OF_BUDGET)
-    unit = 1
-    for point in itertools.chain(*exact):
-        unit = lcm(unit, *(c.denominator for c in point))
-        budget.spend(1 + unit.bit_length() // 64)
+    demand(len(hulls[0]) * len(hulls[1]) <= MOST_PAIRS, "too many pairs of pieces", OUT_OF_BUDGET)
+    unit = budget.common([*itertools.chain(*exact)])
     points = [[times((unit, unit, unit), p) for p in of] for of in exact]
     for body, at, pieces in zip(bodies, points, hulls, strict=True):
         body.points = at[: len(body.exact)]
@@ -1918,8 +1908,7 @@ class DiscProof:
             inside = 0 < min(over) and max(over) < length
             inside = inside or (closed and 0 <= min(over) and max(over) <= length)
             demand(inside, "a centre is not in front of its edge")
-            right = all(self.height(n, p) > 0 for p in centres)
-            demand(right, "a centre is not right of its edge")
+            demand(all(self.height(n, p) > 0 for p in centres), "a centre is not right of its edge")
             return {n}
         before, v = self.last[n], self.at[n]
         demand(self.times[v] == 1, "rings touch at a vertex")
@@ -2177,6 +2166,7 @@ def claim_sign(union: Union, claim: Json) -> str:
     lines = [[r] if kind == "orientation" else items(r, 2) for r in items(rows, 3)]
     points = [list(map(union.at, line)) for line in lines]
     u, v, w = (row[0] if len(row) == 1 else across(row[0], row[1]) for row in points)
+    require(all(map(any, (u, v, w))), "a line has one point given twice")
     value = at_point(across(v, w), u)
     demand(integer(sign) == (value > 0) - (value < 0), "it has another sign")
     return f"{of} has the sign {sign}"
@@ -2609,8 +2599,8 @@ INPUT: list[Reader] = [lambda _, most: sys.stdin.buffer.read(int(most) + 1), fil
 
 
 def check(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader]) -> list[str]:
-    """The claims that a certificate proves, as texts. Raises NotVerified."""
-    seconds, tests, size = limits
+    """The case, and the claims that a certificate proves, as texts. Raises NotVerified."""
+    size, budget = limits[2], Budget(*limits[:2])
     certificate = read_json(path, read[0], size, decimals=False)
     form = certificate.get("certificate") if isinstance(certificate, dict) else None
     require(form in tuple(FORMS), f"this is no {' or '.join(FORMS)}, but {form!r}")
@@ -2619,15 +2609,17 @@ def check(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader])
     _, *told, of = (found := members(certificate, names))[:5]
     require(all(t is None or isinstance(t, str) for t in told), "what carries no truth is no text")
     name, digest = members(of, "path sha256")
-    good = isinstance(name, str) and "\0" not in name and name.split("/")[-1] not in ("", ".")
-    require(good, "the path of the case is none")
-    value = read_json(case or path.parent / name, read[1], size, decimals=True)
+    steps = name.split("/") if isinstance(name, str) and "\0" not in name else [""]
+    require(steps[-1] not in ("", "."), "the path of the case is none")
+    inside = case is not None or {"", ".."}.isdisjoint(steps)
+    require(inside, f"the case {name} is in another folder: give --case FILE")
+    value = read_json(case := case or path.parent / name, read[1], size, decimals=True)
     require(isinstance(value, dict), "this is no case")
-    return follow(value, digest, *found[5:], Budget(seconds, tests))
+    return [f"case {case}, {digest}", *follow(value, digest, *found[5:], budget)]
 
 
 def verdict(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader]) -> Verdict:
-    """The code, why it is not verified, and what is claimed."""
+    """The code, why it is not verified, and the case and what is claimed."""
     sys.set_int_max_str_digits(0)
     try:
         return VERIFIED, "", check(path, case, limits, read)
@@ -2635,6 +2627,8 @@ def verdict(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader
         return error.code, str(error), []
     except (MemoryError, RecursionError):
         return OUT_OF_BUDGET, "there is too little memory", []
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -2648,8 +2642,7 @@ def main(arguments: list[str] | None = None) -> int:
     words = {VERIFIED: "verified", REFUTED: "refuted: ", MALFORMED: "malformed: "}
     limits, codes = (given.seconds, given.tests, given.bytes), set()
     for path in given.files:
-        read = INPUT if str(path) == "-" else FILES
-        code, why, said = verdict(path, given.case, limits, read)
+        code, why, said = verdict(path, given.case, limits, INPUT if str(path) == "-" else FILES)
         told = f"{path}: {words.get(code, 'out of budget: ')}{why}", *(f"  {line}" for line in said)
         print(*(line.encode("unicode_escape").decode() for line in told), sep="\n", flush=True)
         codes.add(code)

@@ -1,6 +1,12 @@
 // minkref-check: the checker of certificates in C++ over GMP. docs/certificates.md
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -120,18 +126,10 @@ std::string shown(const std::string& text) {
   return line;
 }
 
-// The worst verdict on a file so far: what the process ends with.
-bool refuted = false, malformed = false, out = false;
+constexpr int lost = 70, memory_ended = 71;  // exit codes: nobody takes the verdict; of a child
 
-int exit_code() { return refuted ? 1 : malformed ? 2 : out ? 4 : 0; }
-
-/// No exception may pass through GMP where memory ends.
-void* no_memory() {
-  std::fputs("out of budget: there is too little memory\n", stderr);
-  out = true;
-  std::cout.flush();
-  std::_Exit(exit_code());
-}
+/// Ends the process checking a file when memory runs out: no exception may pass through GMP.
+void* no_memory() { std::_Exit(memory_ended); }
 
 void* allocate(std::size_t size) {
   void* found = std::malloc(size);
@@ -145,8 +143,47 @@ void* reallocate(void* old, std::size_t, std::size_t size) {
 
 void release(void* old, std::size_t) { std::free(old); }
 
-void check_file(const std::string& file, const Options& options) {
+/// Whether a path named by a certificate stays in the certificate's folder.
+bool is_inside(const std::string& name) {
+  for (std::size_t at = 0; at <= name.size();) {
+    const std::size_t end = std::min(name.find('/', at), name.size());
+    const std::string step = name.substr(at, end - at);
+    if (step.empty() || step == "..") return false;
+    at = end + 1;
+  }
+  return true;
+}
+
+/// Reads the digest named by a certificate: once verified, the digest of its case.
+std::string digest_of_case(const Value& certificate) {
+  for (const Member& m : certificate.members) {
+    if (m.name == "case") return text(*members(m.value, "path sha256")[1]);
+  }
+  return "";
+}
+
+/// Says the verdict on a file; returns its exit code.
+int say(const std::string& file, Code code, const std::string& why) {
+  const char* word = code == Code::verified    ? "verified"
+                     : code == Code::refuted   ? "refuted"
+                     : code == Code::malformed ? "malformed"
+                                               : "out of budget";
+  std::cout << shown(file) << ": " << word << (why.empty() ? "" : ": ") << shown(why) << "\n";
+  return static_cast<int>(code);
+}
+
+/// Ends this process by a signal after some time, even while reading.
+void end_after(double seconds) {
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  timer.it_value.tv_usec =
+      static_cast<suseconds_t>(std::ceil((seconds - std::floor(seconds)) * 999999));
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+int check_file(const std::string& file, const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
+  end_after(std::clamp(options.seconds, 1e-6, 1e9));
   Budget budget{[&] {
                   const std::chrono::duration<double> spent =
                       std::chrono::steady_clock::now() - begin;
@@ -154,9 +191,13 @@ void check_file(const std::string& file, const Options& options) {
                 },
                 mpz_class(std::floor(options.tests))};
   const auto most = static_cast<std::size_t>(options.bytes);
+  std::string from;
   const auto read_case = [&](const std::string& name) {
+    require(options.case_path || is_inside(name),
+            "the case " + name + " is in another folder: give --case FILE");
     const auto beside = std::filesystem::path(file).parent_path() / name;
-    return parse_json(read(options.case_path.value_or(beside.string()), most, false), true);
+    from = options.case_path.value_or(beside.string());
+    return parse_json(read(from, most, false), true);
   };
   try {
     const Value certificate = parse_json(read(file, most, file == "-"), false);
@@ -168,20 +209,37 @@ void check_file(const std::string& file, const Options& options) {
         : is_disc_sum_certificate(certificate) ? check_disc_sums(certificate, read_case, budget)
         : is_union_certificate(certificate)    ? check_unions(certificate, read_case, budget)
                                                : check(certificate, read_case, budget);
-    std::cout << shown(file) << ": verified\n";
+    end_after(0);
+    say(file, Code::verified, "");
+    std::cout << "  case " << shown(from) << ", " << digest_of_case(certificate) << "\n";
     for (const std::string& line : said) std::cout << "  " << shown(line) << "\n";
+    return 0;
   } catch (const NotVerified& error) {
-    refuted = refuted || error.code == Code::refuted;
-    malformed = malformed || error.code == Code::malformed;
-    out = out || error.code == Code::out_of_budget;
-    const char* word = error.code == Code::refuted     ? "refuted"
-                       : error.code == Code::malformed ? "malformed"
-                                                       : "out of budget";
-    std::cout << shown(file) << ": " << word << ": " << shown(error.what()) << "\n";
+    return say(file, error.code, error.what());
   } catch (const std::bad_alloc&) {
-    out = true;
-    std::cout << shown(file) << ": out of budget: there is too little memory\n";
+    return memory_ended;
   }
+}
+
+/// Checks a file in a new process: files do not share time and memory.
+int verdict_on(const std::string& file, const Options& options) {
+  std::cout.flush();
+  const pid_t child = fork();
+  if (child < 0) return say(file, Code::out_of_budget, "no process can be started");
+  if (child == 0) {
+    const int code = check_file(file, options);
+    std::cout.flush();
+    std::_Exit(std::cout.good() ? code : lost);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+  }
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  if (code == -SIGALRM) return say(file, Code::out_of_budget, "a limit is reached");
+  if (code == memory_ended || code == -SIGKILL || code == -SIGSEGV) {
+    return say(file, Code::out_of_budget, "there is too little memory");
+  }
+  return code;
 }
 
 }  // namespace
@@ -194,11 +252,17 @@ int main(int argc, char** argv) {
   }
   try {
     const Options options = options_of(argc, argv);
-    for (const std::string& file : options.files) check_file(file, options);
+    std::vector<int> codes;
+    for (const std::string& file : options.files) codes.push_back(verdict_on(file, options));
+    std::cout.flush();
+    if (!std::cout.good()) return lost;
+    for (const int worst : {lost, 1, 2, 4}) {
+      if (std::find(codes.begin(), codes.end(), worst) != codes.end()) return worst;
+    }
+    const bool all = std::all_of(codes.begin(), codes.end(), [](int code) { return code == 0; });
+    return all ? 0 : lost;
   } catch (const WrongUsage&) {
     std::cerr << usage;
     return 2;
   }
-  std::cout.flush();
-  return std::cout.good() ? exit_code() : 70;
 }

@@ -185,4 +185,5 @@ def test_both_forms_by_one_command(tmp_path: Path, capfd: pytest.CaptureFixture[
         ours = capfd.readouterr()
         assert subprocess.run([*in_cpp(), *names], check=False).returncode == code
         for said in (ours, capfd.readouterr()):
-            assert said.err == "" and "verified\n  sum: at (1, 1, 1), " in said.out
+            assert said.err == "" and "verified\n  case " in said.out
+            assert "\n  sum: at (1, 1, 1), " in said.out

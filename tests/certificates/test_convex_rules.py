@@ -88,7 +88,7 @@ ON_EDGE = also(
         (cert("title", 7), MALFORMED, "carries no truth"),
         (lambda c: c["case"].__setitem__("path", 7), MALFORMED, "path of the case"),
         (lambda c: c["case"].__setitem__("path", "nowhere.json"), MALFORMED, "cannot be read"),
-        (lambda c: c["case"].__setitem__("path", ".."), MALFORMED, "it is no file"),
+        (lambda c: c["case"].__setitem__("path", ".."), MALFORMED, "is in another folder"),
         (lambda c: c["case"].__setitem__("path", "x" * 10**6), MALFORMED, "xx cannot be read: it"),
         (lambda c: c["case"].__setitem__("path", "."), MALFORMED, "path of the case"),
         (lambda c: c["case"].__setitem__("of", ""), MALFORMED, "more members"),

@@ -64,7 +64,9 @@ def test_a_claim_without_a_theorem_is_declined(square: Path, capsys: Any) -> Non
     assert run(["check", str(square), "--proved", "--json"]) == 5
     (row,) = json.loads(capsys.readouterr().out)["files"]
     assert row["verdict"] == "declined" and row["proved"] == []
-    assert row["not_proved"] == row["claims"] != []
+    assert row["not_proved"] == row["claims"] != [] and row["checked"] == "verified"
+    assert run(["check", str(square), "--proved"]) == 5
+    assert "  by check.py: " in capsys.readouterr().out
     # Refuted is worse than declined.
     assert run(["check", str(square), str(square.with_name("nowhere")), "--proved"]) == 2
 
@@ -122,6 +124,17 @@ def test_no_theorem(holed: str, tmp_path: Path, capsys: Any, options: list[str],
     assert run(["certify", holed, holed, *options, "-o", str(tmp_path / "it.cert.json")]) == 2
     assert why in capsys.readouterr().err
     assert not (tmp_path / "it.cert.json").exists()
+
+
+def test_of_several_sums_there_is_no_theorem(proved: list[str], square: Path) -> None:
+    value = squares.certificate()
+    value["claims"].append({**squares.CLAIM, "scale": "1.0"})
+    square.write_text(json.dumps(value), encoding="utf-8")
+    theorem = square.with_name("it.v")
+    command = [*proved, f"--theorem={theorem}", str(square)]
+    ran = subprocess.run(command, capture_output=True, text=True)
+    assert ran.returncode == 2 and "several sums are claimed" in ran.stdout
+    assert not theorem.exists()
 
 
 @pytest.mark.usefixtures("proved")

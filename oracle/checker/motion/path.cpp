@@ -57,7 +57,7 @@ class PathCertificate {
     for (const Operand& operand : operands_) {
       for (const Point& p : operand.exact) {
         unit_ = lcm(lcm(unit_, p.x.get_den()), p.y.get_den());
-        budget_.spend(1 + mpz_sizeinbase(unit_.get_mpz_t(), 2) / 64);
+        budget_.spend_unit(unit_, operands_[0].exact.size() + operands_[1].exact.size());
       }
     }
     for (Operand& operand : operands_) {

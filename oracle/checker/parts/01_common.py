@@ -1,12 +1,9 @@
 #!/usr/bin/env python3
-"""Checks certificates of Minkowski sums: `python3 check.py FILE...`. The forms: sums sP + Q in the
-plane (certificate-v1; by a factor for each axis, axes-certificate-v1), of convex polyhedra (convex-
-certificate-v1), of any (solid-certificate-v1); parts on paths (path-...), discs that touch a set
-(feature-...), unions (union-...), sums with a disc (disc-sum-...).
+"""Checks certificates of Minkowski sums, paths, bridges and unions: `python3 check.py FILE...`.
 
 The checker stands alone: this file and the standard library. Each part of it needs this one, the
-last one, and those that it names. The members, the demands of each rule and why they are enough:
-docs/certificates.md; of others certificates-convex, -solids, -paths, -features, -unions, -disc.md.
+last one, and those that it names. The forms, the demands of each rule and why they are enough:
+docs/certificates.md, and certificates-convex.md, -solids, -paths, -features, -unions, -disc.
 Signs are decided in integers and fractions. Anything unknown, unused or left over is malformed.
 
 Exit codes: 0 verified; 1 refuted; 2 malformed, or its case is missing; 4 out of budget.
@@ -20,6 +17,7 @@ import itertools
 import json
 import os
 import re
+import signal
 import sys
 import time
 from collections import Counter, defaultdict
@@ -33,7 +31,7 @@ from typing import Any, ClassVar, NamedTuple, TypeVar
 VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET = 0, 1, 2, 4
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?(\d{1,3}|1000))?|[+-]?\d+/\d+", re.ASCII)
 SURROGATE = re.compile(r"(?<!\\)(\\\\)*\\u[dD][89a-fA-F]")
-MOST_DIGITS = 100_000  # of one number
+MOST_DIGITS, MOST_BITS = 100_000, 2**31  # of one number; of numbers over one denominator
 GZIP = b"\x1f\x8b"
 
 Json = Any
@@ -68,20 +66,30 @@ def within(place: str) -> Iterator[None]:
 
 
 class Budget:
-    """The time and the tests that may still be spent."""
+    """The time and the tests that may still be spent. A signal ends work between two tests."""
 
     def __init__(self, seconds: float, tests: float) -> None:
         self.deadline, self.tests = time.monotonic() + seconds, tests
+        signal.signal(signal.SIGALRM, lambda *_: self.spend(inf))
+        signal.setitimer(signal.ITIMER_REAL, max(1e-6, min(seconds, 1e9)))
 
-    def spend(self, tests: int) -> None:
+    def spend(self, tests: float) -> None:
         self.tests -= tests
         left = self.tests >= 0 and time.monotonic() < self.deadline
         demand(left, "a limit is reached (--seconds, --tests)", OUT_OF_BUDGET)
 
+    def common(self, points: Sequence[Sequence[Fraction]]) -> int:
+        """The common denominator, by which all coordinates become whole: they take room."""
+        unit = 1
+        for point in points:
+            unit = lcm(unit, *(c.denominator for c in point))
+            self.spend(1 + (bits := unit.bit_length()) // 64)
+            demand(bits * len(points) <= MOST_BITS, "a denominator is too large", OUT_OF_BUDGET)
+        return unit
+
 
 def members(value: Json, names: str) -> list[Json]:
-    """The members of an object, in the order of `names`. No other may be there; `name?` may lack
-    and is None then."""
+    """The members of an object, in the order of `names`, no others; `name?` may lack: None."""
     require(isinstance(value, dict), f"an object with {names} is missing")
     missing = [name for name in names.split() if name[-1] != "?" and name not in value]
     require(not missing, f"a member is missing: {', '.join(missing)}")
@@ -144,9 +152,6 @@ def read_json(path: Path, read: Reader, most: float, decimals: bool) -> Json:
     def refuse(text: str) -> Json:
         raise NotVerified(MALFORMED, f"{text[:60]} is no number here")
 
-    def whole_number(text: str) -> int:
-        return int(text) if len(text) <= MOST_DIGITS else refuse(text)
-
     try:
         data = read(path, most)
         demand(len(data) <= most, f"{path} has over {most:,.0f} bytes (--bytes)", OUT_OF_BUDGET)
@@ -154,8 +159,8 @@ def read_json(path: Path, read: Reader, most: float, decimals: bool) -> Json:
         require(data[:2] != GZIP, f"{path} is compressed by gzip: {mend}")
         text = data.decode()
         require(not SURROGATE.search(text), f"{path} escapes a surrogate")
-        real = str if decimals else refuse
-        hooks: Json = {"parse_constant": refuse, "parse_float": real, "parse_int": whole_number}
+        hooks: Json = {"parse_constant": refuse, "parse_float": str if decimals else refuse}
+        hooks["parse_int"] = lambda text: (int if len(text) <= MOST_DIGITS else refuse)(text)
         return json.loads(text, object_pairs_hook=unique, **hooks)
     except OSError as error:
         raise NotVerified(MALFORMED, f"{path} cannot be read: {error.strerror}") from error

@@ -161,12 +161,8 @@ class Pieces:
 
 class Region:
     """`eq` at one scale, `move` from one to another: convex cells that tile a box, each covered by
-    the sum of two solid nodes or apart from the sum, which is thus the union of those covered.
-
-    The corners of cells are meets of lines of fixed directions whose distances from the origin are
-    linear in s, so that what is linear and holds at both ends holds between. The rings, which are
-    given, put the sum in canonical form: the boundary of a component can be cut into simple rings
-    in one way only."""
+    the sum of two solid nodes or apart from it, which is thus the union of those covered. Corners
+    are linear in s: what is linear and holds at both ends holds between."""
 
     def __init__(self, step: Json, proof: Proof) -> None:
         names = "rule scales by box elements cells normals proofs contacts polygons"
@@ -276,8 +272,8 @@ class Region:
         return s.numerator * self.P.most(A, normal) + s.denominator * self.Q.most(B, normal)
 
     def least(self, end: int, corners: list[int], normal: Vector, side: int) -> int:
-        """The least value (side 1) of normal * x on points, rounded down, or the largest (side -1),
-        rounded up: to be compared with integers. In the unit of `most`."""
+        """The least value (side 1) of normal * x on points, rounded down, or the largest (-1),
+        rounded up, in the unit of `most`."""
         factor = side * self.scales[end].denominator
         points = (self.points[i][end] for i in corners)
         return side * int(min(factor * dot(normal, p) // p[2] for p in points))
@@ -383,8 +379,7 @@ def plain(polygons: list[Rings]) -> Json:
 
 
 class Proof:
-    """The operands, and the steps and claims that hold so far. Each member of a claim is compared
-    with what the steps have shown."""
+    """The operands, and the steps and claims that hold so far."""
 
     rules: ClassVar[dict[Any, Any]] = {"pieces": Pieces, "eq": Region, "move": Region}
     claims: ClassVar[dict[Any, Any]] = {}  # what checks one; returns its text and what it shows
@@ -397,10 +392,7 @@ class Proof:
         self.shown: list[Any] = []  # the region, or the regions, that a claim is about
         self.said: list[str] = []
         self.spend = budget.spend
-        self.unit = 1
-        for x, y in P.exact + Q.exact:
-            self.unit = lcm(self.unit, x.denominator, y.denominator)
-            self.spend(1 + self.unit.bit_length() // 64)
+        self.unit = budget.common(P.exact + Q.exact)
         for o in (P, Q):
             o.points = [(int(x * self.unit), int(y * self.unit), 1) for x, y in o.exact]
             areas = [doubled_area([o.points[i] for i in ring]) for ring in o.rings]

@@ -113,6 +113,8 @@ def signs_of(proof: Proof, predicate: Json, ends: list[Fraction]) -> set[int]:
     if name == "concurrent":
         points = [point for line in points for point in items(line, 2)]
     moving = [[moved(proof, point, s) for s in ends] for point in points]
+    apart = len(moving) == 3 or all(moving[k] != moving[k + 1] for k in (0, 2, 4))
+    require(apart, "a line has one point given twice")
     sums = [Fraction(0)] * (len(points) + 1)
     for choice in itertools.product((0, 1), repeat=len(points)):
         u, v, w, *more = (point[end] for point, end in zip(moving, choice, strict=True))

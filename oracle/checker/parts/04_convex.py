@@ -136,8 +136,7 @@ class ConvexSum:
         begin = all(ring[0] == min(ring) for ring in self.rings)
         require(begin, "a facet does not begin with its least vertex")
         require(self.rings == sorted(self.rings), "the facets do not ascend")
-        used = len(set(itertools.chain(*self.rings))) == len(pairs)
-        require(used, "a vertex is in no facet")
+        require(len(set(itertools.chain(*self.rings))) == len(pairs), "a vertex is in no facet")
         budget.spend(sum(ends))
         common = lcm(*(factor.denominator for factor in self.scaling))
         self.unit = unit * common
@@ -196,10 +195,7 @@ def of_convex_bodies(
     case: Json, digest: Json, entries: Json, claims: Json, budget: Budget
 ) -> list[str]:
     P, Q = bodies_of(case, digest)
-    unit = 1
-    for point in P.exact + Q.exact:
-        unit = lcm(unit, *(c.denominator for c in point))
-        budget.spend(1 + unit.bit_length() // 64)
+    unit = budget.common(P.exact + Q.exact)
     for operand in (P, Q):
         operand.check(unit, budget)
     sums: list[ConvexSum] = []

@@ -257,8 +257,7 @@ class SolidSum:
                     height = d * self.unit
                     other = below(polygon, ((-a, -b, -c), -height), self.budget)
                     part = below(polygon, ((a, b, c), height), self.budget)
-                    cuts = bool(part) and bool(other) and part is not polygon
-                    demand(cuts, "it does not cut")
+                    demand(bool(part) and bool(other) and part is not polygon, "it does not cut")
                     stack += [other, part]
                 elif kind == "none":
                     items(rest, 0)
@@ -481,12 +480,8 @@ def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budge
     bodies = bodies_of(case, digest)
     *parts, entries = members(proof, "P Q sums")
     exact, hulls = zip(*map(read_pieces, parts, bodies), strict=True)
-    few = len(hulls[0]) * len(hulls[1]) <= MOST_PAIRS
-    demand(few, "there are too many pairs of pieces", OUT_OF_BUDGET)
-    unit = 1
-    for point in itertools.chain(*exact):
-        unit = lcm(unit, *(c.denominator for c in point))
-        budget.spend(1 + unit.bit_length() // 64)
+    demand(len(hulls[0]) * len(hulls[1]) <= MOST_PAIRS, "too many pairs of pieces", OUT_OF_BUDGET)
+    unit = budget.common([*itertools.chain(*exact)])
     points = [[times((unit, unit, unit), p) for p in of] for of in exact]
     for body, at, pieces in zip(bodies, points, hulls, strict=True):
         body.points = at[: len(body.exact)]

@@ -59,8 +59,7 @@ class DiscProof:
             inside = 0 < min(over) and max(over) < length
             inside = inside or (closed and 0 <= min(over) and max(over) <= length)
             demand(inside, "a centre is not in front of its edge")
-            right = all(self.height(n, p) > 0 for p in centres)
-            demand(right, "a centre is not right of its edge")
+            demand(all(self.height(n, p) > 0 for p in centres), "a centre is not right of its edge")
             return {n}
         before, v = self.last[n], self.at[n]
         demand(self.times[v] == 1, "rings touch at a vertex")

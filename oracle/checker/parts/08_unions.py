@@ -162,6 +162,7 @@ def claim_sign(union: Union, claim: Json) -> str:
     lines = [[r] if kind == "orientation" else items(r, 2) for r in items(rows, 3)]
     points = [list(map(union.at, line)) for line in lines]
     u, v, w = (row[0] if len(row) == 1 else across(row[0], row[1]) for row in points)
+    require(all(map(any, (u, v, w))), "a line has one point given twice")
     value = at_point(across(v, w), u)
     demand(integer(sign) == (value > 0) - (value < 0), "it has another sign")
     return f"{of} has the sign {sign}"

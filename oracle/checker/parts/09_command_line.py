@@ -9,8 +9,8 @@ INPUT: list[Reader] = [lambda _, most: sys.stdin.buffer.read(int(most) + 1), fil
 
 
 def check(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader]) -> list[str]:
-    """The claims that a certificate proves, as texts. Raises NotVerified."""
-    seconds, tests, size = limits
+    """The case, and the claims that a certificate proves, as texts. Raises NotVerified."""
+    size, budget = limits[2], Budget(*limits[:2])
     certificate = read_json(path, read[0], size, decimals=False)
     form = certificate.get("certificate") if isinstance(certificate, dict) else None
     require(form in tuple(FORMS), f"this is no {' or '.join(FORMS)}, but {form!r}")
@@ -19,15 +19,17 @@ def check(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader])
     _, *told, of = (found := members(certificate, names))[:5]
     require(all(t is None or isinstance(t, str) for t in told), "what carries no truth is no text")
     name, digest = members(of, "path sha256")
-    good = isinstance(name, str) and "\0" not in name and name.split("/")[-1] not in ("", ".")
-    require(good, "the path of the case is none")
-    value = read_json(case or path.parent / name, read[1], size, decimals=True)
+    steps = name.split("/") if isinstance(name, str) and "\0" not in name else [""]
+    require(steps[-1] not in ("", "."), "the path of the case is none")
+    inside = case is not None or {"", ".."}.isdisjoint(steps)
+    require(inside, f"the case {name} is in another folder: give --case FILE")
+    value = read_json(case := case or path.parent / name, read[1], size, decimals=True)
     require(isinstance(value, dict), "this is no case")
-    return follow(value, digest, *found[5:], Budget(seconds, tests))
+    return [f"case {case}, {digest}", *follow(value, digest, *found[5:], budget)]
 
 
 def verdict(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader]) -> Verdict:
-    """The code, why it is not verified, and what is claimed."""
+    """The code, why it is not verified, and the case and what is claimed."""
     sys.set_int_max_str_digits(0)
     try:
         return VERIFIED, "", check(path, case, limits, read)
@@ -35,6 +37,8 @@ def verdict(path: Path, case: Path | None, limits: Limits, read: Sequence[Reader
         return error.code, str(error), []
     except (MemoryError, RecursionError):
         return OUT_OF_BUDGET, "there is too little memory", []
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -48,8 +52,7 @@ def main(arguments: list[str] | None = None) -> int:
     words = {VERIFIED: "verified", REFUTED: "refuted: ", MALFORMED: "malformed: "}
     limits, codes = (given.seconds, given.tests, given.bytes), set()
     for path in given.files:
-        read = INPUT if str(path) == "-" else FILES
-        code, why, said = verdict(path, given.case, limits, read)
+        code, why, said = verdict(path, given.case, limits, INPUT if str(path) == "-" else FILES)
         told = f"{path}: {words.get(code, 'out of budget: ')}{why}", *(f"  {line}" for line in said)
         print(*(line.encode("unicode_escape").decode() for line in told), sep="\n", flush=True)
         codes.add(code)

@@ -21,7 +21,7 @@ class Certificate {
     for (const Operand* operand : {&P_, &Q_}) {
       for (const Point& p : operand->exact) {
         unit_ = lcm(lcm(unit_, p.x.get_den()), p.y.get_den());
-        budget_.spend(1 + mpz_sizeinbase(unit_.get_mpz_t(), 2) / 64);
+        budget_.spend_unit(unit_, P_.exact.size() + Q_.exact.size());
       }
     }
     for (Operand* operand : {&P_, &Q_}) {

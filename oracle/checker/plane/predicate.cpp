@@ -51,7 +51,9 @@ std::set<int> signs_of(const Value& predicate, const Operand& P, const Operand& 
       rows.push_back(row_of(entry, P, Q, from, to));
     } else {
       const auto& line = items(entry, 2);
-      rows.push_back(cross(row_of(line[0], P, Q, from, to), row_of(line[1], P, Q, from, to)));
+      const Row u = row_of(line[0], P, Q, from, to), v = row_of(line[1], P, Q, from, to);
+      require(u != v, "a line has one point given twice");
+      rows.push_back(cross(u, v));
     }
   }
   const Row last = cross(rows[1], rows[2]);

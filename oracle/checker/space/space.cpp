@@ -181,7 +181,7 @@ InSpace open_in_space(const Value& certificate, const std::string& form,
 void add_denominators(const std::vector<Triple>& points, mpz_class& unit, Budget& budget) {
   for (const Triple& point : points) {
     for (const mpq_class& c : point) unit = lcm(unit, c.get_den());
-    budget.spend(1 + mpz_sizeinbase(unit.get_mpz_t(), 2) / 64);
+    budget.spend_unit(unit, points.size());
   }
 }
 

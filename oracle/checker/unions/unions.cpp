@@ -174,7 +174,9 @@ class Union {
         rows.push_back(row(entry));
       } else {
         const auto& line = items(entry, 2);
-        rows.push_back(across(row(line[0]), row(line[1])));
+        const Row u = row(line[0]), v = row(line[1]);
+        require(u != v, "a line has one point given twice");
+        rows.push_back(across(u, v));
       }
     }
     const Row last = across(rows[1], rows[2]);

@@ -119,9 +119,9 @@ let check_claim budget p q step claim_of claim =
   | "sign" -> (
     match members claim [ "claim"; "of"; "from"; "to"; "sign" ] with
     | [ _; predicate; from; to_; sign ] ->
-      let a = number from and b = number to_ and z = integer sign in
-      require (Q.sign a > 0 && Q.sign b > 0) "a scale is not positive";
-      require (Q.compare a b <= 0) "the scales do not ascend";
+      let a' = number from and b' = number to_ and z = integer sign in
+      require (Q.sign a' > 0 && Q.sign b' > 0) "a scale is not positive";
+      require (Q.compare a' b' <= 0) "the scales do not ascend";
       require (Z.compare (Z.abs z) Z.one <= 0) "this is no sign";
       let place value : Checked.place =
         let i, j = pair value in
@@ -137,13 +137,19 @@ let check_claim budget p q step claim_of claim =
         | "orientation", [ u; v; w ] -> Checked.orientation (place u) (place v) (place w)
         | "concurrent", [ k; l; m ] ->
           let (a, b), (c, d), (e, f) = (pair k, pair l, pair m) in
+          let line (u, v) =
+            let at s = List.map (Reading.place s p.vertices q.vertices) [ place u; place v ] in
+            let is_point s = match at s with [ x; y ] -> Reading.same x y | _ -> true in
+            require (not (is_point a' && is_point b')) "a line has one point given twice"
+          in
+          List.iter line [ (a, b); (c, d); (e, f) ];
           Checked.concurrent (place a) (place b) (place c) (place d) (place e) (place f)
         | _ -> fail Malformed "there is no such predicate"
       in
       found
         (Printf.sprintf "%s has the sign %s from %s to %s" (canonical_text predicate)
-           (Z.to_string z) (Q.to_string a) (Q.to_string b))
-        (lazy (Checked.sign_holds (rings p) (rings q) of_ a b z))
+           (Z.to_string z) (Q.to_string a') (Q.to_string b'))
+        (lazy (Checked.sign_holds (rings p) (rings q) of_ a' b' z))
     | _ -> assert false)
   | "passage" -> (
     match members claim [ "claim"; "scale"; "step"; "points"; "path" ] with

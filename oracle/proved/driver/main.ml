@@ -111,16 +111,20 @@ let check_file options file =
     left := !left -. float_of_int tests;
     if !left < 0. then fail Out_of_budget "a limit is reached (--seconds, --tests)"
   in
+  let from = ref "" in
   let read_case name =
-    let beside =
-      if Filename.is_relative name then Filename.concat (Filename.dirname file) name else name
-    in
-    Json.parse ~decimals:true (read ~input:false (Option.value options.case ~default:beside) most)
+    require
+      (options.case <> None || Reading.is_inside name)
+      ("the case " ^ name ^ " is in another folder: give --case FILE");
+    let folder = Filename.dirname file in
+    let beside = if folder = "." then name else Filename.concat folder name in
+    from := Option.value options.case ~default:beside;
+    Json.parse ~decimals:true (read ~input:false !from most)
   in
   let certificate = Json.parse ~decimals:false (read ~input:(file = "-") file most) in
   let proved = Claims.check certificate read_case budget in
   Option.iter (fun path -> write_theorem path proved) options.theorem;
-  proved
+  (proved, (!from, Reading.digest_named certificate))
 
 (* A signal ends what takes longer than it may. *)
 let within_seconds seconds action =
@@ -133,27 +137,41 @@ let within_seconds seconds action =
   set (min seconds 1e9);
   Fun.protect ~finally:(fun () -> set 0.) action
 
-type verdict = { code : int; word : string; why : string; said : string list }
+type verdict = {
+  code : int;
+  word : string;
+  why : string;
+  said : string list;
+  case : (string * string) option;  (* its file, and its digest *)
+}
 
 let verdict options file =
-  let without code word why = { code; word; why; said = [] } in
+  let without code word why = { code; word; why; said = []; case = None } in
   try
-    let proved = within_seconds options.seconds (fun () -> check_file options file) in
+    let proved, case = within_seconds options.seconds (fun () -> check_file options file) in
     let said = List.map (fun (claim : Claims.proved) -> claim.said) proved in
-    { code = 0; word = "verified"; why = ""; said }
+    { code = 0; word = "verified"; why = ""; said; case = Some case }
   with
   | Not_verified (code, why) -> without (exit_code code) (word code) why
   | Out_of_memory | Stack_overflow -> without 4 "out of budget" "there is too little memory"
   | Sys_error why -> without 2 "malformed" why
 
-let print options file { word; why; said; _ } =
+let print options file { word; why; said; case; _ } =
   if options.json then
-    Printf.printf "{\"verdict\": %s, \"why\": %s, \"proved\": [%s]}\n" (Text.quoted word)
-      (Text.quoted why)
+    let named (path, digest) =
+      Printf.sprintf "{\"path\": %s, \"sha256\": %s}" (Text.quoted path) (Text.quoted digest)
+    in
+    Printf.printf "{\"verdict\": %s, \"why\": %s, \"case\": %s, \"proved\": [%s]}\n"
+      (Text.quoted word) (Text.quoted why)
+      (Option.fold ~none:"null" ~some:named case)
       (String.concat ", " (List.map Text.quoted said))
   else begin
     let why = if why = "" then "" else ": " ^ Text.on_one_line why in
     Printf.printf "%s: %s%s\n" (Text.on_one_line file) word why;
+    Option.iter
+      (fun (path, digest) ->
+        Printf.printf "  case %s, %s\n" (Text.on_one_line path) (Text.on_one_line digest))
+      case;
     List.iter (fun line -> Printf.printf "  %s\n" (Text.on_one_line line)) said
   end
 

@@ -174,6 +174,8 @@ let side pieces budget factors =
   if (not (Reading.is_thin pieces.operand))
      && List.exists (fun ring -> stays (edges_of ring)) (Reading.rings_of polygons)
   then fail Declined "a ring has a vertex twice in a row: this is not followed";
+  if polygons <> [] && Array.length pieces.hulls = 0 then
+    fail Declined "rings that cancel are the empty set: this is not followed";
   let root, place = tree pieces budget factors in
   Array.iteri
     (fun n children ->

@@ -21,6 +21,14 @@ let point value : point =
   let x, y = pair value in
   (number x, number y)
 
+let same ((a, b) : point) ((c, d) : point) = Q.equal a c && Q.equal b d
+
+(* Vertex i of sP plus vertex j of Q, None for none of it *)
+let place s ps qs (i, j) : point =
+  let at vertices = Option.fold ~none:(Q.zero, Q.zero) ~some:(Array.get vertices) in
+  let (a, b), (c, d) = (at ps i, at qs j) in
+  Q.((s * a) + c, (s * b) + d)
+
 let doubled_area ring =
   match ring with
   | [] -> Q.zero
@@ -84,6 +92,19 @@ let case_digest p q =
     (Printf.sprintf "{\"P\":%s,\"Q\":%s}" (polygons_text p.polygons) (polygons_text q.polygons))
 
 let digest_of text = Sha256.hex_digest (Printf.sprintf "{\"polygons\":%s}" text)
+
+(* The digest that a certificate names: of a verified one, that of its case *)
+let digest_named certificate =
+  match certificate with
+  | Object found -> (
+    match List.assoc_opt "case" found with
+    | Some case -> text (List.nth (members case [ "path"; "sha256" ]) 1)
+    | None -> "")
+  | _ -> ""
+
+(* Whether a path stays in the folder that it is read from *)
+let is_inside path =
+  List.for_all (fun step -> step <> "" && step <> "..") (String.split_on_char '/' path)
 
 (* What carries no truth is text. The path of the case, and its digest *)
 let head texts case =
