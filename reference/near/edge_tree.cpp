@@ -14,8 +14,8 @@ namespace minkref {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// Of coordinates below 2: a place along a unit vector is wrong by less than 2^-49, and a rectangle
-/// encloses its items but for as much.
+/// Coordinates are below 2: a place along a unit vector is wrong by less than 2^-49, and a
+/// rectangle encloses its items but for as much.
 constexpr double unit_slack = 0x1p-44;
 
 double along(const std::array<double, 2>& a, const std::array<double, 2>& b) {
@@ -97,7 +97,7 @@ EdgeTree::TurnedBox EdgeTree::enclosing(const Items& items, double reach) {
   return box;
 }
 
-/// By a line along a side of one of the rectangles. What is no number proves nothing.
+/// Tries lines along sides of both rectangles. NaN proves nothing.
 bool EdgeTree::are_apart(const TurnedBox& a, const TurnedBox& b, double slack) {
   for (const std::size_t k : {0, 1}) {
     if (a.low[k] - b.high[k] > slack || b.low[k] - a.high[k] > slack) return true;

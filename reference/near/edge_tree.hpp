@@ -11,9 +11,8 @@
 namespace minkref {
 
 /// For edges whose upright boxes overlap far more often than the edges meet: stars, slanted combs.
-/// Each node has an upright box and one along the direction of most of its edges; the split is
-/// across the direction in which there is most room for the edges beside each other. All in
-/// doubles: what is left out is certainly apart.
+/// Each node has an upright box and a second one along most of its edges, and is split across the
+/// direction with most room beside edges. All in doubles: whatever is left out is certainly apart.
 class EdgeTree {
  public:
   using Edge = std::array<std::uint32_t, 2>;  ///< the numbers of both ends; alike for a point
@@ -23,7 +22,7 @@ class EdgeTree {
   EdgeTree(std::vector<NearPoint> points, const std::vector<Edge>& edges);
 
   /// Calls report(i, j), i < j, once for each pair of edges, except for some that are apart.
-  /// Near-linear where few edges are near each other; O(n^2) at worst. Can be interrupted.
+  /// Near-linear with few close neighbours; O(n^2) at worst. Can be interrupted.
   void pairs(const std::function<void(std::uint32_t, std::uint32_t)>& report) const;
 
   /// Calls report(i) for each edge, except for some that are farther than `reach` from the segment
@@ -34,7 +33,7 @@ class EdgeTree {
  private:
   static constexpr std::uint32_t leaf_size = 4;
   using Spot = std::array<double, 2>;
-  /// A rectangle, and the upright one about it or about what it encloses.
+  /// A rectangle, inside an upright one.
   struct TurnedBox {
     Spot low, high;
     Spot middle, along;  ///< `along` has length 1

@@ -5,7 +5,7 @@
 namespace minkref::inline plane {
 namespace {
 
-/// Rounding is monotone: points that agree have boxes that overlap.
+/// Equal points have overlapping boxes, since rounding is monotone.
 Box point_box(const FilteredPoint& point) { return {point.x(), point.y(), point.x(), point.y()}; }
 
 }  // namespace

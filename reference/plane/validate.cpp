@@ -128,7 +128,7 @@ class Validator {
         boxes.push_back(box);  // rounding is monotone: exact overlaps remain overlaps
       }
     }
-    // The first fault of the input is reported. Edges are asked in input order, so that a ring with
+    // Reports the input's first fault. Edges are asked in input order, so that a ring with
     // crossings everywhere does not need all pairs.
     const BoxTree tree(boxes);
     std::size_t pairs_left = most_pairs_by_boxes * edges.size();
@@ -205,7 +205,7 @@ class Validator {
     const int b0 = orientation(start(a), end(a), start(b)),
               b1 = orientation(start(a), end(a), end(b));
     if (b0 == 0 && b1 == 0) {
-      // One line: compares the ranges along it.
+      // One line: compares ranges.
       auto [alow, ahigh] = range(a);
       auto [blow, bhigh] = range(b);
       const FilteredPoint& low = compare_xy(*alow, *blow) > 0 ? *alow : *blow;
@@ -372,7 +372,7 @@ class Validator {
     return in_material && rings_[edges[hit.edge].ring].polygon == rings_[r].polygon;
   }
 
-  /// Looks at all others for each of these rings, in the order of the input.
+  /// Compares these rings, in input order, with all others.
   void check_nesting_of(const std::vector<bool>& asked) const {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       if (!asked[r] || rings_[r].outer || within(r, outer_of(r))) continue;

@@ -256,8 +256,8 @@ class PathCertificate {
     return {{scales[0], !first_in}, high};
   }
 
-  /// valid, trap: which scales are covered by claims of the first kind. `name`: the member that
-  /// lists these scales.
+  /// valid, trap: scales that claims of the first kind cover. `name`: the member with these
+  /// scales.
   std::string answer(const Value& claim, const std::string& name,
                      const std::vector<std::string>& kinds) {
     const auto m = members(claim, "claim contact scales " + name + " claims");

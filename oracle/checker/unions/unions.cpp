@@ -26,7 +26,7 @@ std::string word_of(const Value& value, const std::string& name) {
   return found != nullptr && found->kind == Value::Kind::text ? found->text : "";
 }
 
-/// Sets, and claims about them. A vertex is [set, vertex]; so is the edge that begins there.
+/// Sets, and claims about them. [set, vertex] names a vertex, or the edge that begins there.
 class Union {
  public:
   Union(std::vector<Operand> sets, Budget& budget) : sets_(std::move(sets)), budget_(budget) {

@@ -8,7 +8,7 @@ namespace minkref::inline disc {
 namespace {
 
 constexpr int most_halvings = 4;
-// Of the radius: no point of a quarter circle is farther from its chord.
+// Times the radius: quarter circles stay nearer to their chords.
 constexpr double sagitta = 0.3;
 // Error of a squared distance over the square of the largest coordinate: some hundred roundings.
 constexpr double slack = 0x1p-44;

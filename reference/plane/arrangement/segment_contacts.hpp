@@ -82,7 +82,7 @@ class SegmentContacts {
   const std::vector<Crossing>& crossings() const { return crossings_; }
 
  private:
-  /// For each segment: as many pairs have boxes that overlap in vain. Beyond it boxes are no help.
+  /// Pairs per segment whose boxes overlap in vain. Beyond it boxes do not help.
   static constexpr std::size_t most_apart = 48;
 
   /// All contacts anew, for segments whose boxes overlap far more often than the segments meet, as

@@ -118,7 +118,7 @@ MovingPairs::Spot MovingPairs::direction_of(const std::vector<Way>& ways,
   return std::isfinite(angle) ? Spot{std::cos(angle), std::sin(angle)} : Spot{1, 0};
 }
 
-/// Halves, across the direction in which there is most room for the edges beside each other.
+/// Halves across the direction with most room beside edges.
 void MovingPairs::cluster(const std::vector<Way>& ways, std::uint32_t* begin, std::uint32_t* end) {
   const auto count = static_cast<std::size_t>(end - begin);
   if (count <= block_size) return;

@@ -24,13 +24,14 @@ class EdgesOnLines {
   std::span<const std::uint32_t> with(std::uint32_t edge);
 
   /// Adds to `to` the edges that run along a link just below a scale (or just above) and come to a
-  /// point of the link: their common part has a length there, and tends to the point. Of n edges on
-  /// the line, ascending: O(log n) for each that may come near the point, after the first call.
+  /// point of the link: their common part has a length there, and tends to the point. Ascending.
+  /// After the first call O(log n) per edge that may come near the point, if n edges share the
+  /// line.
   void along(const MovingLink& link, const std::vector<Track>& tracks, const Rational& scale,
              bool above, const Point& point, std::vector<std::uint32_t>& to);
 
  private:
-  /// A direction's edges, sorted by line, that is, by position across the direction.
+  /// A direction's edges, sorted by position across it.
   struct Lines {
     std::vector<std::uint32_t> edges;
     std::vector<std::uint32_t> first;  ///< of each line, and the end
