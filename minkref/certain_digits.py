@@ -28,7 +28,8 @@ def enclosing(low: str, high: str, digits: int = 6) -> str:
     for number, way in ((low, ROUND_FLOOR), (high, ROUND_CEILING)):
         exact = Fraction(number)
         context = Context(prec=digits, rounding=way, Emax=10**9, Emin=-(10**9))
-        near = context.divide(Decimal(exact.numerator), Decimal(exact.denominator)).normalize()
+        near = context.divide(Decimal(exact.numerator), Decimal(exact.denominator))
+        near = near.normalize(context)
         small = -5 <= near.adjusted() < digits
         texts.append(f"{near:f}" if small else f"{near:e}".replace("e+", "e"))
     return texts[0] if texts[0] == texts[1] else f"between {texts[0]} and {texts[1]}"

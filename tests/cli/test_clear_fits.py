@@ -11,6 +11,7 @@ from typing import Any
 
 import jsonschema
 import pytest
+from minkref.certain_digits import enclosing
 from minkref.schemas import schema
 
 Minkref = Callable[..., Any]
@@ -61,6 +62,12 @@ def test_both_ends_are_told_and_are_as_near_as_asked(minkref: Minkref) -> None:
     assert "trapped    (3/4, " in minkref(*ASKED["trap"]).out
     assert "at no scale" in minkref(*ASKED["no way"]).out
     assert "at no scale" in minkref(*ASKED["nowhere free"]).out
+
+
+def test_ends_with_more_digits_than_decimals_have_by_themselves_are_rounded_outwards() -> None:
+    third = Fraction(1, 3)
+    told = enclosing(str(third), str(third + Fraction(1, 10**32)), 34)
+    assert told == f"between 0.{'3' * 34} and 0.{'3' * 31}4{'3'}4"
 
 
 def test_one_scale_is_answered_for_any_part_with_all_its_clearances(minkref: Minkref) -> None:
