@@ -9,14 +9,14 @@
 
 namespace minkref::inline disc {
 
-/// A tree of turned boxes about the edges, with doubles.
+/// A tree with turned boxes about the edges, in doubles.
 class NearEdges {
  public:
   /// `at` must outlive it.
   explicit NearEdges(const PatchesAt& at);
 
-  /// Finds the edges that may be within the radius of a patch; every edge that blocks the patch is
-  /// among them.
+  /// Finds the edges that may come within the radius from a patch: every edge that blocks the
+  /// patch, and perhaps more.
   void find(std::uint32_t patch, std::vector<std::uint32_t>& found) const;
 
   /// Whether a patch, both ends included, is certainly nearer to P than the radius. The patch is

@@ -113,9 +113,9 @@ class Arrangement {
   void subdivide(const Meet& meet);
   void link();
   void find_faces();
-  /// Gives the half-edges of a boundary cycle their face.
+  /// Gives each half-edge along a boundary cycle the face.
   void mark_cycle(std::uint32_t first, std::uint32_t face);
-  /// Puts each component into the face on the right of the nearest edge to its left. `least`: the
+  /// Puts each component into the face right after the nearest edge to the left. `least`: the
   /// components' least nodes, from left to right.
   void place_components(const std::vector<std::uint32_t>& component,
                         const std::vector<std::uint32_t>& least);

@@ -73,7 +73,7 @@ void Arrangement<K>::find_faces() {
     mark_cycle(h, static_cast<std::uint32_t>(face_cycles_.size() - 1));
   }
 
-  // From left to right: each cycle to the left of a component's has its face already.
+  // From left to right: all cycles farther left already have a face.
   std::stable_sort(least.begin(), least.end(), before);
   place_components(component, least);
 }

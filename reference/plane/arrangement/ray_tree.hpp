@@ -1,4 +1,4 @@
-// Rays to the left among edges: the edge that each meets first, by a tree of their boxes.
+// Rays to the left among edges: finds the first edge along each ray with a tree.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,8 @@
 
 namespace minkref::inline plane {
 
-/// Boxes that certainly enclose the edges, mirrored, so that what lies near on the left comes
-/// first. Exact if the questions are. O(log n) for a ray where few boxes of edges overlap, O(n) at
-/// worst.
+/// A tree over boxes that certainly enclose the edges, mirrored: near edges on the left come first.
+/// As exact as the questions. O(log n) for a ray if few boxes overlap, O(n) at worst.
 class RayTree {
  public:
   RayTree() = default;
@@ -25,9 +24,9 @@ class RayTree {
 
   std::size_t size() const { return boxes_.size(); }
 
-  /// The edge that the ray from `at` meets first, or `no_entry`. `passes(e)` tells whether the ray
-  /// meets the edge, `is_nearer(e, other)` which of two it meets first. Asks for each edge whose
-  /// box the ray meets before it ends at the nearest one found.
+  /// Returns the first edge along the ray from `at`, or `no_entry`. `passes(e)`: whether the ray
+  /// meets the edge; `is_nearer(e, before)`: whether it meets e before the second. Asks about each
+  /// box up to the nearest edge so far.
   template <class Passes, class IsNearer>
   std::uint32_t first(const Box& at, Passes&& passes, IsNearer&& is_nearer) const {
     std::uint32_t nearest = no_entry;

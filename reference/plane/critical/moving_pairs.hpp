@@ -35,8 +35,8 @@ PairRange pair_range(const RoundedEdge& a, const RoundedEdge& b, double from, do
 
 /// Finds the pairs that may meet at some scale within a closed window; an omitted pair certainly
 /// does not. Divided by 1 + s, each vertex moves from q to p along a line, so the window may have
-/// no bounds. Edges near each other share a block, an upright box, and one along most of its edges:
-/// the float filter looks at whole blocks.
+/// no bounds. Edges near each other share a block, an upright box, and a box along most edges: the
+/// float filter looks at whole blocks.
 class MovingPairs {
  public:
   /// `to` may be infinite. O(n log n).
@@ -79,7 +79,7 @@ class MovingPairs {
   };
   using MovingBox = BasicMovingBox<Box>;
   using Spot = std::array<double, 2>;
-  /// An edge's two ends at both ends of the window, and how far each coordinate may be off.
+  /// An edge's two ends at both ends of the window, and how far each coordinate may err.
   struct Way {
     std::array<Spot, 2> at_first, at_last;
     double error_at_first, error_at_last;

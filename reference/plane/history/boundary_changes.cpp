@@ -41,7 +41,7 @@ Box box_with_doubt(const std::array<double, 2>& low, const std::array<double, 2>
 
 constexpr double doubt_of(double size) { return size * 0x1p-48 + 1e-300; }
 
-/// Sub-edges below a scale and above it, by their boxes there.
+/// Sub-edges just below and just above a scale, with boxes at the scale.
 class SubEdgesAtScale {
  public:
   void add(std::uint32_t sub_edge, bool above, const Box& box) {
@@ -49,8 +49,8 @@ class SubEdgesAtScale {
     boxes_.push_back(box);
   }
 
-  /// Calls report(sub-edge, above) for those whose boxes the place may meet. O(log n) for each of
-  /// many places where few boxes overlap.
+  /// Calls report(sub-edge, above) if the box may hold the place. O(log n) for each among many
+  /// places if few boxes overlap.
   template <class Report>
   void at(const Box& place, Report&& report) {
     const auto show = [&](std::uint32_t k) {

@@ -44,7 +44,7 @@ void SpansOnLine::build(const std::vector<Span>& spans, std::size_t begin, std::
   build(spans, middle, end);
 }
 
-/// Beyond what conversions and a few roundings can err; infinite or no number if a bound is.
+/// Beyond the error from conversions and a few roundings.
 double SpansOnLine::doubt(double place, double scale) const {
   return 0x1p-48 * (size_ * (1 + scale) + std::fabs(place)) + 1e-300 * (1 + scale);
 }

@@ -1,4 +1,4 @@
-// Spans that move along one line: the ones that may hold a place at a scale.
+// Spans that move along a common line: finds spans that may hold a place at a scale.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace minkref::inline plane {
 
-/// A tree of the spans' ends, in doubles: a span that is left out certainly does not hold the
-/// place. Ends are doubles next to the exact numbers.
+/// A tree over both ends, as doubles next to the exact numbers: an omitted span certainly does not
+/// hold the place.
 class SpansOnLine {
  public:
   /// From start_p s + start_q to end_p s + end_q, in either order.
@@ -22,7 +22,7 @@ class SpansOnLine {
   explicit SpansOnLine(const std::vector<Span>& spans);
 
   /// Calls report(k) for each span that may hold a place, to a double, at a scale > 0. O(log n) for
-  /// each where few spans overlap.
+  /// each if few spans overlap.
   template <class Report>
   void holding(double place, double scale, Report&& report) const {
     if (nodes_.empty()) return;
@@ -44,7 +44,7 @@ class SpansOnLine {
 
  private:
   static constexpr std::size_t leaf_size = 4;
-  /// Bounds of all ends: low_p s + low_q is below them.
+  /// Bounds for all ends: low_p s + low_q lies below, high_p s + high_q above.
   struct Node {
     double low_p, low_q, high_p, high_q;
     std::size_t begin, end;  ///< in `order_`
