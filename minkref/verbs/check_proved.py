@@ -40,6 +40,8 @@ def follow(path: Path, *options: str) -> Proof:
     Raises RuntimeError where it breaks down."""
     command = [program(), "--json", *options, "--", str(path)]
     ran = subprocess.run(command, capture_output=True, check=False)
+    if ran.returncode < 0:  # no memory is left, usually; the files after this one are checked
+        return Proof("out of budget", f"a signal ended {PROGRAM}: {-ran.returncode}", [])
     try:
         (line,) = ran.stdout.splitlines()
         told = json.loads(line)

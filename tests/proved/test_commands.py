@@ -126,6 +126,20 @@ def test_no_theorem(holed: str, tmp_path: Path, capsys: Any, options: list[str],
     assert not (tmp_path / "it.cert.json").exists()
 
 
+def test_a_program_that_a_signal_ends_proves_nothing(
+    square: Path, capsys: Any, monkeypatch: Any
+) -> None:
+    """As where memory ends; a program that answers anything else is an internal error."""
+    killed = square.with_name("killed")
+    killed.write_text("#!/bin/sh\nkill -9 $$\n", encoding="utf-8")
+    killed.chmod(0o755)
+    monkeypatch.setattr(check_proved, "program", lambda *_: str(killed))
+    assert run(["check", str(square), str(square), "--proved"]) == 4
+    assert capsys.readouterr().out.count("out of budget: a signal ended") == 2
+    killed.write_text("#!/bin/sh\necho it.cert.json: verified\n", encoding="utf-8")
+    assert run(["check", str(square), "--proved"]) == 70
+
+
 def test_of_several_sums_there_is_no_theorem(proved: list[str], square: Path) -> None:
     value = squares.certificate()
     value["claims"].append({**squares.CLAIM, "scale": "1.0"})
