@@ -4,8 +4,8 @@ or offset. The program `openscad` runs for each call.
 Results are exported as SVG in the plane, as OFF in space: all formats write six significant digits
 (5e-6 of a number). In the plane OpenSCAD computes on a grid of 2^-16 (Clipper), in space it merges
 points on a grid of 2^-20; hence the tolerance, four units of the coarser grid and twice the digits.
-offset() has $fn = 128: the polygon of an arc is off by 1 - cos(pi / 128) = 0.0003 of the radius,
-and its vertices lie on the grid.
+offset(r) has $fn = 128: the polygon of an arc is off by 1 - cos(pi / 128) = 0.0003 of the radius,
+and its vertices lie on the grid. Sharp corners are those of offset(delta).
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from typing import Any
 from adapter_protocol import Set, Skipped, serve  # type: ignore[import-not-found,unused-ignore]
 from surfaces import triangles_of  # type: ignore[import-not-found,unused-ignore]
 
+EMPTY = ("top level object is empty", "top level object is not a 2D object")  # nothing is left
 PROGRAM = os.environ.get("OPENSCAD", "openscad")
 
 
@@ -66,7 +67,7 @@ def run(scene: str, form: str) -> str:
         )
         if done.returncode < 0:
             raise RuntimeError(f"openscad was ended by signal {-done.returncode}")
-        if "top level object is empty" in done.stderr and form == "svg":
+        if form == "svg" and any(words in done.stderr for words in EMPTY):
             return ""
         if done.returncode or "ERROR" in done.stderr or not target.exists():
             raise RuntimeError(f"exit code {done.returncode}: {done.stderr[-1500:]}")
@@ -98,10 +99,9 @@ def sum_of(sP: Set, Q: Set) -> dict[str, Any]:
     return read_off(run(f"minkowski(){{{scad_space(sP)} {scad_space(Q)}}}", "off"))
 
 
-def offset_of(P: Set, radius: float) -> dict[str, Any]:
-    return read_svg(
-        run(f"offset(r={float(radius)!r},$fn=128){{{scad_plane(P['polygons'])}}}", "svg")
-    )
+def offset_of(P: Set, radius: float, how: dict[str, Any] | None = None) -> dict[str, Any]:
+    by = f"delta={float(radius)!r}" if how else f"r={float(radius)!r},$fn=128"
+    return read_svg(run(f"offset({by}){{{scad_plane(P['polygons'])}}}", "svg"))
 
 
 def main(mode: str) -> None:
@@ -123,7 +123,9 @@ def main(mode: str) -> None:
     hello["grid"] = {"unit": "1/65536", "largest": "30000"}  # of the unit, within 31 bits
     # Discs of few units get few vertices, so eight units.
     hello["tolerance"] = {"absolute": "1/8192", "relative": "1e-5", "radius": "0.001"}
-    hello["capabilities"] = "plane non-convex holes components offset inset".split()
+    hello["capabilities"] = (
+        "plane non-convex holes components offset inset join-sharp inset-sharp".split()
+    )
     serve(hello, None, offset_of=offset_of)
 
 
