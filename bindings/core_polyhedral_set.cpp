@@ -55,6 +55,7 @@ void bind_set(nb::class_<PolyhedralSet>& bound) {
       .def(
           "__init__",
           [](PolyhedralSet* self, const Surface& surface, const std::string& source) {
+            const Computing computing;
             validate_as_read(surface.reading, source);
             new (self) PolyhedralSet(polyhedral_set(surface.value()));
           },
