@@ -6,8 +6,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from minkref.certify.motion.moving_parts import Corner, Pair, Vector, Way, cut
+from minkref.certify.motion.moving_parts import Corner, Pair, Way, cut
 from minkref.certify.motion.scale_cells import left_of
+from minkref.certify.plane.piece_nodes import Vector
 from minkref.motion.scale_ranges import ScaleRange
 
 SPLIT_R, SPLIT_O, HALVE = -1, -2, -3

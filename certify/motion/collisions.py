@@ -10,8 +10,9 @@ from math import inf
 from typing import Any
 
 from minkref.certify.motion.convex_cells import Place, below, middle
-from minkref.certify.motion.moving_parts import Corner, Pair, Vector, Way, cut, levels
+from minkref.certify.motion.moving_parts import Corner, Pair, Way, cut, levels
 from minkref.certify.motion.scale_cells import Cut, cuts
+from minkref.certify.plane.piece_nodes import Vector
 from minkref.motion.scale_ranges import ScaleRange
 
 MOST_HITS = 10_000  # per claim

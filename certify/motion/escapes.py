@@ -11,8 +11,9 @@ from math import inf
 from minkref import _core
 from minkref.certify.motion.convex_cells import Place
 from minkref.certify.motion.free_ways import FreeCells
-from minkref.certify.motion.moving_parts import Pair, Vector
+from minkref.certify.motion.moving_parts import Pair
 from minkref.certify.motion.scale_cells import ALL, Cut, common, cuts
+from minkref.certify.plane.piece_nodes import Vector
 from minkref.motion.path_values import valid_scales
 from minkref.motion.scale_ranges import ScaleRange
 

@@ -12,45 +12,15 @@ from typing import Any
 from minkref import _core
 from minkref.certify.case_text import places
 from minkref.certify.motion.convex_cells import Place
+from minkref.certify.plane.piece_nodes import Tree, Vector, shortest
 from minkref.motion.scale_ranges import ScaleRange
 
-Vector = tuple[int, int]
 #: Linear in t, s and w.
 Gap = tuple[int, int, int]
 #: At t / w along a segment and the scale s / w; w = 0 far up.
 Corner = tuple[int, int, int]
 #: x0, x1, y0, y1: the place (x0 + s x1, y0 + s y1).
 MovingPlace = tuple[Fraction, Fraction, Fraction, Fraction]
-
-
-class Tree:
-    """The step `pieces` of a set, with vertices in whole numbers, scaled by `unit`."""
-
-    def __init__(self, step: dict[str, Any], vertices: Sequence[Place], unit: int) -> None:
-        self.points = [(int(x * unit), int(y * unit)) for x, y in vertices]
-        self.pieces = len(step["pieces"])
-        self.children: list[list[int]] = [[] for _ in step["pieces"]] + step["groups"]
-        self.hulls: list[list[Vector]] = []
-        for node, children in enumerate(self.children):
-            if children:
-                points = [p for child in children for p in self.hulls[child]]
-                self.hulls.append(hull_of(points))
-            else:
-                self.hulls.append([self.points[i] for i in step["pieces"][node]])
-        self.extents = [_extent(hull) for hull in self.hulls]
-        self.sides = [sides(hull) for hull in self.hulls]
-        self._most: dict[tuple[int, Vector], int] = {}
-
-    @property
-    def root(self) -> int:
-        return len(self.hulls) - 1
-
-    def most(self, node: int, normal: Vector) -> int:
-        key = (node, normal)
-        if key not in self._most:
-            x, y = normal
-            self._most[key] = max(x * u + y * v for u, v in self.hulls[node])
-        return self._most[key]
 
 
 class Pair:
@@ -91,7 +61,7 @@ class Way:
         self.length = Fraction(max(map(abs, along)), self._parts * square)  # per unit of t
         self.across: list[Vector] = []
         if along != (0, 0):
-            n = _shortest((-along[1], along[0]))
+            n = shortest((-along[1], along[0]))
             self.across = [n, (-n[0], -n[1])]
 
     def cell(self, scales: ScaleRange) -> list[Corner]:
@@ -172,48 +142,5 @@ def cut(corners: Sequence[Corner], gap: Gap) -> list[Corner]:
     return list(kept)
 
 
-def sides(ring: Sequence[Vector]) -> list[Vector]:
-    """Outward normals of the half-planes whose intersection is a convex polygon, segment or
-    point."""
-    if len(ring) > 2:
-        turned = zip(ring, [*ring[1:], ring[0]], strict=True)
-        normals = [_shortest((b[1] - a[1], a[0] - b[0])) for a, b in turned]
-        return list(dict.fromkeys(normals))
-    x, y = (1, 0)
-    if len(ring) == 2:
-        x, y = _shortest((ring[1][0] - ring[0][0], ring[1][1] - ring[0][1]))
-    return [(x, y), (-x, -y), (y, -x), (-y, x)]
-
-
 def _dot(u: Vector, v: Vector) -> int:
     return u[0] * v[0] + u[1] * v[1]
-
-
-def _shortest(v: Vector) -> Vector:
-    d = gcd(*v)
-    return v[0] // d, v[1] // d
-
-
-def _extent(hull: Sequence[Vector]) -> int:
-    xs, ys = [x for x, _ in hull], [y for _, y in hull]
-    return max(max(xs) - min(xs), max(ys) - min(ys))
-
-
-def hull_of(points: Sequence[Vector]) -> list[Vector]:
-    """The vertices of the convex hull, counter-clockwise."""
-    ordered = sorted(set(points))
-    if len(ordered) < 3:
-        return ordered
-    both: list[Vector] = []
-    for run in (ordered, ordered[::-1]):
-        chain: list[Vector] = []
-        for p in run:
-            while len(chain) > 1 and _turn(chain[-2], chain[-1], p) <= 0:
-                chain.pop()
-            chain.append(p)
-        both += chain[:-1]
-    return both
-
-
-def _turn(a: Vector, b: Vector, c: Vector) -> int:
-    return (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])

@@ -22,8 +22,9 @@ from minkref.certify.motion.moving_cells import (
     steady,
     xs_of,
 )
-from minkref.certify.motion.moving_parts import MovingPlace, MovingWay, Pair, Vector
+from minkref.certify.motion.moving_parts import MovingPlace, MovingWay, Pair
 from minkref.certify.motion.scale_cells import Cut, between, left_of
+from minkref.certify.plane.piece_nodes import Vector
 from minkref.certify.simplest import simplest_between
 from minkref.motion.scale_ranges import ScaleRange
 

@@ -16,10 +16,11 @@ from minkref.certify.claims_text import shown
 from minkref.certify.motion.clearance import Clearance, Collision, TooLong
 from minkref.certify.motion.collisions import Collisions, NoHit
 from minkref.certify.motion.convex_cells import Place
-from minkref.certify.motion.moving_parts import MovingPlace, MovingWay, Pair, Vector, Way, stays
+from minkref.certify.motion.moving_parts import MovingPlace, MovingWay, Pair, Way, stays
 from minkref.certify.motion.scale_cells import document, is_within
 from minkref.certify.motion.trap_cover import TrapCover
 from minkref.certify.plane.certificate import NoProof
+from minkref.certify.plane.piece_nodes import Vector
 from minkref.errors import Refusal
 from minkref.exact import digest
 from minkref.motion.path_values import trapped_scales, valid_scales

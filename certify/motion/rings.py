@@ -12,7 +12,8 @@ from itertools import pairwise
 from typing import Any
 
 from minkref.certify.motion.convex_cells import Place, Polygon, below, crossings, middle
-from minkref.certify.motion.moving_parts import Pair, Vector, hull_of
+from minkref.certify.motion.moving_parts import Pair
+from minkref.certify.plane.piece_nodes import Vector, hull_of
 from minkref.motion.scale_ranges import ScaleRange
 
 #: Pieces of R and of O: the places B - sA.

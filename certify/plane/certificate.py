@@ -15,6 +15,7 @@ from minkref.certify.case_text import case_digest, case_text, places
 from minkref.certify.claims_text import shown
 from minkref.certify.plane.coincidence import coincidences
 from minkref.certify.plane.moving_form import Figure, figure, moving_form
+from minkref.certify.plane.point_apart import PointApart
 from minkref.certify.plane.predicate import Place, Predicate, Vertices
 from minkref.certify.simplest import simplest_between
 from minkref.errors import Refusal, cut
@@ -139,6 +140,20 @@ class Certificate:
         return self._claim(
             "point", scale=str(s), point=list(point), p=p, q=q, by=list(by), pieces=pieces
         )
+
+    def outside(self, scale: Number, point: tuple[Number, Number]) -> int:
+        """Claims a point outside the sum. Raises NoProof if the sum has it."""
+        s = _exact("scale", scale)
+        x, y = (_exact(name, given) for name, given in zip("xy", point, strict=True))
+        by = self._pieces()
+        apart = PointApart([self._steps[step] for step in by], self._vertices, s, (x, y))
+        code = apart.code()
+        if code is None:
+            raise NoProof(f"the point ({cut(str(x))}, {cut(str(y))}) is in the sum at {s}")
+        return self._claim(
+            "outside", scale=str(s), point=[str(x), str(y)], by=list(by),
+            normals=apart.normals(), code=code,
+        )  # fmt: skip
 
     def sign(self, of: Predicate, from_scale: Number, to_scale: Number) -> int:
         """The sign of a predicate (predicate.py) at all scales between two, or at one."""

@@ -84,7 +84,7 @@ Degeneracy = Annotated[
 Point = Annotated[
     tuple[str, str] | None,
     typer.Option(
-        "--point", metavar="X,Y", help="Prove only that this point is in the sum at --scale."
+        "--point", metavar="X,Y", help="Prove only whether this point is in the sum at --scale."
     ),
     Read(read_point),
 ]
@@ -101,8 +101,8 @@ Theorem = Annotated[
     typer.Option(
         "--theorem",
         metavar="FILE.v",
-        help="Write the sum at --scale as a theorem of Coq too, proved by computation "
-        "(docs/proved.md; `make proofs` builds what it takes).",
+        help="Write the sum at --scale, or the --point, as a theorem of Coq too, proved by "
+        "computation (docs/proved.md; `make proofs` builds what it takes).",
     ),
 ]
 

@@ -1,4 +1,4 @@
-"""`minkref certify --theorem FILE.v`: a sum as a theorem of Coq (docs/proved.md)."""
+"""`minkref certify --theorem FILE.v`: a sum, or a point, as a theorem of Coq (docs/proved.md)."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\.v", re.ASCII)
 HOW = "coqc -Q build/proofs Proved"  # in the source tree, after make proofs
 
 
-def check_theorem(path: Path, about_a_sum: bool) -> None:
+def check_theorem(path: Path, of_one_scale: bool) -> None:
     """Refuses, before any work is done, what cannot be written."""
-    if not about_a_sum:
-        raise Refusal("a theorem is about a sum", "--theorem", "give --scale alone")
+    if not of_one_scale:
+        mend = "give --scale or --point"
+        raise Refusal("a theorem is about a sum, or a point", "--theorem", mend)
     if not NAME.fullmatch(path.name):
         mend = "name it FILE.v, of letters, digits and _"
         raise Refusal("this is not the name of a file of Coq", str(path), mend)
@@ -26,8 +27,8 @@ def check_theorem(path: Path, about_a_sum: bool) -> None:
 
 
 def theorem_of(certificate: Checked) -> bytes:
-    """States the sum of a certificate and proves it by computation. Raises RuntimeError where the
-    proved checker refuses the certificate: a fault of minkref."""
+    """States the sum or the point of a certificate, proved by computation. Raises RuntimeError
+    where the proved checker refuses the certificate: a fault of minkref."""
     with scratch_folder() as folder:
         plain, part = folder / "it.cert.json", folder / "theorem.v"
         plain.write_bytes(certificate.text.encode())

@@ -303,6 +303,7 @@ class Pieces:
             self.add_group([index(child, len(self.hulls)) for child in items(group)])
         whole = not pieces or len(self.leaves[-1]) == len(pieces)
         demand(whole, "the last node does not hold all pieces")
+        self.root = [len(self.hulls) - 1] if pieces else []
         self.support: dict[tuple[int, Vector], int] = {}
 
     def check_tiling(self, pieces: list[list[int]]) -> None:
@@ -314,8 +315,7 @@ class Pieces:
         made = [(a, b, 1) for piece in self.hulls for a, b in edges_of(piece)]
         demand(add_up_to_nothing(given + made), f"the pieces do not add up to {name}")
         for piece in self.hulls:
-            turns = [direction(*edge) for edge in edges_of(piece)]
-            demand(is_convex(turns), "a piece is not convex")
+            demand(is_convex([direction(*e) for e in edges_of(piece)]), "a piece is not convex")
 
     def add_group(self, children: list[int]) -> None:
         require(0 < len(children) == len(set(children)), "a group has no member, or one twice")
@@ -350,8 +350,7 @@ class Region:
         require(self.scales == sorted(set(self.scales)), "the scales do not ascend")
         self.P, self.Q = (proof.step(value, Pieces) for value in items(by, 2))
         require((self.P.operand.name, self.Q.operand.name) == ("P", "Q"), "`by` is not of P and Q")
-        empty = not (self.P.hulls and self.Q.hulls)  # and so is the sum
-        self.roots = [] if empty else [(len(self.P.hulls) - 1, len(self.Q.hulls) - 1)]
+        self.roots = list(itertools.product(self.P.root, self.Q.root))  # none: the sum is empty
         self.box = [number(value) * proof.unit for value in items(box, 4)]
         demand(self.box[0] < self.box[2] and self.box[1] < self.box[3], "the box is empty")
         self.lines: dict[int, list[Triple]] = {}
@@ -392,8 +391,7 @@ class Region:
         own = len(self.lines) + len(self.points)
         if kind == "meet":
             require(all(integer(i) in self.lines for i in items(entry, 2)), "no lines to meet")
-            pairs = zip(*(self.lines[i] for i in entry), strict=True)
-            self.points[own] = [meet(first, second) for first, second in pairs]
+            self.points[own] = list(map(meet, *(self.lines[i] for i in entry)))
         elif kind == "up":
             at = self.points[self.point(items(entry, 1)[0])]
             self.lines[own] = [(w, 0, -x) for x, _, w in at]
@@ -564,10 +562,6 @@ class Proof:
     def __init__(self, P: Operand, Q: Operand, budget: Budget) -> None:
         require(not (P.thin and Q.thin), "both operands are points or segments")
         self.operands = {P.name: P, Q.name: Q}
-        self.steps: list[Any] = []
-        self.used: set[int] = set()
-        self.shown: list[Any] = []  # the region, or the regions, that a claim is about
-        self.said: list[str] = []
         self.spend = budget.spend
         self.unit = budget.common(P.exact + Q.exact)
         for o in (P, Q):
@@ -593,6 +587,10 @@ class Proof:
 
     def follow(self, steps: Json, claims: Json) -> list[str]:
         """Checks steps and claims; returns the claims as texts."""
+        self.steps: list[Any] = []
+        self.used: set[int] = set()
+        self.shown: list[Any] = []  # the region, or the regions, that a claim is about
+        self.said: list[str] = []
         for i, step in enumerate(items(steps)):
             with within(f"step {i}"):
                 rule = step.get("rule") if isinstance(step, dict) else None
@@ -709,6 +707,29 @@ def add_point(proof: Proof, claim: Json) -> tuple[str, None]:
     return f"{point} at {scale}", None
 
 
+class Outside(Region):
+    """A point at a scale that normals hold strictly apart from all pairs of pieces."""
+
+    def __init__(self, proof: Proof, scale: Json, at: Json, steps: Json, normals: Json) -> None:
+        self.proof, self.scales = proof, [scale_of(scale)]
+        self.P, self.Q = (proof.step(value, Pieces) for value in items(steps, 2))
+        require((self.P.operand.name, self.Q.operand.name) == ("P", "Q"), "`by` is not of P and Q")
+        self.roots = list(itertools.product(self.P.root, self.Q.root))
+        self.at = [c * proof.unit for c in vector(at)]
+        self.normals = [whole_normal(vector(normal)) for normal in items(normals)]
+
+    def least(self, end: int, corners: list[int], normal: Vector, side: int) -> int:
+        """The largest integer less than the value at the point: a normal may not touch."""
+        return int(-(-self.scales[end].denominator * dot(normal, self.at) // 1)) - 1
+
+
+def add_outside(proof: Proof, claim: Json) -> tuple[str, None]:
+    """A point that is not in the sum."""
+    scale, point, steps, normals, code = members(claim, "claim scale point by normals code")[1:]
+    Outside(proof, scale, point, steps, normals).check_apart([], items(code))
+    return f"{point} at {scale}", None
+
+
 def add_passage(proof: Proof, claim: Json) -> tuple[str, None]:
     """Points inside the sum, along edges of cells, that the sum of the interiors misses."""
     scale, step, points, path = members(claim, "claim scale step points path")[1:]
@@ -781,7 +802,7 @@ def of_scaled_axes(
 
 FORMS["axes-certificate-v1"] = "axes steps", of_scaled_axes
 Proof.claims.update(interval=add_interval, event=add_event, point=add_point)
-Proof.claims.update(passage=add_passage, sign=add_sign)
+Proof.claims.update(outside=add_outside, passage=add_passage, sign=add_sign)
 
 
 # Part 4: space, surfaces whose vertices are whole numbers, and sums of convex polyhedra.
@@ -1639,8 +1660,7 @@ class Clear:
         self.path = list(map(stays, proof.path)) if path is None else places(path, moving)
         self.scales = ScaleRange(scales)
         self.normals = [whole_normal(vector(normal)) for normal in items(normals)]
-        roots = [len(of.hulls) - 1 for of in self.by]  # -1: the set is empty
-        self.roots = [(roots[0], roots[1])] if min(roots) >= 0 else []
+        self.roots = list(itertools.product(*(of.root for of in self.by)))
         ways = segments(self.path)
         for i, (ends, code) in enumerate(zip(ways, items(codes, len(ways)), strict=True)):
             with within(f"segment {i}"):
@@ -2054,13 +2074,13 @@ def cuts(side: Side, other: Side) -> list[Triple]:
     return [] if apart else [meet(line, across_it)]
 
 
-class Union:
+class Union(Proof):
     """Sets, and claims about them. A vertex is [set, vertex]; so is the edge that begins there."""
 
-    claims: ClassVar[dict[str, Callable[[Union, Json], str]]] = {}
+    claims: ClassVar[dict[Any, Any]] = {}
 
     def __init__(self, sets: list[Operand], budget: Budget) -> None:
-        self.budget, self.vertices = budget, [list(map(triple, one.exact)) for one in sets]
+        self.spend, self.vertices = budget.spend, [list(map(triple, one.exact)) for one in sets]
         self.ends = [dict(e for ring in one.rings for e in edges_of(ring)) for one in sets]
         self.sides = [sides_of(one) for one in sets]
 
@@ -2074,18 +2094,6 @@ class Union:
         last = self.vertices[value[0]][self.ends[value[0]][value[1]]]
         return first, last, across(first, last)
 
-    def follow(self, claims: Json) -> list[str]:
-        require(len(set(map(digest_of, items(claims)))) == len(claims), "a claim is made twice")
-        said: list[str] = []
-        for claim in claims:
-            with within(f"claim {len(said)}"):
-                self.budget.spend(64)
-                kind: Json = claim.get("claim") if isinstance(claim, dict) else None
-                require(kind in tuple(self.claims), f"there is no claim {kind!r}")
-                said.append(f"{kind}: {self.claims[kind](self, claim)}")
-        require(bool(said), "nothing is claimed")
-        return said
-
 
 def sides_of(one: Operand) -> list[Side]:
     require(not one.thin, f"{one.name} is a point or a segment")
@@ -2095,44 +2103,44 @@ def sides_of(one: Operand) -> list[Side]:
     return [(a, b, across(a, b)) for a, b in found]
 
 
-def claim_union(union: Union, claim: Json) -> str:
+def claim_union(union: Union, claim: Json) -> tuple[str, None]:
     """The union is the set that polygons bound. All edges, cut where they meet, part the plane into
     faces; each has a piece of an edge at its boundary, and both sides of all pieces are right."""
     region = Operand({"polygons": members(claim, "claim polygons")[1]}, "the union")
     bounds = sides_of(region)
     every = sorted(set(itertools.chain(bounds, *union.sides)))
     for side in every:
-        union.budget.spend(len(every))
+        union.spend(len(every))
         at = sorted({exact(p) for other in every for p in cuts(side, other)})
         for (x, y), (z, w) in itertools.pairwise(at):
             p = triple(((x + z) / 2, (y + w) / 2))
-            union.budget.spend(2 * len(every))
+            union.spend(2 * len(every))
             for beside in (side[2][:2], (-side[2][0], -side[2][1])):
                 held = any(winding(sides, p, beside) > 0 for sides in union.sides)
                 demand(winding(bounds, p, beside) == held, f"the sides differ at {plain_point(p)}")
-    return f"{len(bounds)} edges, {digest_of({'polygons': region.plain})}"
+    return f"{len(bounds)} edges, {digest_of({'polygons': region.plain})}", None
 
 
 def plain_point(p: Triple) -> str:
     return f"({', '.join(map(str, exact(p)))})"
 
 
-def claim_point(union: Union, claim: Json) -> str:
+def claim_point(union: Union, claim: Json) -> tuple[str, None]:
     """The sets that have a point inside, and those with an edge through it; it is outside of all
     others."""
     point, inside, on = members(claim, "claim point inside on")[1:]
     p = triple(vector(point))
-    union.budget.spend(2 * sum(map(len, union.sides)))
+    union.spend(2 * sum(map(len, union.sides)))
     through = [any(p == side[0] or is_inside(side, p) for side in one) for one in union.sides]
     edges = [k for k, is_on in enumerate(through) if is_on]
     demand(list(map(integer, items(on))) == edges, f"edges of the sets {edges} pass the point")
     around = (k for k, one in enumerate(union.sides) if winding(one, p, (0, 0)) > 0)
     held = [k for k in around if not through[k]]
     demand(list(map(integer, items(inside))) == held, f"the sets {held} have it inside")
-    return f"{plain_point(p)} inside {held}, on edges of {edges}"
+    return f"{plain_point(p)} inside {held}, on edges of {edges}", None
 
 
-def claim_meet(union: Union, claim: Json) -> str:
+def claim_meet(union: Union, claim: Json) -> tuple[str, None]:
     """A point is each of some vertices, and inside each of some edges; several sets have these."""
     point, vertices, edges = members(claim, "claim point vertices edges")[1:]
     p = triple(vector(point))
@@ -2141,10 +2149,10 @@ def claim_meet(union: Union, claim: Json) -> str:
     named = [*vertices, *edges]
     require(len({k for k, _ in named}) > 1, "one set, or none, is named")
     require(len(set(map(tuple, named))) == len(named), "one is named twice")
-    return f"at {plain_point(p)} the vertices {vertices}, and inside the edges {edges}"
+    return f"at {plain_point(p)} the vertices {vertices}, and inside the edges {edges}", None
 
 
-def claim_overlap(union: Union, claim: Json) -> str:
+def claim_overlap(union: Union, claim: Json) -> tuple[str, None]:
     """Edges of two sets have a stretch in common, and run the same way (1) or not (-1)."""
     edges, way = members(claim, "claim edges way")[1:]
     one, other = map(union.side, items(edges, 2))
@@ -2154,10 +2162,10 @@ def claim_overlap(union: Union, claim: Json) -> str:
     demand(max(a, c) < min(b, d), "they have no stretch in common")
     same = (exact(one[0]) == a) == (exact(other[0]) == c)
     demand(integer(way) == (1 if same else -1), "they run the other way")
-    return f"the edges {edges}, {'the same way' if same else 'opposite ways'}"
+    return f"the edges {edges}, {'the same way' if same else 'opposite ways'}", None
 
 
-def claim_sign(union: Union, claim: Json) -> str:
+def claim_sign(union: Union, claim: Json) -> tuple[str, None]:
     """The sign of `orientation` of three vertices (positive: they turn left), or of `concurrent`,
     three lines, each through two vertices (zero: they meet in a point or are parallel)."""
     of, sign = members(claim, "claim of sign")[1:]
@@ -2169,13 +2177,13 @@ def claim_sign(union: Union, claim: Json) -> str:
     require(all(map(any, (u, v, w))), "a line has one point given twice")
     value = at_point(across(v, w), u)
     demand(integer(sign) == (value > 0) - (value < 0), "it has another sign")
-    return f"{of} has the sign {sign}"
+    return f"{of} has the sign {sign}", None
 
 
 def of_unions(case: Json, digest: Json, claims: Json, budget: Budget) -> list[str]:
     sets = [Operand(one, f"set {k}") for k, one in enumerate(items(case.get("sets")))]
     demand(digest_of({"sets": [one.plain for one in sets]}) == digest, "another case is certified")
-    return Union(sets, budget).follow(claims)
+    return Union(sets, budget).follow([], claims)
 
 
 FORMS["union-certificate-v1"] = "", of_unions

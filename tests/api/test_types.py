@@ -164,6 +164,7 @@ CALLS |= {
     "Certificate Q": (lambda x: minkref.Certificate(SQUARE, x), (minkref.PolygonSet,)),
     "sum scale of a certificate": (lambda x: minkref.Certificate(SQUARE, SQUARE).sum(x), NUMBERS),
     "point x": (lambda x: minkref.Certificate(SQUARE, SQUARE).point(4, (x, 1)), NUMBERS),
+    "outside x": (lambda x: minkref.Certificate(SQUARE, SQUARE).outside(4, (x, 9)), NUMBERS),
     "ConvexCertificate P": (lambda x: minkref.ConvexCertificate(x, SIMPLEX), (minkref.Polyhedron,)),
     "SolidCertificate Q": (lambda x: minkref.SolidCertificate(SIMPLEX, x), (minkref.Polyhedron,)),
 }

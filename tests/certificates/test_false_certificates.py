@@ -13,6 +13,8 @@ Spoil = Callable[[dict[str, Any]], object]
 REFUTED, MALFORMED = 1, 2
 POINT = {"claim": "point", "scale": "1", "point": ["3/2", "1"], "p": ["1", "1/2"],
          "q": ["1/2", "1/2"], "by": [0, 1], "pieces": [0, 0]}  # fmt: skip
+OUTSIDE = {"claim": "outside", "scale": "1", "point": ["21/10", "1"], "by": [0, 1],
+           "normals": [[1, 0]], "code": [0]}  # fmt: skip
 TURN = ["orientation", [[0, 0], [1, 0], [2, 0]]]
 SIGN = {"claim": "sign", "of": TURN, "from": "1/2", "to": "2", "sign": 1}
 
@@ -20,7 +22,7 @@ SIGN = {"claim": "sign", "of": TURN, "from": "1/2", "to": "2", "sign": 1}
 def test_a_true_one_is_verified(check_value: Any) -> None:
     value = squares.certificate()
     value["claims"][0]["polygons"] = squares.SUM
-    value["claims"] += [POINT, SIGN]
+    value["claims"] += [POINT, OUTSIDE, SIGN]
     code, said = check_value(value, squares.CASE)
     assert code == 0, said
 
@@ -92,6 +94,18 @@ def another(value: dict[str, Any]) -> Spoil:
         (lambda c: (c["steps"][0].update(pieces=[[0, 1, 2], [0, 2, 3]], groups=[[0, 1]]),
                     entry(2, "proofs", 0, ["cov", 2, 0])(c),
                     another(POINT | {"pieces": [2, 0]})(c)), MALFORMED, "no number 2"),
+        (another(OUTSIDE | {"point": ["2", "1"]}), REFUTED, "does not separate"),
+        (another(OUTSIDE | {"point": ["1", "1"]}), REFUTED, "does not separate"),
+        (another(OUTSIDE | {"scale": "2"}), REFUTED, "does not separate"),
+        (another(OUTSIDE | {"normals": [[-1, 0]]}), REFUTED, "does not separate"),
+        (another(OUTSIDE | {"normals": [[0, 0]]}), MALFORMED, "a normal is zero"),
+        (another(OUTSIDE | {"normals": [["1/2", 0]]}), MALFORMED, ""),
+        (another(OUTSIDE | {"code": []}), REFUTED, "ends too early"),
+        (another(OUTSIDE | {"code": [0, 0]}), REFUTED, "goes on after its end"),
+        (another(OUTSIDE | {"code": [-1]}), REFUTED, "splits a piece"),
+        (another(OUTSIDE | {"code": [1]}), MALFORMED, "no number 1"),
+        (another(OUTSIDE | {"by": [1, 0]}), MALFORMED, "not of P and Q"),
+        (another(OUTSIDE | {"by": [0, 2]}), MALFORMED, ""),
         (another(SIGN | {"sign": -1}), REFUTED, "sign"),
         (another(SIGN | {"sign": 0}), REFUTED, "sign"),
         (another(SIGN | {"of": ["area", []]}), MALFORMED, "predicate"),

@@ -118,6 +118,8 @@ def test_points_of_the_sum(check: Any, tmp_path: Path) -> None:
     assert code == 0, said
     with pytest.raises(NoProof, match="not in the sum"):
         certificate.point(1, ("0", "0"))
+    with pytest.raises(NoProof, match="is in the sum"):
+        certificate.outside(1, (43, 0))
 
 
 def test_what_does_not_hold_has_no_proof() -> None:

@@ -114,8 +114,8 @@ def test_without_the_program(square: Path, capsys: Any, monkeypatch: Any) -> Non
 @pytest.mark.parametrize(
     ("options", "why"),
     [
-        (["--point", "1,1", "--theorem", "it.v"], "a theorem is about a sum"),
-        (["--event", "2", "--theorem", "it.v"], "a theorem is about a sum"),
+        (["--from", "1", "--to", "2", "--theorem", "it.v"], "a theorem is about a sum, or a point"),
+        (["--event", "2", "--theorem", "it.v"], "a theorem is about a sum, or a point"),
         (["--theorem", "it.txt"], "not the name of a file of Coq"),
         (["--theorem", "1.v"], "not the name of a file of Coq"),
     ],
@@ -147,7 +147,7 @@ def test_of_several_sums_there_is_no_theorem(proved: list[str], square: Path) ->
     theorem = square.with_name("it.v")
     command = [*proved, f"--theorem={theorem}", str(square)]
     ran = subprocess.run(command, capture_output=True, text=True)
-    assert ran.returncode == 2 and "several sums are claimed" in ran.stdout
+    assert ran.returncode == 2 and "several sums or points" in ran.stdout
     assert not theorem.exists()
 
 
@@ -162,22 +162,22 @@ def test_a_compressed_certificate_has_the_same_theorem(holed: str, tmp_path: Pat
     assert texts[0] == texts[1] != ""
 
 
-@pytest.mark.usefixtures("proved")
-def test_a_theorem_is_taken_by_coq_and_a_false_one_is_not(holed: str, tmp_path: Path) -> None:
-    """The sum of a square ring and a smaller one, which has a hole."""
+def compiled(theorem: Path) -> subprocess.CompletedProcess[str]:
     coqc = shutil.which("coqc")
     if coqc is None or not (ROOT / "build" / "proofs" / "Canonical.vo").exists():
         pytest.skip("coqc or the compiled proofs are absent: make proofs")
+    command = [coqc, "-q", "-Q", str(ROOT / "build" / "proofs"), "Proved", theorem.name]
+    return subprocess.run(command, cwd=theorem.parent, capture_output=True, text=True)
+
+
+@pytest.mark.usefixtures("proved")
+def test_a_theorem_is_taken_by_coq_and_a_false_one_is_not(holed: str, tmp_path: Path) -> None:
+    """The sum of a square ring and a smaller one, which has a hole."""
     theorem, out = tmp_path / "it.v", tmp_path / "it.cert.json"
     options = ["--scale", "1/5", "-o", str(out), "--theorem", str(theorem)]
     assert run(["certify", holed, holed, *options]) == 0
     text = theorem.read_text(encoding="utf-8")
-    command = [coqc, "-q", "-Q", str(ROOT / "build" / "proofs"), "Proved", "it.v"]
-
-    def compiled() -> subprocess.CompletedProcess[str]:
-        return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
-
-    ran = compiled()
+    ran = compiled(theorem)
     assert ran.returncode == 0, ran.stderr
     assert "functional_extensionality" in ran.stdout
     it = "(set_of (rings_of (figure R')))"
@@ -189,4 +189,25 @@ def test_a_theorem_is_taken_by_coq_and_a_false_one_is_not(holed: str, tmp_path: 
     ):
         assert old in text
         theorem.write_text(text.replace(old, new, 1), encoding="utf-8")
-        assert compiled().returncode != 0, new
+        assert compiled(theorem).returncode != 0, new
+
+
+@pytest.mark.usefixtures("proved")
+@pytest.mark.parametrize(
+    ("point", "other", "said"),
+    [("1,1", "(12#5, 12#5)", "this_point_is_inside"), ("12/5,12/5", "(1#1, 1#1)", "~ exists p q")],
+)
+def test_a_point_is_a_theorem_too(
+    holed: str, tmp_path: Path, point: str, other: str, said: str
+) -> None:
+    """In the sum, or not; with the other point the same proof is none."""
+    theorem, out = tmp_path / "it.v", tmp_path / "it.cert.json"
+    options = ["--scale", "1/5", "--point", point, "-o", str(out), "--theorem", str(theorem)]
+    assert run(["certify", holed, holed, *options]) == 0
+    text = theorem.read_text(encoding="utf-8")
+    ran = compiled(theorem)
+    assert said in text and ran.returncode == 0, ran.stderr
+    x, y = (f"{n}#{d or 1}" for n, _, d in (part.partition("/") for part in point.split(",")))
+    assert f"x : vertex := ({x}, {y})" in text
+    theorem.write_text(text.replace(f"({x}, {y})", other, 1), encoding="utf-8")
+    assert compiled(theorem).returncode != 0

@@ -15,7 +15,8 @@ from minkref.reports.evidence.certificates.checkers import ROOT
 PROOFS = ROOT / "build" / "proofs"
 SQUARE = "POLYGON((0 0, 1 0, 1 1, 0 1, 0 0))"
 TRUE, FALSE = "(2#1, 2#1)", "(3#1, 3#1)"  # a corner of R
-STATED = re.compile(r"(Theorem this_is_the_sum :\n.*?)(?=Proof\.)", re.DOTALL)
+NEAR, FAR = "(1#1, 2#1)", "(2#1, 3#1)"  # points in the sum, and outside
+STATED = re.compile(r"Theorem (\w+) :\n(.*?)(?=Proof\.)", re.DOTALL)
 ENTRY = re.compile(r"^(?=\S)", re.MULTILINE)  # of a list of axioms: a line that is not indented
 TRIVIAL = (
     'Definition in_all (n : nat) : Prop := True. Notation "a /\\ b" := (in_all 0) : type_scope.'
@@ -47,13 +48,30 @@ Qed.""",
     "the statement is taken back":
         "@Abort.\nTheorem this_is_the_sum : True. Proof. exact I. Qed.",
 }  # fmt: skip
+#: And of a point outside
+FORGED_POINTS = {
+    "another set_of": """
+Definition set_of (r : rings point) (x : point) : Prop := False.
+@Proof. intros s P Q' x (p & q & nowhere & _). exact nowhere. Qed.""",
+    "another not": """
+Notation "~ a" := (a -> True) : type_scope.
+@Proof. intros s P Q' x there. exact I. Qed.""",
+    "the statement is taken back":
+        "@Abort.\nTheorem this_point_is_outside : True. Proof. exact I. Qed.",
+}  # fmt: skip
 
 
-def page() -> str:
-    """The reader's own file, as the page has it."""
+def page(kind: str) -> str:
+    """The reader's own file, as the page has it: of a sum; of a point outside, or inside."""
     text = (ROOT / "docs" / "proved.md").read_text(encoding="utf-8")
-    (found,) = re.findall(r"```coq\n(.*?)```", text, re.DOTALL)
-    return str(found)
+    of_sum, outside = re.findall(r"```coq\n(.*?)```", text, re.DOTALL)
+    inside = outside.replace("~ ", "").replace("outside", "inside").replace(FAR, NEAR)
+    return {"sum": str(of_sum), "outside": str(outside), "inside": str(inside)}[kind]
+
+
+def words_of(own: str) -> str:
+    """The statement of a reader's file."""
+    return own.partition("Prop :=")[2].partition("From Theirs")[0]
 
 
 @pytest.fixture
@@ -83,28 +101,45 @@ def is_believed(coqc: str, folder: Path) -> bool:
 
 
 @pytest.mark.usefixtures("proved")
-def test_the_recipe_takes_a_theorem_of_certify(coqc: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("kind", "options", "true", "false"),
+    [
+        ("sum", [], TRUE, FALSE),
+        ("outside", ["--point", "2,3"], FAR, NEAR),
+        ("inside", ["--point", "1,2"], NEAR, FAR),
+    ],
+)
+def test_the_recipe_takes_a_theorem_of_certify(
+    coqc: str, tmp_path: Path, kind: str, options: list[str], true: str, false: str
+) -> None:
     (tmp_path / "square.wkt").write_text(SQUARE, encoding="utf-8")
-    square = str(tmp_path / "square.wkt")
-    out = ["-o", str(tmp_path / "it.cert.json"), "--theorem", str(tmp_path / "sum.v")]
-    assert run(["certify", square, square, "--scale", "1", *out]) == 0
+    square, theirs, own = str(tmp_path / "square.wkt"), tmp_path / "sum.v", page(kind)
+    out = ["-o", str(tmp_path / "it.cert.json"), "--theorem", str(theirs)]
+    assert run(["certify", square, square, "--scale", "1", *options, *out]) == 0
     ran = compiled(coqc, tmp_path, "sum.v")
     assert ran.returncode == 0, ran.stderr
-    (tmp_path / "mine.v").write_text(page(), encoding="utf-8")
+    (tmp_path / "mine.v").write_text(own, encoding="utf-8")
     assert is_believed(coqc, tmp_path)
-    text = (tmp_path / "sum.v").read_text(encoding="utf-8")
-    (stated,) = STATED.findall(text)
-    own = page().partition("Prop :=")[2].partition("From Theirs")[0]
-    assert stated.partition(":")[2].split() == own.split()  # the page has the statement's words
-    (tmp_path / "mine.v").write_text(page().replace(TRUE, FALSE), encoding="utf-8")
+    text = theirs.read_text(encoding="utf-8")
+    ((name, stated),) = STATED.findall(text)
+    assert stated.split() == words_of(own).split()  # the page has the statement's words
+    assert f"sum.{name}" in own and "Checker" not in text.partition("Proof.")[0]
+    assert true in own
+    (tmp_path / "mine.v").write_text(own.replace(true, false), encoding="utf-8")
     assert not is_believed(coqc, tmp_path)
 
 
-@pytest.mark.parametrize("kind", FORGED)
-def test_the_recipe_takes_no_forged_theorem(coqc: str, tmp_path: Path, kind: str) -> None:
-    own = page().replace(TRUE, FALSE)
-    stated = own.partition("Prop :=")[2].partition("From Theirs")[0]
-    words = FORGED[kind].replace("@", f"Theorem this_is_the_sum :{stated}")
+@pytest.mark.parametrize(
+    ("of", "kind"),
+    [*(("sum", kind) for kind in FORGED), *(("outside", kind) for kind in FORGED_POINTS)],
+)
+def test_the_recipe_takes_no_forged_theorem(coqc: str, tmp_path: Path, of: str, kind: str) -> None:
+    if of == "sum":
+        own, forged = page(of).replace(TRUE, FALSE), FORGED[kind]
+    else:
+        own, forged = page(of).replace(FAR, NEAR), FORGED_POINTS[kind]
+    (name,) = re.findall(r"believed : claimed := sum\.(\w+)\.", own)
+    words = forged.replace("@", f"Theorem {name} :{words_of(own)}")
     (tmp_path / "sum.v").write_text(HEAD + words, encoding="utf-8")
     (tmp_path / "mine.v").write_text(own, encoding="utf-8")
     ran = compiled(coqc, tmp_path, "sum.v")

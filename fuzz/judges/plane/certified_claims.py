@@ -86,6 +86,9 @@ class Confirmation:
         x, y = map(Fraction, claim["point"])
         return slow.witness(self.P, self.Q, Fraction(claim["scale"]), (x, y)).contact != "disjoint"
 
+    def _outside(self, claim: Claim) -> bool:
+        return not self._point(claim)
+
     def _sign(self, claim: Claim) -> bool:
         """The sign at one scale; or no real root between two, and the sign in the middle."""
         s = sympy.symbols("s")

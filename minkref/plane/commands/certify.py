@@ -18,7 +18,7 @@ def run(request: CertifyInPlane) -> None:
     files = CertificateFiles.of(request.output, "-o")
     _check(request)
     if request.theorem is not None:
-        check_theorem(request.theorem, _is_sum(request))
+        check_theorem(request.theorem, _is_of_one_scale(request))
     certify(request, files, lambda: _proof(request), request.theorem)
 
 
@@ -33,7 +33,7 @@ def _proof(request: CertifyInPlane) -> Proof:
         except NoProof as error:
             mend = "`minkref events P Q --kind boundary` (or arrangement) lists the events"
             if request.point is not None:
-                mend = "`minkref sum P Q --scale S -o sum.svg` draws the sum"
+                mend = "`minkref certify P Q --scale S` proves the whole sum"
             where = f"{first.name} and {second.name}"
             raise Refusal(str(error), where, mend, "no-proof") from error
         return certificate
@@ -54,10 +54,8 @@ def _check(request: CertifyInPlane) -> None:
         raise Refusal("these options do not go together", "options", mend + "--degeneracy S")
 
 
-def _is_sum(request: CertifyInPlane) -> bool:
-    others = (
-        request.event, request.from_scale, request.to_scale, request.degeneracy, request.point,
-    )  # fmt: skip
+def _is_of_one_scale(request: CertifyInPlane) -> bool:
+    others = (request.event, request.from_scale, request.to_scale, request.degeneracy)
     return all(option is None for option in others)
 
 
@@ -77,9 +75,16 @@ def _claim(certificate: Certificate, request: CertifyInPlane) -> None:
     elif request.degeneracy is not None:
         certificate.degeneracy(str(request.degeneracy))
     elif request.point is not None:
-        certificate.point(scale, request.point)
+        _claim_point(certificate, scale, request.point)
     else:
         certificate.sum(scale, passages=True)
+
+
+def _claim_point(certificate: Certificate, scale: str, point: tuple[str, str]) -> None:
+    """In the sum, or not."""
+    found = _core.decide(certificate.P, certificate.Q, scale, *point)
+    claim = certificate.outside if found["contact"] == "empty" else certificate.point
+    claim(scale, point)
 
 
 def _before(certificate: Certificate, scale: Fraction) -> Fraction:

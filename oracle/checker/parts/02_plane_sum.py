@@ -126,6 +126,7 @@ class Pieces:
             self.add_group([index(child, len(self.hulls)) for child in items(group)])
         whole = not pieces or len(self.leaves[-1]) == len(pieces)
         demand(whole, "the last node does not hold all pieces")
+        self.root = [len(self.hulls) - 1] if pieces else []
         self.support: dict[tuple[int, Vector], int] = {}
 
     def check_tiling(self, pieces: list[list[int]]) -> None:
@@ -137,8 +138,7 @@ class Pieces:
         made = [(a, b, 1) for piece in self.hulls for a, b in edges_of(piece)]
         demand(add_up_to_nothing(given + made), f"the pieces do not add up to {name}")
         for piece in self.hulls:
-            turns = [direction(*edge) for edge in edges_of(piece)]
-            demand(is_convex(turns), "a piece is not convex")
+            demand(is_convex([direction(*e) for e in edges_of(piece)]), "a piece is not convex")
 
     def add_group(self, children: list[int]) -> None:
         require(0 < len(children) == len(set(children)), "a group has no member, or one twice")
@@ -173,8 +173,7 @@ class Region:
         require(self.scales == sorted(set(self.scales)), "the scales do not ascend")
         self.P, self.Q = (proof.step(value, Pieces) for value in items(by, 2))
         require((self.P.operand.name, self.Q.operand.name) == ("P", "Q"), "`by` is not of P and Q")
-        empty = not (self.P.hulls and self.Q.hulls)  # and so is the sum
-        self.roots = [] if empty else [(len(self.P.hulls) - 1, len(self.Q.hulls) - 1)]
+        self.roots = list(itertools.product(self.P.root, self.Q.root))  # none: the sum is empty
         self.box = [number(value) * proof.unit for value in items(box, 4)]
         demand(self.box[0] < self.box[2] and self.box[1] < self.box[3], "the box is empty")
         self.lines: dict[int, list[Triple]] = {}
@@ -215,8 +214,7 @@ class Region:
         own = len(self.lines) + len(self.points)
         if kind == "meet":
             require(all(integer(i) in self.lines for i in items(entry, 2)), "no lines to meet")
-            pairs = zip(*(self.lines[i] for i in entry), strict=True)
-            self.points[own] = [meet(first, second) for first, second in pairs]
+            self.points[own] = list(map(meet, *(self.lines[i] for i in entry)))
         elif kind == "up":
             at = self.points[self.point(items(entry, 1)[0])]
             self.lines[own] = [(w, 0, -x) for x, _, w in at]
@@ -387,10 +385,6 @@ class Proof:
     def __init__(self, P: Operand, Q: Operand, budget: Budget) -> None:
         require(not (P.thin and Q.thin), "both operands are points or segments")
         self.operands = {P.name: P, Q.name: Q}
-        self.steps: list[Any] = []
-        self.used: set[int] = set()
-        self.shown: list[Any] = []  # the region, or the regions, that a claim is about
-        self.said: list[str] = []
         self.spend = budget.spend
         self.unit = budget.common(P.exact + Q.exact)
         for o in (P, Q):
@@ -416,6 +410,10 @@ class Proof:
 
     def follow(self, steps: Json, claims: Json) -> list[str]:
         """Checks steps and claims; returns the claims as texts."""
+        self.steps: list[Any] = []
+        self.used: set[int] = set()
+        self.shown: list[Any] = []  # the region, or the regions, that a claim is about
+        self.said: list[str] = []
         for i, step in enumerate(items(steps)):
             with within(f"step {i}"):
                 rule = step.get("rule") if isinstance(step, dict) else None

@@ -75,6 +75,29 @@ def add_point(proof: Proof, claim: Json) -> tuple[str, None]:
     return f"{point} at {scale}", None
 
 
+class Outside(Region):
+    """A point at a scale that normals hold strictly apart from all pairs of pieces."""
+
+    def __init__(self, proof: Proof, scale: Json, at: Json, steps: Json, normals: Json) -> None:
+        self.proof, self.scales = proof, [scale_of(scale)]
+        self.P, self.Q = (proof.step(value, Pieces) for value in items(steps, 2))
+        require((self.P.operand.name, self.Q.operand.name) == ("P", "Q"), "`by` is not of P and Q")
+        self.roots = list(itertools.product(self.P.root, self.Q.root))
+        self.at = [c * proof.unit for c in vector(at)]
+        self.normals = [whole_normal(vector(normal)) for normal in items(normals)]
+
+    def least(self, end: int, corners: list[int], normal: Vector, side: int) -> int:
+        """The largest integer less than the value at the point: a normal may not touch."""
+        return int(-(-self.scales[end].denominator * dot(normal, self.at) // 1)) - 1
+
+
+def add_outside(proof: Proof, claim: Json) -> tuple[str, None]:
+    """A point that is not in the sum."""
+    scale, point, steps, normals, code = members(claim, "claim scale point by normals code")[1:]
+    Outside(proof, scale, point, steps, normals).check_apart([], items(code))
+    return f"{point} at {scale}", None
+
+
 def add_passage(proof: Proof, claim: Json) -> tuple[str, None]:
     """Points inside the sum, along edges of cells, that the sum of the interiors misses."""
     scale, step, points, path = members(claim, "claim scale step points path")[1:]
@@ -147,4 +170,4 @@ def of_scaled_axes(
 
 FORMS["axes-certificate-v1"] = "axes steps", of_scaled_axes
 Proof.claims.update(interval=add_interval, event=add_event, point=add_point)
-Proof.claims.update(passage=add_passage, sign=add_sign)
+Proof.claims.update(outside=add_outside, passage=add_passage, sign=add_sign)

@@ -133,8 +133,7 @@ class Clear:
         self.path = list(map(stays, proof.path)) if path is None else places(path, moving)
         self.scales = ScaleRange(scales)
         self.normals = [whole_normal(vector(normal)) for normal in items(normals)]
-        roots = [len(of.hulls) - 1 for of in self.by]  # -1: the set is empty
-        self.roots = [(roots[0], roots[1])] if min(roots) >= 0 else []
+        self.roots = list(itertools.product(*(of.root for of in self.by)))
         ways = segments(self.path)
         for i, (ends, code) in enumerate(zip(ways, items(codes, len(ways)), strict=True)):
             with within(f"segment {i}"):

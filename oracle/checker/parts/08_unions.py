@@ -50,13 +50,13 @@ def cuts(side: Side, other: Side) -> list[Triple]:
     return [] if apart else [meet(line, across_it)]
 
 
-class Union:
+class Union(Proof):
     """Sets, and claims about them. A vertex is [set, vertex]; so is the edge that begins there."""
 
-    claims: ClassVar[dict[str, Callable[[Union, Json], str]]] = {}
+    claims: ClassVar[dict[Any, Any]] = {}
 
     def __init__(self, sets: list[Operand], budget: Budget) -> None:
-        self.budget, self.vertices = budget, [list(map(triple, one.exact)) for one in sets]
+        self.spend, self.vertices = budget.spend, [list(map(triple, one.exact)) for one in sets]
         self.ends = [dict(e for ring in one.rings for e in edges_of(ring)) for one in sets]
         self.sides = [sides_of(one) for one in sets]
 
@@ -70,18 +70,6 @@ class Union:
         last = self.vertices[value[0]][self.ends[value[0]][value[1]]]
         return first, last, across(first, last)
 
-    def follow(self, claims: Json) -> list[str]:
-        require(len(set(map(digest_of, items(claims)))) == len(claims), "a claim is made twice")
-        said: list[str] = []
-        for claim in claims:
-            with within(f"claim {len(said)}"):
-                self.budget.spend(64)
-                kind: Json = claim.get("claim") if isinstance(claim, dict) else None
-                require(kind in tuple(self.claims), f"there is no claim {kind!r}")
-                said.append(f"{kind}: {self.claims[kind](self, claim)}")
-        require(bool(said), "nothing is claimed")
-        return said
-
 
 def sides_of(one: Operand) -> list[Side]:
     require(not one.thin, f"{one.name} is a point or a segment")
@@ -91,44 +79,44 @@ def sides_of(one: Operand) -> list[Side]:
     return [(a, b, across(a, b)) for a, b in found]
 
 
-def claim_union(union: Union, claim: Json) -> str:
+def claim_union(union: Union, claim: Json) -> tuple[str, None]:
     """The union is the set that polygons bound. All edges, cut where they meet, part the plane into
     faces; each has a piece of an edge at its boundary, and both sides of all pieces are right."""
     region = Operand({"polygons": members(claim, "claim polygons")[1]}, "the union")
     bounds = sides_of(region)
     every = sorted(set(itertools.chain(bounds, *union.sides)))
     for side in every:
-        union.budget.spend(len(every))
+        union.spend(len(every))
         at = sorted({exact(p) for other in every for p in cuts(side, other)})
         for (x, y), (z, w) in itertools.pairwise(at):
             p = triple(((x + z) / 2, (y + w) / 2))
-            union.budget.spend(2 * len(every))
+            union.spend(2 * len(every))
             for beside in (side[2][:2], (-side[2][0], -side[2][1])):
                 held = any(winding(sides, p, beside) > 0 for sides in union.sides)
                 demand(winding(bounds, p, beside) == held, f"the sides differ at {plain_point(p)}")
-    return f"{len(bounds)} edges, {digest_of({'polygons': region.plain})}"
+    return f"{len(bounds)} edges, {digest_of({'polygons': region.plain})}", None
 
 
 def plain_point(p: Triple) -> str:
     return f"({', '.join(map(str, exact(p)))})"
 
 
-def claim_point(union: Union, claim: Json) -> str:
+def claim_point(union: Union, claim: Json) -> tuple[str, None]:
     """The sets that have a point inside, and those with an edge through it; it is outside of all
     others."""
     point, inside, on = members(claim, "claim point inside on")[1:]
     p = triple(vector(point))
-    union.budget.spend(2 * sum(map(len, union.sides)))
+    union.spend(2 * sum(map(len, union.sides)))
     through = [any(p == side[0] or is_inside(side, p) for side in one) for one in union.sides]
     edges = [k for k, is_on in enumerate(through) if is_on]
     demand(list(map(integer, items(on))) == edges, f"edges of the sets {edges} pass the point")
     around = (k for k, one in enumerate(union.sides) if winding(one, p, (0, 0)) > 0)
     held = [k for k in around if not through[k]]
     demand(list(map(integer, items(inside))) == held, f"the sets {held} have it inside")
-    return f"{plain_point(p)} inside {held}, on edges of {edges}"
+    return f"{plain_point(p)} inside {held}, on edges of {edges}", None
 
 
-def claim_meet(union: Union, claim: Json) -> str:
+def claim_meet(union: Union, claim: Json) -> tuple[str, None]:
     """A point is each of some vertices, and inside each of some edges; several sets have these."""
     point, vertices, edges = members(claim, "claim point vertices edges")[1:]
     p = triple(vector(point))
@@ -137,10 +125,10 @@ def claim_meet(union: Union, claim: Json) -> str:
     named = [*vertices, *edges]
     require(len({k for k, _ in named}) > 1, "one set, or none, is named")
     require(len(set(map(tuple, named))) == len(named), "one is named twice")
-    return f"at {plain_point(p)} the vertices {vertices}, and inside the edges {edges}"
+    return f"at {plain_point(p)} the vertices {vertices}, and inside the edges {edges}", None
 
 
-def claim_overlap(union: Union, claim: Json) -> str:
+def claim_overlap(union: Union, claim: Json) -> tuple[str, None]:
     """Edges of two sets have a stretch in common, and run the same way (1) or not (-1)."""
     edges, way = members(claim, "claim edges way")[1:]
     one, other = map(union.side, items(edges, 2))
@@ -150,10 +138,10 @@ def claim_overlap(union: Union, claim: Json) -> str:
     demand(max(a, c) < min(b, d), "they have no stretch in common")
     same = (exact(one[0]) == a) == (exact(other[0]) == c)
     demand(integer(way) == (1 if same else -1), "they run the other way")
-    return f"the edges {edges}, {'the same way' if same else 'opposite ways'}"
+    return f"the edges {edges}, {'the same way' if same else 'opposite ways'}", None
 
 
-def claim_sign(union: Union, claim: Json) -> str:
+def claim_sign(union: Union, claim: Json) -> tuple[str, None]:
     """The sign of `orientation` of three vertices (positive: they turn left), or of `concurrent`,
     three lines, each through two vertices (zero: they meet in a point or are parallel)."""
     of, sign = members(claim, "claim of sign")[1:]
@@ -165,13 +153,13 @@ def claim_sign(union: Union, claim: Json) -> str:
     require(all(map(any, (u, v, w))), "a line has one point given twice")
     value = at_point(across(v, w), u)
     demand(integer(sign) == (value > 0) - (value < 0), "it has another sign")
-    return f"{of} has the sign {sign}"
+    return f"{of} has the sign {sign}", None
 
 
 def of_unions(case: Json, digest: Json, claims: Json, budget: Budget) -> list[str]:
     sets = [Operand(one, f"set {k}") for k, one in enumerate(items(case.get("sets")))]
     demand(digest_of({"sets": [one.plain for one in sets]}) == digest, "another case is certified")
-    return Union(sets, budget).follow(claims)
+    return Union(sets, budget).follow([], claims)
 
 
 FORMS["union-certificate-v1"] = "", of_unions

@@ -65,6 +65,7 @@ class Certificate {
     if (kind == "interval") return kind + interval(claim);
     if (kind == "event") return kind + event(claim);
     if (kind == "point") return kind + point_of_sum(claim);
+    if (kind == "outside") return kind + outside(claim);
     if (kind == "passage") return kind + passage(claim);
     if (kind == "sign") return kind + sign(claim);
     throw NotVerified(Code::malformed, "there is no claim " + kind);
@@ -204,6 +205,27 @@ class Certificate {
                "a point is not in its piece");
       }
     }
+    return ": at " + s.get_str();
+  }
+
+  /// outside: normals hold a point strictly apart from all pairs of pieces.
+  std::string outside(const Value& claim) {
+    const auto m = members(claim, "claim scale point by normals code");
+    const mpq_class s = scale(*m[1]);
+    const Point x = point(*m[2]);
+    const auto& by = items(*m[3], 2);
+    const Pieces &p = pieces(by[0]), &q = pieces(by[1]);
+    require(p.operand.name == "P" && q.operand.name == "Q", "`by` is not of P and Q");
+    const std::vector<std::uint32_t> own = read_normals(*m[4], normals_);
+    const auto& code = items(*m[5]);
+    budget_.spend(code.size());
+    const auto apart = [&](std::uint32_t A, std::uint32_t B, const Value& entry) {
+      const std::uint32_t normal = own[index(entry, own.size())];
+      const Vector& n = normals_[normal];
+      const mpq_class here = (n.x * x.x + n.y * x.y) * unit_;
+      demand(here > s * p.most(A, normal) + q.most(B, normal), "a normal does not separate");
+    };
+    follow_code(p, q, code.data(), code.data() + code.size(), apart);
     return ": at " + s.get_str();
   }
 

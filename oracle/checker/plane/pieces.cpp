@@ -193,4 +193,37 @@ const mpz_class& Pieces::most(std::uint32_t node, std::uint32_t normal) const {
   return place->second;
 }
 
+void follow_code(const Pieces& P, const Pieces& Q, const Value* first, const Value* last,
+                 const std::function<void(std::uint32_t, std::uint32_t, const Value&)>& answer) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  if (!P.hulls.empty() && !Q.hulls.empty()) pairs.emplace_back(P.last(), Q.last());
+  for (; first != last; ++first) {
+    demand(!pairs.empty(), "a code goes on after its end");
+    const auto [A, B] = pairs.back();
+    pairs.pop_back();
+    const mpz_class token = integer(*first);
+    if (token != -1 && token != -2) {
+      answer(A, B, *first);
+      continue;
+    }
+    const auto& children = token == -1 ? P.children[A] : Q.children[B];
+    demand(!children.empty(), "a code splits a piece");
+    for (auto child = children.rbegin(); child != children.rend(); ++child) {
+      pairs.emplace_back(token == -1 ? *child : A, token == -1 ? B : *child);
+    }
+  }
+  demand(pairs.empty(), "a code ends too early");
+}
+
+std::vector<std::uint32_t> read_normals(const Value& value, Normals& normals) {
+  std::vector<std::uint32_t> found;
+  for (const Value& entry : items(value)) {
+    const auto& pair = items(entry, 2);
+    const Vector normal{whole(pair[0]), whole(pair[1])};
+    require(normal.x != 0 || normal.y != 0, "a normal is zero");
+    found.push_back(normals.add(normal));
+  }
+  return found;
+}
+
 }  // namespace minkref::checker

@@ -1,6 +1,7 @@
 // The step `pieces`: convex pieces that tile an operand, and groups of pieces.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <unordered_map>
@@ -68,5 +69,12 @@ class Pieces {
   Budget& budget_;
   mutable std::unordered_map<std::uint64_t, mpz_class> most_;
 };
+
+/// Follows a code of `sep`, which takes pairs of nodes off a stack: calls `answer` with each pair
+/// of nodes of P and Q that an entry answers for, and with this entry. Throws NotVerified.
+void follow_code(const Pieces& P, const Pieces& Q, const Value* first, const Value* last,
+                 const std::function<void(std::uint32_t, std::uint32_t, const Value&)>& answer);
+/// Reads normals: whole numbers, not both 0. Returns the number of each.
+std::vector<std::uint32_t> read_normals(const Value& value, Normals& normals);
 
 }  // namespace minkref::checker

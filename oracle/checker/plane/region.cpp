@@ -84,12 +84,7 @@ Region::Region(const Value& step, const Pieces& P, const Pieces& Q, const mpz_cl
   }
   for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) check_cell(cell);
   check_box();
-  for (const Value& entry : items(*parts[6])) {
-    const auto& pair = items(entry, 2);
-    const Vector normal{whole(pair[0]), whole(pair[1])};
-    require(normal.x != 0 || normal.y != 0, "a normal is zero");
-    own_normals_.push_back(normals_.add(normal));
-  }
+  own_normals_ = read_normals(*parts[6], normals_);
   const auto& proofs = items(*parts[7], cells_.size());
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     const auto& proof = items(proofs[cell]);
@@ -279,29 +274,14 @@ void Region::check_apart(const std::vector<std::uint32_t>& corners, const Value*
                          const Value* last) {
   budget_.spend(static_cast<std::size_t>(last - first));
   std::map<std::pair<std::size_t, std::uint32_t>, mpz_class> known;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  if (!P_.hulls.empty() && !Q_.hulls.empty()) pairs.emplace_back(P_.last(), Q_.last());
-  for (; first != last; ++first) {
-    demand(!pairs.empty(), "a code goes on after its end");
-    const auto [A, B] = pairs.back();
-    pairs.pop_back();
-    const mpz_class token = integer(*first);
-    if (token == -1 || token == -2) {
-      const auto& children = token == -1 ? P_.children[A] : Q_.children[B];
-      demand(!children.empty(), "a code splits a piece");
-      for (auto child = children.rbegin(); child != children.rend(); ++child) {
-        pairs.emplace_back(token == -1 ? *child : A, token == -1 ? B : *child);
-      }
-      continue;
-    }
-    const std::uint32_t normal = own_normals_[index(*first, own_normals_.size())];
+  follow_code(P_, Q_, first, last, [&](std::uint32_t A, std::uint32_t B, const Value& entry) {
+    const std::uint32_t normal = own_normals_[index(entry, own_normals_.size())];
     for (std::size_t e = 0; e < scales_.size(); ++e) {
       const auto [place, fresh] = known.try_emplace({e, normal});
       if (fresh) place->second = least(e, corners, normals_[normal], 1);
       demand(place->second >= most(e, A, B, normal), "a normal does not separate");
     }
-  }
-  demand(pairs.empty(), "a code ends too early");
+  });
 }
 
 void Region::count() {

@@ -145,18 +145,22 @@ Definition check_operand (s : number) (r : rings corner) (o : tiled) : bool :=
 
 (** ** Cells: rule `eq`, with its proofs `cov` and `sep` *)
 Inductive token := OpenP | OpenQ | Normal (n : corner).
-Fixpoint follow (code : list token) (cell : list corner) (stack : list (node * node)) : bool :=
+(** Takes pairs of nodes off a stack: a normal answers for all pieces below the pair on top. *)
+Fixpoint follow_with (answers : corner -> node -> node -> bool) (code : list token)
+    (stack : list (node * node)) : bool :=
   match code, stack with
   | [], [] => true
-  | OpenP :: r, (Group _ k, b) :: rest => follow r cell (map (fun c => (c, b)) k ++ rest)
-  | OpenQ :: r, (a, Group _ k) :: rest => follow r cell (map (fun c => (a, c)) k ++ rest)
-  | Normal n :: r, (a, b) :: rest =>
-      distinct n (zero, zero) &&
-      (let m := support n (hull_of a) + support n (hull_of b) in
-       forallb (fun x => le m (qdot n x)) cell) &&
-      follow r cell rest
+  | OpenP :: r, (Group _ k, b) :: rest => follow_with answers r (map (fun c => (c, b)) k ++ rest)
+  | OpenQ :: r, (a, Group _ k) :: rest => follow_with answers r (map (fun c => (a, c)) k ++ rest)
+  | Normal n :: r, (a, b) :: rest => answers n a b && follow_with answers r rest
   | _, _ => false
   end.
+Definition farthest (n : corner) (a b : node) : number :=
+  support n (hull_of a) + support n (hull_of b).
+Definition separates (cell : list corner) (n : corner) (a b : node) : bool :=
+  distinct n (zero, zero) && let m := farthest n a b in forallb (fun x => le m (qdot n x)) cell.
+Definition follow (code : list token) (cell : list corner) (stack : list (node * node)) : bool :=
+  follow_with (separates cell) code stack.
 
 Inductive proof :=
 | Covered (i j : nat) (parts : list corner) (* solids of P and Q; of each corner, its point of P *)

@@ -43,6 +43,9 @@ let point_holds s p q x part other tiled_p tiled_q i j =
   Checker.check_one_point (fraction s) (rings p) (rings q) (vertex x) (vertex part) (vertex other)
     tiled_p tiled_q (natural i) (natural j)
 
+let outside_holds s p q x tiled_p tiled_q code =
+  Checker.check_one_outside (fraction s) (rings p) (rings q) (vertex x) tiled_p tiled_q code
+
 (* Vertex i of sP plus vertex j of Q *)
 type place = int option * int option
 
@@ -162,3 +165,5 @@ let derivation region_of components_of outside_of holes_of rows_of : derivation 
 
 let holes_in { Checker.holes_of; _ } = List.length holes_of
 let shown derivation = derivation
+let pieces_shown pieces = pieces
+let code_shown code = code

@@ -54,8 +54,10 @@ val another_there : difference -> change
 val other_numbers : change
 val is_of_boundary : change -> bool
 
-(* What a derivation is, to be written down: there is no way back. *)
+(* What things are, to be written down: there is no way back. *)
 val shown : derivation -> Checker.derivation
+val pieces_shown : tiled -> Checker.tiled
+val code_shown : token list -> Checker.token list
 
 (* The claims: whether the proved checker takes them *)
 type rational = Q.t * Q.t
@@ -67,6 +69,9 @@ val sum_holds :
 val point_holds :
   Q.t -> ring list -> ring list -> rational -> rational -> rational -> tiled -> tiled -> int ->
   int -> bool
+
+val outside_holds :
+  Q.t -> ring list -> ring list -> rational -> tiled -> tiled -> token list -> bool
 
 (* Vertex i of sP plus vertex j of Q *)
 type place = int option * int option

@@ -20,7 +20,8 @@ type claim = {
 
 type proved = { said : string; theorem : (out_channel -> unit) option }
 
-let kinds = [ "sum"; "interval"; "event"; "point"; "passage"; "sign" ]
+let kinds = [ "sum"; "interval"; "event"; "point"; "outside"; "passage"; "sign" ]
+let shown_point (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string y)
 
 let check_claim budget p q step claim_of claim =
   budget 64;
@@ -43,6 +44,13 @@ let check_claim budget p q step claim_of claim =
     let region = region at in
     demand (List.equal Q.equal region.Elaborate.scales [ s ]) "the step is about another scale";
     region
+  in
+  let pieces_of name at =
+    match step at with
+    | Pieces pieces ->
+      require (pieces.operand.name = name) "`by` is not of P and Q";
+      pieces
+    | _ -> fail Malformed "this is no step of pieces"
   in
   let found ?theorem ?(shown = Intervals.Another) said holds =
     { said = kind ^ ": " ^ said; theorem; shown; holds; follows = false; tests = 0 }
@@ -99,22 +107,38 @@ let check_claim budget p q step claim_of claim =
       let x = Reading.point x and a = Reading.point a and b = Reading.point b in
       let first, second = pair by and i, j = pair nodes in
       let side name at node =
-        match step at with
-        | Pieces pieces ->
-          require (pieces.operand.name = name) "`by` is not of P and Q";
-          require (not (Reading.is_thin pieces.operand)) "a point or a segment has no pieces";
-          let side = Pieces.side pieces budget [ Q.one ] in
-          let n = index node (Array.length pieces.hulls) in
-          require (pieces.children.(n) = []) "this is no piece";
-          require (Hashtbl.mem side.place n) "a piece is in no group";
-          (Pieces.tiled side, Hashtbl.find side.place n)
-        | _ -> fail Malformed "this is no step of pieces"
+        let pieces = pieces_of name at in
+        require (not (Reading.is_thin pieces.operand)) "a point or a segment has no pieces";
+        let side = Pieces.side pieces budget [ Q.one ] in
+        let n = index node (Array.length pieces.hulls) in
+        require (pieces.children.(n) = []) "this is no piece";
+        require (Hashtbl.mem side.place n) "a piece is in no group";
+        (Pieces.tiled side, Hashtbl.find side.place n)
       in
       let tiled_p, i = side "P" first i and tiled_q, j = side "Q" second j in
-      let shown (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string y) in
       found
-        (Printf.sprintf "%s at %s is a point of the sum" (shown x) (Q.to_string s))
+        (Printf.sprintf "%s at %s is a point of the sum" (shown_point x) (Q.to_string s))
+        ~theorem:(fun out ->
+          Point_theorem.inside out s (rings p) (rings q) x (a, b) tiled_p tiled_q i j)
         (lazy (Checked.point_holds s (rings p) (rings q) x a b tiled_p tiled_q i j))
+    | _ -> assert false)
+  | "outside" -> (
+    match members claim [ "claim"; "scale"; "point"; "by"; "normals"; "code" ] with
+    | [ _; scale; x; by; normals; code ] ->
+      let s = Intervals.scale_of scale and x = Reading.point x in
+      let first, second = pair by in
+      let side name at factor = Pieces.side (pieces_of name at) budget [ factor ] in
+      let of_p = side "P" first s and of_q = side "Q" second Q.one in
+      let normals = Array.of_list (List.map Elaborate.normal (items normals)) in
+      let code = List.map (fun entry -> budget 1; Elaborate.token normals entry) (items code) in
+      let is_empty (o : Reading.operand) = o.polygons = [] in
+      demand (code = [] || not (is_empty p || is_empty q)) "a code goes on after its end";
+      let tiled_p = Pieces.tiled of_p and tiled_q = Pieces.tiled of_q in
+      found
+        (Printf.sprintf "%s at %s is no point of the sum" (shown_point x) (Q.to_string s))
+        ~theorem:(fun out ->
+          Point_theorem.outside out s (rings p) (rings q) x tiled_p tiled_q code)
+        (lazy (Checked.outside_holds s (rings p) (rings q) x tiled_p tiled_q code))
     | _ -> assert false)
   | "sign" -> (
     match members claim [ "claim"; "of"; "from"; "to"; "sign" ] with

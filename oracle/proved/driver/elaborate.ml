@@ -76,6 +76,13 @@ let normal value =
   require (Q.sign x <> 0 || Q.sign y <> 0) "a normal is zero";
   found
 
+(* An entry of a code of `sep` *)
+let token normals value =
+  let n = integer value in
+  if Z.equal n (Z.of_int (-1)) then Checked.open_p
+  else if Z.equal n (Z.of_int (-2)) then Checked.open_q
+  else Checked.normal normals.(index value (Array.length normals))
+
 let walls box =
   match List.map number (items box) with
   | [ a; b; c; d ] ->
@@ -134,14 +141,7 @@ let region p q (by_p, by_q) budget step =
     let normals = Array.of_list (List.map normal (items normals)) in
     let tokens corners code =
       let cost = List.length corners * List.length scales in
-      let token value =
-        budget cost;
-        let n = integer value in
-        if Z.equal n (Z.of_int (-1)) then Checked.open_p
-        else if Z.equal n (Z.of_int (-2)) then Checked.open_q
-        else Checked.normal normals.(index value (Array.length normals))
-      in
-      List.map token code
+      List.map (fun value -> budget cost; token normals value) code
     in
     let cell ids proof =
       let turns = turning where ids in

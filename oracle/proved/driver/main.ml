@@ -6,7 +6,7 @@ open Failure
 let usage =
   "usage: minkref-check-proved [--case FILE] [--seconds N] [--tests N] [--bytes N] \
    [--theorem FILE] [--json] FILE...\n\
-   FILE is plain JSON; - is standard input. --theorem writes the sum that is claimed as a theorem\n\
+   FILE is plain JSON; - is standard input. --theorem writes the sum, or the point, as a theorem\n\
    of Coq. --json says each verdict as a line of JSON, in the order of the files.\n\
    Exit codes: 0 proved, 1 refuted, 2 malformed, 4 out of budget, 5 declined: no theorem.\n"
 
@@ -98,8 +98,9 @@ let read ~input path most =
 
 let write_theorem path proved =
   match List.filter_map (fun (claim : Claims.proved) -> claim.theorem) proved with
-  | [] -> fail Declined "no sum is claimed of which a theorem could be written"
-  | _ :: _ :: _ -> fail Malformed "several sums are claimed: a theorem is about one (--theorem)"
+  | [] -> fail Declined "no sum or point is claimed of which a theorem could be written"
+  | _ :: _ :: _ ->
+    fail Malformed "several sums or points are claimed: a theorem is about one (--theorem)"
   | [ write ] ->
     let out = open_out_bin path in
     Fun.protect ~finally:(fun () -> close_out out) (fun () -> write out)

@@ -38,9 +38,21 @@ Qed.
 Print Assumptions this_is_the_sum.
 |}
 
-let write out s p other polygons derivation =
-  let { Checker.region_of = witness; components_of = components; outside_of = outside;
-        holes_of = holes; rows_of = rows } = Checked.shown derivation in
+(* What writes the terms of a theorem *)
+type terms = {
+  list : 'a. string -> ('a -> unit) -> 'a list -> unit;
+  number : Q.t -> unit;
+  given : Q.t * Q.t -> unit;
+  rings : string -> (Q.t * Q.t) list list -> unit;
+  vertex : Checker.corner -> unit;
+  corners : Checker.corner list -> unit;
+  tiled : string -> Checker.tiled -> unit;
+  token : Checker.token -> unit;
+}
+
+let natural out i = Printf.fprintf out "%d%%nat" i
+
+let terms out =
   let print format = Printf.fprintf out format in
   let list separator write values =
     print "[";
@@ -74,7 +86,7 @@ let write out s p other polygons derivation =
       print "Group "; corners h; print " ";
       list ";\n   " node members
   in
-  let natural i = print "%d%%nat" i in
+  let natural = natural out in
   let solid (hull, leaves) = print "("; corners hull; print ", "; list "; " natural leaves;
     print ")" in
   let tiled name (t : Checker.tiled) =
@@ -89,6 +101,14 @@ let write out s p other polygons derivation =
     | Checker.OpenQ -> print "OpenQ"
     | Checker.Normal n -> print "Normal ("; vertex n; print ")"
   in
+  { list; number; given; rings; vertex; corners; tiled; token }
+
+let write out s p other polygons derivation =
+  let { Checker.region_of = witness; components_of = components; outside_of = outside;
+        holes_of = holes; rows_of = rows } = Checked.shown derivation in
+  let print format = Printf.fprintf out format in
+  let { list; number; given; rings; vertex; corners; tiled; token } = terms out in
+  let natural = natural out in
   let cell (at, proof) =
     print "("; corners at; print ", ";
     (match proof with

@@ -150,42 +150,51 @@ Proof.
   - intros x X. rewrite <- real_dot, <- value_plus. apply le_value, H2, X.
 Qed.
 
-Theorem follow_separates code cell : forall stack, follow code cell stack = true ->
+(** Each two pieces below a pair of the stack are below a pair for which a normal answers. *)
+Lemma trees_opened (k : list node) (make : node -> node * node) st :
+  (forall c, In c k -> is_tree (fst (make c)) = true /\ is_tree (snd (make c)) = true) ->
+  (forall a b, In (a, b) st -> is_tree a = true /\ is_tree b = true) ->
+  forall a b, In (a, b) (map make k ++ st) -> is_tree a = true /\ is_tree b = true.
+Proof.
+  intros H W a b J. apply in_app_or in J. destruct J as [J|J]; [|auto].
+  apply in_map_iff in J. destruct J as (c & E & J). specialize (H c J). rewrite E in H. exact H.
+Qed.
+Theorem follow_answers answers code : forall stack, follow_with answers code stack = true ->
   (forall a b, In (a, b) stack -> is_tree a = true /\ is_tree b = true) ->
   forall a b la lb, In (a, b) stack -> In la (leaves a) -> In lb (leaves b) ->
-    separated cell la lb.
+    exists n a' b', answers n a' b' = true /\ is_tree a' = true /\ is_tree b' = true /\
+      In la (leaves a') /\ In lb (leaves b').
 Proof.
   induction code as [|i code IH]; intros stack H W a b la lb I Ia Ib.
   - destruct stack; [destruct I|discriminate].
   - destruct i; destruct stack as [|[x y] st]; try discriminate; simpl in H.
-    + destruct x as [v|h k]; try discriminate.
-      assert (W' : forall a b, In (a, b) (map (fun c => (c, y)) k ++ st) ->
-          is_tree a = true /\ is_tree b = true).
-      { intros a' b' J. apply in_app_or in J. destruct J as [J|J]; [|apply W; simpl; auto].
-        apply in_map_iff in J. destruct J as (c & E & J). injection E; intros; subst.
-        destruct (W (Group h k) b') as [W1 W2]; [simpl; auto|]. split; auto.
-        eapply tree_members; eauto. }
-      destruct I as [E|I].
-      * injection E; intros; subst. simpl in Ia. apply in_flat_map in Ia.
-        destruct Ia as (c & J & K). apply (IH _ H W' c b); auto.
-        apply in_or_app. left. apply in_map_iff. exists c; auto.
-      * apply (IH _ H W' a b); auto. apply in_or_app; auto.
-    + destruct y as [v|h k]; try discriminate.
-      assert (W' : forall a b, In (a, b) (map (fun c => (x, c)) k ++ st) ->
-          is_tree a = true /\ is_tree b = true).
-      { intros a' b' J. apply in_app_or in J. destruct J as [J|J]; [|apply W; simpl; auto].
-        apply in_map_iff in J. destruct J as (c & E & J). injection E; intros; subst.
-        destruct (W a' (Group h k)) as [W1 W2]; [simpl; auto|]. split; auto.
-        eapply tree_members; eauto. }
-      destruct I as [E|I].
-      * injection E; intros; subst. simpl in Ib. apply in_flat_map in Ib.
-        destruct Ib as (c & J & K). apply (IH _ H W' a c); auto.
-        apply in_or_app. left. apply in_map_iff. exists c; auto.
-      * apply (IH _ H W' a b); auto. apply in_or_app; auto.
-    + apply andb_prop in H. destruct H as [H1 H]. apply andb_prop in H1. destruct H1 as [H1 H2].
-      destruct I as [E|I];
-        [|apply (IH _ H (fun a b J => W a b (or_intror J)) a b); auto].
+    + destruct x as [v|h k]; try discriminate. pose proof (W _ _ (or_introl eq_refl)) as [W1 W2].
+      assert (W' := trees_opened k (fun c => (c, y)) st
+        (fun c J => conj (tree_members h k c W1 J) W2) (fun a b J => W a b (or_intror J))).
+      destruct I as [E|I]; [|apply (IH _ H W' a b); auto; apply in_or_app; auto].
+      injection E; intros; subst. simpl in Ia. apply in_flat_map in Ia.
+      destruct Ia as (c & J & K). apply (IH _ H W' c b); auto.
+      apply in_or_app. left. apply in_map_iff. exists c; auto.
+    + destruct y as [v|h k]; try discriminate. pose proof (W _ _ (or_introl eq_refl)) as [W1 W2].
+      assert (W' := trees_opened k (fun c => (x, c)) st
+        (fun c J => conj W1 (tree_members h k c W2 J)) (fun a b J => W a b (or_intror J))).
+      destruct I as [E|I]; [|apply (IH _ H W' a b); auto; apply in_or_app; auto].
+      injection E; intros; subst. simpl in Ib. apply in_flat_map in Ib.
+      destruct Ib as (c & J & K). apply (IH _ H W' a c); auto.
+      apply in_or_app. left. apply in_map_iff. exists c; auto.
+    + apply andb_prop in H. destruct H as [H1 H].
+      destruct I as [E|I]; [|apply (IH _ H (fun a b J => W a b (or_intror J)) a b); auto].
       injection E; intros; subst. destruct (W a b) as [Wa Wb]; [simpl; auto|].
-      exact (normal_separates n cell a b la lb Wa Wb H1 H2 Ia Ib).
+      exists n, a, b. auto.
+Qed.
+Theorem follow_separates code cell stack : follow code cell stack = true ->
+  (forall a b, In (a, b) stack -> is_tree a = true /\ is_tree b = true) ->
+  forall a b la lb, In (a, b) stack -> In la (leaves a) -> In lb (leaves b) ->
+    separated cell la lb.
+Proof.
+  intros H W a b la lb I Ia Ib.
+  destruct (follow_answers _ _ _ H W a b la lb I Ia Ib) as (n & a' & b' & A & Wa & Wb & Ja & Jb).
+  unfold separates in A. apply andb_prop in A.
+  exact (normal_separates n cell a' b' la lb Wa Wb (proj1 A) (proj2 A) Ja Jb).
 Qed.
 End Here.

@@ -6,6 +6,7 @@ import itertools
 import json
 import random
 from collections import Counter
+from fractions import Fraction
 
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate
@@ -55,6 +56,7 @@ def _certified(each: int, degeneracies: int) -> list[Certified]:
         x, y = region["polygons"][0]["outer"][0]
         if case.P.is_region and case.Q.is_region:
             certificate.point(case.scale, (str(x), str(y)))
+        certificate.outside(case.scale, (Fraction(x) - Fraction(1, 1000), str(y)))
         made.append((case.name.text, certificate))
     for case, scale, before in itertools.islice(events(SEED, 1), each):
         certificate = Certificate(case.P, case.Q)

@@ -55,7 +55,7 @@ SCALINGS = [("1", "1", "1"), ("1/2", "3", "7/5")]
 BATCH = 100
 TIMES = 10.0  # the C++ checker
 CORPUS = ROOT / "degeneracies" / "corpus"
-CLAIMS = ("sum", "interval", "event", "point", "passage", "sign")
+CLAIMS = ("sum", "interval", "event", "point", "outside", "passage", "sign")
 HOLED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
 
 
@@ -87,14 +87,15 @@ def run(findings: Findings, size: Size) -> None:
 
 def _certified(case: Case) -> Certificate:
     """Certifies the sum with its tight passages, a point of the sum if pieces can show that point,
-    and the turn of three convolution vertices if the turn keeps its sign from half the scale to
-    double."""
+    one beside it that is not, and the turn of three convolution vertices if the turn keeps its sign
+    from half the scale to double."""
     certificate = Certificate(case.P, case.Q)
     certificate.sum(case.scale, passages=True)
     if case.P.is_region and case.Q.is_region:
         region = json.loads(_core.minkowski_sum(case.P, case.Q, case.scale).region.to_json())
         x, y = region["polygons"][0]["outer"][0]
         certificate.point(case.scale, (str(x), str(y)))
+        certificate.outside(case.scale, (Fraction(x) - Fraction(1, 1000), str(y)))
         s = Fraction(case.scale)
         with contextlib.suppress(NoProof):
             certificate.sign(("orientation", [[0, 0], [1, 0], [2, 0]]), s / 2, 2 * s)
