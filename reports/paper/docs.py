@@ -14,6 +14,7 @@ from minkref.reports.paper.kept_run import keep, verdicts
 from minkref.reports.paper.statements import STATEMENTS, Statement
 
 PAGE = ROOT / "docs" / "paper.md"
+THEORY = ROOT / "oracle" / "proved" / "theory"
 BEGIN = "<!-- the table: python -m minkref.reports.paper.docs -->\n"
 END = "<!-- the end of the table -->\n"
 RUN = "<!-- the verdicts: python -m minkref.reports.paper.docs REPORT/paper.json -->\n"
@@ -30,9 +31,20 @@ def _row(statement: Statement) -> str:
     files = ", ".join(f"[{path.split('/')[-1]}](../{path})" for path in statement.files)
     entries = ", ".join(f"[{name}](audit/{_page(name)}#{name})" for name in statement.entries)
     judge = f"{statement.judge}; audit: {entries}" if entries else statement.judge
+    judge += "".join(f"; {_proved(name)}" for name in statement.theorems)
     cells = (statement.place, statement.what, files, statement.form, statement.arithmetics,
              f"`{statement.command}`", judge)  # fmt: skip
     return f"| {' | '.join(cells)} |"
+
+
+def _proved(name: str) -> str:
+    """Names its theorem. Raises KeyError if there is none, or two."""
+    theorems = "".join(path.read_text(encoding="utf-8") for path in sorted(THEORY.glob("*.v")))
+    words = {f"{name}_holds : {name}.": "proved", f"{name}_fails : ~ {name}.": "refuted"}
+    found = {word for said, word in words.items() if f"Theorem {said}" in theorems}
+    if len(found) != 1:
+        raise KeyError(name)
+    return f"{found.pop()}: [`{name}`](proved.md#the-papers-theory)"
 
 
 def _page(name: str) -> str:

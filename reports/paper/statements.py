@@ -37,7 +37,8 @@ REPORT, BENCH = "reports/paper", "reports/bench"
 @dataclass(frozen=True)
 class Statement:
     """`files`: files from reference/, or from reports/ for measuring and drawing. `judge`: the
-    standard for comparison. `entries`: audit entries about the statement."""
+    standard for comparison. `entries`: audit entries about the statement. `theorems`: statements of
+    oracle/proved/theory/Paper.v, each proved or refuted there."""
 
     place: str
     what: str
@@ -47,6 +48,7 @@ class Statement:
     command: str
     judge: str
     entries: tuple[str, ...] = ()
+    theorems: tuple[str, ...] = ()
 
 
 ALGEBRA = "computer algebra"
@@ -76,16 +78,19 @@ SECTION_1 = (
 SECTION_3 = (
     Statement("3", r"$P \oplus Q \subseteq P \otimes Q$, $\partial (P \oplus Q) = \partial (P "
               r"\otimes Q)$", (f"{PLANE}/convolution/convolution.hpp",), CORRECTED, EXACT,
-              "minkref convolution g3 g1 --full", SLOW, ("sum-in-convolution",)),
+              "minkref convolution g3 g1 --full", SLOW, ("sum-in-convolution",),
+              ("boundary_in_reduced_convolution",)),
     Statement("3", "an edge and a vertex are compatible: its direction is on the turn at it",
               (f"{PLANE}/convolution/convolution_rule.hpp", f"{PLANE}/convolution/between.hpp"),
-              BOTH, EXACT, "minkref convolution g3 g1 --compatible closed", COUNT, ("between",)),
+              BOTH, EXACT, "minkref convolution g3 g1 --compatible closed", COUNT, ("between",),
+              ("boundary_in_reduced_convolution", "incompatible_vertices_contribute_nothing")),
     Statement("3", "a facet and a vertex, or two edges, are compatible: their Gaussian maps meet",
               (f"{CONVEX}/compatibility.hpp",), CORRECTED, EXACT, "minkref convolution gs3 rod",
               SUPPORTS, ("reflex-edges",)),
     Statement("3", "the reduced convolution leaves out reflex vertices",
               (f"{PLANE}/convolution/convolution.hpp",), CORRECTED, EXACT,
-              "minkref convolution g3 g1", SLOW, ("reflex-vertices", "straight-vertices")),
+              "minkref convolution g3 g1", SLOW, ("reflex-vertices", "straight-vertices"),
+              ("reflex_vertices_contribute_nothing",)),
     Statement("3", "cells with winding numbers that are not zero (earlier work)",
               (f"{PLANE}/routes/routes.hpp",), CORRECTED, EXACT,
               "minkref sum g3 g1 --route winding", SLOW,
@@ -121,10 +126,12 @@ SECTION_4 = (
     Statement("4.1, Observation 1", r"$r_I = \frac{v_y u_x - v_x u_x}{v_x w_y - v_y w_x}$, $x = "
               r"a_0 + r_I v$", (f"{CRITICAL}/line_intersection.hpp",), BOTH, FOUR,
               f"{SUM} --form corrected --reading observation=printed", f"{ALGEBRA}; {EXACT_SUM}",
-              ("intersection-parameter", "parallel-lines")),
+              ("intersection-parameter", "parallel-lines"),
+              ("observation_1", "observation_1_printed")),
     Statement("4.2", r"$x(s) = x_0 + (s - 1) \sigma$, $\sigma = x(2) - x(1)$",
               (f"{CRITICAL}/line_intersection.hpp",), PRINTED, FOUR, f"{SWEEP} --form corrected",
-              f"{ALGEBRA}; {EXACT_SUM}", ("moving-intersection",)),
+              f"{ALGEBRA}; {EXACT_SUM}", ("moving-intersection",),
+              ("crossings_move_linearly",)),
     Statement("4.2", "first and last contact are at an end of an edge",
               (f"{CRITICAL}/pair_events.hpp",), PRINTED, EXACT, "minkref events g3 g1", SYMBOLIC,
               ("contact-at-an-end",)),
@@ -144,7 +151,8 @@ SECTION_4 = (
               (f"{CRITICAL}/pair_interval.hpp", f"{PAPER_PLANE}/critical_regions.hpp"), BOTH, FOUR,
               "minkref events g3 g1 --form printed", SYMBOLIC,
               ("interval-of-a-pair", "interval-invented", "interval-sorted",
-               "interval-for-convex-p", "share-of-right-intervals")),
+               "interval-for-convex-p", "share-of-right-intervals"),
+              ("interval_of_a_pair", "interval_printed")),
     Statement("4.2.3", "all intervals in $O(n^2)$", (f"{PAPER_PLANE}/region_search.hpp",), PRINTED,
               FOUR, f"{SUM} --form corrected --json", "the pairs that it counts",
               ("size-of-preprocessing",)),
@@ -213,7 +221,8 @@ SECTION_6 = (
               "facets of P alone, or of both", FOUR,
               f"{REPAIR} --form corrected --reading errors=facets-of-P", EXACT_FACETS,
               ("theorem-1-one-kind", "theorem-1-edge-errors", "theorem-1-facet-errors",
-               "theorem-1-proof", "theorem-1-entangled")),
+               "theorem-1-proof", "theorem-1-entangled"),
+              ("theorem_1_second_half", "all_facets_may_change_and_no_edges")),
     Statement("6", r"$O(\lvert E \rvert)$ for the chain of an edge",
               (f"{LITERAL}/paper_repair.hpp",), PRINTED, EXACT, AUDIT,
               "a count of the edges that are looked at", ("cost-of-a-chain",)),

@@ -74,3 +74,31 @@ def test_all_files_are_compiled() -> None:
     assert set(rooms.split()) == {path.stem for path in ROOM.glob("*/*.v")}
     written = {path.stem for path in (ROOM / "driver").glob("*.ml")}
     assert set(programs.split()) == written | {"checker"}
+
+
+def test_each_statement_of_the_paper_is_proved_or_refuted() -> None:
+    """And `make proofs` prints what each rests on."""
+    page = without_comments(ROOM / "theory" / "Paper.v")
+    assert not re.search(r"\b(Lemma|Theorem)\b", page)
+    assert f"of {len((ROOM / 'theory' / 'Paper.v').read_text().splitlines())} lines" in (
+        PAGE.read_text(encoding="utf-8")
+    )
+    stated = re.findall(r"^Definition (\w+) : Prop :=", page, re.MULTILINE)
+    assert len(stated) >= 10
+    proofs = "".join(without_comments(path) for path in (ROOM / "theory").glob("*.v"))
+    printed = without_comments(ROOM / "claims" / "Axioms.v")
+    for name in stated:
+        signs = {f"{name}_holds": "", f"{name}_fails": "~ "}
+        found = [it for it, sign in signs.items() if f"Theorem {it} : {sign}{name}." in proofs]
+        assert len(found) == 1, name
+        assert f"Print Assumptions {found[0]}." in printed, name
+        assert f"`{name}`" in PAGE.read_text(encoding="utf-8"), name
+
+
+def test_each_theorem_that_the_page_names_first_is_printed() -> None:
+    """`make proofs` looks at the assumptions of each theorem in a table on the page."""
+    printed = without_comments(ROOM / "claims" / "Axioms.v")
+    told = re.findall(r"^\| `(\w+_is_right)` \|", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
+    assert len(told) >= 7
+    for name in (*told, "sum_is_union", "membership_is_decided", "forms_agree", "gap_separation"):
+        assert f"Print Assumptions {name}." in printed, name

@@ -1,6 +1,6 @@
 (** The axioms that the theorems rest on. *)
 From Proved Require Import Theorems Counting Holes Canonical Signs Passages Moves Events Outside
-  Hulls.
+  Hulls Decomposed Gaps Boundaries Decided Lines Boundary Walls Facets.
 Print Assumptions form_is_right.
 Print Assumptions one_point_is_right.
 Print Assumptions outside_is_right.
@@ -9,3 +9,20 @@ Print Assumptions passage_is_right.
 Print Assumptions interval_is_right.
 Print Assumptions event_is_right.
 Print Assumptions body_is_right.
+(* What sets determine *)
+Print Assumptions sum_is_union.
+Print Assumptions membership_is_decided.
+Print Assumptions gap_separation.
+Print Assumptions forms_agree.
+(* The paper's theory *)
+Print Assumptions observation_1_holds.
+Print Assumptions observation_1_printed_fails.
+Print Assumptions crossings_move_linearly_holds.
+Print Assumptions interval_of_a_pair_holds.
+Print Assumptions interval_printed_fails.
+Print Assumptions reflex_vertices_contribute_nothing_holds.
+Print Assumptions incompatible_vertices_contribute_nothing_holds.
+Print Assumptions boundary_in_reduced_convolution_holds.
+Print Assumptions triangle_is_walled.
+Print Assumptions theorem_1_second_half_fails.
+Print Assumptions all_facets_may_change_and_no_edges_holds.
