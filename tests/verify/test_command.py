@@ -18,7 +18,8 @@ ALWAYS = ("--no-derived", "--no-models", "--jobs", "1")
 UNSHRUNK = ("--shrink-calls", "0")
 PLAIN = ("--family", "random", *ALWAYS, *UNSHRUNK)
 COUNT = str(draws(12, 500))
-FEW = ("--pairs", COUNT, "--family", "holes", *ALWAYS, "--shrink-calls", "8")
+HOLES = ("--pairs", COUNT, "--family", "holes", *ALWAYS)
+FEW = (*HOLES, "--shrink-calls", "8")
 
 
 @pytest.fixture
@@ -34,7 +35,7 @@ def minkref(faulty_sums: None, capsys: pytest.CaptureFixture[str]) -> Any:
 def test_document_follows_its_schema_and_findings_carry_their_case(
     minkref: Any, follows_schema: Callable[[Any, str], None]
 ) -> None:
-    code, out, err = minkref("minkref:paper", WRONG, *FEW, "--json", *UNSHRUNK)
+    code, out, err = minkref("minkref:paper", WRONG, *HOLES, "--json", *UNSHRUNK)
     assert (code, err) == (1, "")
     value = json.loads(out)
     follows_schema(value, "verify")
@@ -81,7 +82,7 @@ def test_baseline_file_makes_a_fault_known(minkref: Any, tmp_path: Path) -> None
     path = tmp_path / "baseline.json"
     entry = {"target": WRONG, "version": "*", "kind": "hole-lost", "reason": "a fault that we made"}
     path.write_text(json.dumps({"baseline": "baseline-v1", "entries": [entry]}), encoding="utf-8")
-    code, out, _ = minkref("minkref:paper", WRONG, *FEW, "--baseline", path, *UNSHRUNK)
+    code, out, _ = minkref("minkref:paper", WRONG, *HOLES, "--baseline", path, *UNSHRUNK)
     assert code == 0
     assert "known (was wrong): hole-lost" in out
     assert "a fault that we made" in out
