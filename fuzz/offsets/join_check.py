@@ -1,9 +1,9 @@
 """Checks the witness of an offset with joins and caps in plain fractions. No code from the finder.
 
-A missing point has a square around it, half as wide as the tolerance, in the union of the set, the
-sides' rectangles, and the joins and caps: between all heights at which something begins, ends or
-crosses, one line through the square is covered. A point too much is farther than the tolerance from
-all of these.
+A missing point lies in the union of the set, the sides' rectangles, and the joins and caps, also at
+a radius smaller by the tolerance, and so does a square around it, half as wide as the tolerance:
+between all heights at which something begins, ends or crosses, one line through the square is
+covered. A point too much is farther than the tolerance from all of these.
 
 A sharp join is a whole kite, and only sets whose moved sides stay simple come here: this is checked
 first. To erode, the pieces lie inside, and are taken away together with all that is outside.
@@ -55,10 +55,12 @@ def holds(literal: str, witness: Witness) -> bool:
         return False
     covered, radius = witness.in_truth != (radius < 0), abs(radius)
     if covered:
-        bodies = list(_bodies(value, radius, True))
+        smaller = _bodies(value, radius - half, True)
+        early = not all(body.is_clear(x, radius * SURE) for body in smaller)
         if half:
-            return half > radius * SURE and _covered(x, half, bodies)
-        return not all(body.is_clear(x, Fraction(0)) for body in bodies)
+            bodies = list(_bodies(value, radius, True))
+            return early and half > radius * SURE and _covered(x, half, bodies)
+        return early
     apart = half + radius * SURE
     return all(body.is_clear(x, apart) for body in _bodies(value, radius + half, False))
 

@@ -3,8 +3,10 @@ fractions check; right implementations from the page alone are never accused."""
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 
 import pytest
 from asked_offsets import case, is_proven, outcomes, request
@@ -12,7 +14,7 @@ from minkref.fuzz.offsets.asked_offset import AskedOffset
 from minkref.fuzz.offsets.join_check import holds as shows
 from minkref.fuzz.offsets.judgement import judge_offset
 from minkref.fuzz.targets.declaration import read_declaration
-from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
+from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict, Witness
 from offset_faults import FAULTS
 from plain_offset import PlainOffset, Point, Ring, ccw, go
 from right_offsets import RIGHT
@@ -54,6 +56,7 @@ def test_a_right_one_is_never_accused(name: str) -> None:
 
 # A triangle's hole that its inradius closes, with squared corners; lines with square ends.
 CLOSED = "joins-grid:11:20"
+TOLERANCE = "46879/13743895347200000000"
 ENDS = ("joins-grid:11:199", "joins-grid:11:189", "joins-grid:11:77")
 
 
@@ -74,6 +77,37 @@ class Slit(PlainOffset):
 def test_a_hole_that_the_last_of_the_radius_closes_may_stay() -> None:
     """An answer is right if it is so for a radius within the tolerance."""
     assert outcome(RIGHT["rounded"](), case(CLOSED)).verdict in GOOD
+
+
+TRIANGLES = ((3, 4, 1), (8, 15, 3), (20, 21, 6))  # legs, inradius
+MANNERS = ({"join": "bevel"}, {"join": "square"}, {"join": "mitre", "limit": "2"}, {})
+
+
+@pytest.mark.parametrize("join", MANNERS, ids=lambda manner: manner.get("join", "round"))
+@pytest.mark.parametrize("name", ["inside", "around", "other-corners", "rounded"])
+def test_holes_closed_exactly_by_the_radius_accuse_nobody(name: str, join: dict[str, str]) -> None:
+    """Each triangle closes at its inradius, at one point; moved, and in other units."""
+    for (a, b, radius), (x, y), unit in product(TRIANGLES, ((0, 0), (11, -7)), ("1", "1/3", "1/7")):
+        corners = [(x, y), (x, y + b), (x + a, y)]
+        box = [(x - 50, y - 50), (x + 90, y - 50), (x + 90, y + 90), (x - 50, y + 90)]
+        outer, hole = (
+            [[str(c * Fraction(unit)) for c in p] for p in ring] for ring in (box, corners)
+        )
+        P = {"polygons": [{"outer": outer, "holes": [hole]}]}
+        text = json.dumps({"offset": P, "radius": str(radius * Fraction(unit)), **join})
+        said = outcome(RIGHT[name](), case(text))
+        assert said.verdict in GOOD, (text, said)
+
+
+def test_a_point_that_a_smaller_radius_leaves_is_no_witness() -> None:
+    """The second judge holds such a point for no proof, however deep it lies at the radius."""
+    asked = case(CLOSED)
+    witness = Witness(
+        ("-1811939329/110680464442257309696", "1/274877906944"), True, tolerance=TOLERANCE,
+        radius=str(asked.radius), manner=str(asked.manner),
+    )  # fmt: skip
+    assert not shows(asked.literal, witness)
+    assert shows(asked.literal, replace(witness, tolerance="0"))
 
 
 @pytest.mark.parametrize("name", ENDS)
