@@ -30,33 +30,44 @@ Proof.
       with ((u - t) * (snd z - snd y)) by ring. rewrite Rabs_mult. unfold k in M. nra.
 Qed.
 
-Lemma constant_on_segment (f : point -> Z) y z :
-  (forall p, on_segment y z p -> exists e, 0 < e /\ forall q, near e p q -> f q = f p) -> f y = f z.
+(** What holds at the start of a way, and near each of its points nowhere or everywhere, holds at
+  its end. *)
+Lemma all_along (H : point -> Prop) y z : H y ->
+  (forall p, on_segment y z p -> exists e, 0 < e /\ forall q, near e p q -> (H q <-> H p)) -> H z.
 Proof.
-  intros H. set (E := fun t => 0 <= t <= 1 /\ forall u, 0 <= u <= t -> f (at_ y z u) = f y).
-  destruct (completeness E) as (m & Up & Least).
-  { exists 1. intros t [T _]. lra. }
-  { exists 0. split; [lra|]. intros u U. replace u with 0 by lra. rewrite at_0. reflexivity. }
-  assert (M0 : 0 <= m). { apply Up. split; [lra|]. intros u U. replace u with 0 by lra.
-    rewrite at_0. reflexivity. }
+  intros Hy L. set (E := fun t => 0 <= t <= 1 /\ forall u, 0 <= u <= t -> H (at_ y z u)).
+  assert (E0 : E 0) by (split; [lra|]; intros u U; replace u with 0 by lra; rewrite at_0; exact Hy).
+  destruct (completeness E) as (m & Up & Least); [exists 1; intros t [T _]; lra|exists 0; exact
+    E0|].
+  assert (M0 : 0 <= m) by (apply Up, E0).
   assert (M1 : m <= 1) by (apply Least; intros t [T _]; lra).
-  destruct (H (at_ y z m) (at_on y z m (conj M0 M1))) as (e & He & K).
+  destruct (L (at_ y z m) (at_on y z m (conj M0 M1))) as (e & He & K).
   destruct (at_near y z m e He) as (d & Hd & N).
   assert (B : exists t, E t /\ m - d < t).
   { apply NNPP. intros B. assert (m <= m - d); [|lra]. apply Least. intros t T.
     destruct (Rle_dec t (m - d)); auto. exfalso. apply B. exists t. split; auto. lra. }
-  destruct B as (t & [T Ht] & L). assert (tm : t <= m) by (apply Up; split; auto).
-  assert (F : forall u, Rabs (u - m) < d -> f (at_ y z u) = f y).
-  { intros u U. rewrite (K _ (N u U)). rewrite <- (K _ (N t ltac:(apply Rabs_def1; lra))).
-    apply Ht. lra. }
-  destruct (Req_dec m 1) as [->|Ne]; [rewrite <- (at_1 y z); symmetry; apply F;
-    rewrite Rminus_diag_eq, Rabs_R0; auto|].
+  destruct B as (t & [T Ht] & Lt). assert (tm : t <= m) by (apply Up; split; auto).
+  assert (Hm : H (at_ y z m)).
+  { apply (K (at_ y z t)); [apply N, Rabs_def1; lra|]. apply Ht. lra. }
+  assert (F : forall u, Rabs (u - m) < d -> H (at_ y z u)) by (intros u U; apply (K _ (N u U)), Hm).
+  destruct (Req_dec m 1) as [->|Ne]; [rewrite <- (at_1 y z); exact Hm|].
   exfalso. set (s := Rmin 1 (m + d / 2)).
   assert (S : m < s /\ s <= 1 /\ s < m + d) by (unfold s; pose proof (Rmin_l 1 (m + d / 2));
     pose proof (Rmin_r 1 (m + d / 2)); split; [apply Rmin_glb_lt; lra|lra]).
   assert (G : E s). { split; [lra|]. intros u U. destruct (Rle_dec u t) as [C|C]; [apply Ht; lra|].
     apply F, Rabs_def1; lra. }
   apply Up in G. lra.
+Qed.
+Lemma all_joined (S H : point -> Prop) x y : joined S x y -> H x ->
+  (forall p, S p -> exists e, 0 < e /\ forall q, near e p q -> (H q <-> H p)) -> H y.
+Proof. intros J Hx L. induction J as [|y z J IH K]; auto. apply (all_along H y z); auto. Qed.
+
+Lemma constant_on_segment (f : point -> Z) y z :
+  (forall p, on_segment y z p -> exists e, 0 < e /\ forall q, near e p q -> f q = f p) -> f y = f z.
+Proof.
+  intros L. symmetry. apply (all_along (fun q => f q = f y) y z eq_refl).
+  intros p O. destruct (L p O) as (e & E & N). exists e. split; auto. intros q Q.
+  rewrite (N q Q). tauto.
 Qed.
 
 Lemma joined_constant (S : point -> Prop) (f : point -> Z) x y : joined S x y ->
