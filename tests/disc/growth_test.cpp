@@ -30,6 +30,25 @@ TEST(Growth, PatchesOfTheHullAskForNothing) {
   expect_growth([&] { find(small); }, [&] { find(large); }, 1.7);
 }
 
+/// A block with n x n triangular holes, all alike.
+PolygonSet grater(int n) {
+  std::vector<Ring> holes;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const int x = 20 * i, y = 20 * j;
+      holes.push_back({{x, y}, {x + 3, y + 9}, {x + 9, y + 4}});
+    }
+  }
+  const int far = 20 * n;
+  return {{{{{-20, -20}, {far, -20}, {far, far}, {-20, far}}, holes}}};
+}
+
+/// Comparisons of equal roots look each time: a sort asked for those of all pairs that it meets.
+TEST(Growth, EventsAtOneRadiusAreToldFromEachOtherOnce) {
+  const auto find = [](int n) { (void)diagram_events(grater(n), BuildOptions()); };
+  expect_growth([&] { find(6); }, [&] { find(12); });
+}
+
 TEST(Growth, OffsetsCompareEachCurveWithTheEdgesNearIt) {
   const auto pairs = [](int vertices) {
     return static_cast<double>(static_offset(spiked_star(vertices), 25).counts.pairs);

@@ -262,6 +262,23 @@ DiagramEvents in_unit_box(const PolygonSet& P) {
   return result;
 }
 
+/// Numbers that were found equal, by events: each two are compared once, however often a sort asks.
+class Ties {
+ public:
+  explicit Ties(std::size_t count) : first_(count) {
+    std::iota(first_.begin(), first_.end(), std::size_t{0});
+  }
+  /// An event for all those that are known to be equal to this one.
+  std::size_t of(std::size_t k) {
+    while (first_[k] != k) k = first_[k] = first_[first_[k]];
+    return k;
+  }
+  void join(std::size_t a, std::size_t b) { first_[std::max(a, b)] = std::min(a, b); }
+
+ private:
+  std::vector<std::size_t> first_;
+};
+
 /// Sorts by radius, then by x, then by y: an order independent of how P is written. Computes exact
 /// places only if intervals do not tell, once each.
 void sort_by_place(DiagramEvents& result) {
@@ -273,20 +290,25 @@ void sort_by_place(DiagramEvents& result) {
     }
     return *exact[k];
   };
-  const auto order = [&](std::size_t a, std::size_t b, auto&& near, auto&& of_exact) {
-    const Interval &x = near(result.events[a]), &y = near(result.events[b]);
+  const auto order = [&](std::size_t a, std::size_t b, Ties& ties, auto&& of) {
+    const Interval &x = of(result.events[a]), &y = of(result.events[b]);
     if (x.upper() < y.lower()) return -1;
     if (x.lower() > y.upper()) return 1;
-    return compare(of_exact(exact_of(a)), of_exact(exact_of(b)));
+    const std::size_t first = ties.of(a), second = ties.of(b);
+    if (first == second) return 0;
+    const int found = compare(of(exact_of(first)), of(exact_of(second)));
+    if (found == 0) ties.join(first, second);
+    return found;
   };
+  Ties radii(result.events.size()), xs(result.events.size()), ys(result.events.size());
   const auto is_before = [&](std::size_t a, std::size_t b) {
     if (a == b) return false;
     const auto radius = [](const auto& each) -> const auto& { return each.squared_radius; };
     const auto x = [](const auto& each) -> const auto& { return each.at.x; };
     const auto y = [](const auto& each) -> const auto& { return each.at.y; };
-    if (const int by_radius = order(a, b, radius, radius)) return by_radius < 0;
-    if (const int by_x = order(a, b, x, x)) return by_x < 0;
-    return order(a, b, y, y) < 0;
+    if (const int by_radius = order(a, b, radii, radius)) return by_radius < 0;
+    if (const int by_x = order(a, b, xs, x)) return by_x < 0;
+    return order(a, b, ys, y) < 0;
   };
   std::vector<std::size_t> numbers(result.events.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
