@@ -17,6 +17,7 @@
 #include "bindings/core_fields.hpp"
 #include "bindings/core_timed_sum.hpp"
 #include "bindings/core_timeline.hpp"
+#include "bindings/exact_number.hpp"
 #include "bindings/stopwatch.hpp"
 #include "bindings/vector_caster.hpp"
 #include "reference/build/stage.hpp"
@@ -113,11 +114,8 @@ class Index {
   const ScaleIndex& index() const { return *index_; }
   double seconds = 0;  ///< of building or opening it
 
-  std::pair<std::optional<std::string>, std::optional<std::string>> window() const {
-    const auto text = [](const std::optional<Rational>& bound) {
-      return bound ? std::optional(to_string(*bound)) : std::nullopt;
-    };
-    return {text(index().window().from), text(index().window().to)};
+  std::pair<std::optional<ExactNumber>, std::optional<ExactNumber>> window() const {
+    return {exact_number(index().window().from), exact_number(index().window().to)};
   }
 
   Fields counts() const {
@@ -194,10 +192,10 @@ class Index {
     const Enclosure around = enclose(exact);
     return {nearest, std::max(around.upper - nearest, nearest - around.lower)};
   }
-  std::array<std::string, 3> area_polynomial(const std::string& scale) const {
+  ExactTriple area_polynomial(const std::string& scale) const {
     const auto place = index().place(parse_rational(scale));
     const auto polynomial = index().area_polynomial(place.interval);
-    return {to_string(polynomial[0]), to_string(polynomial[1]), to_string(polynomial[2])};
+    return {{polynomial[0]}, {polynomial[1]}, {polynomial[2]}};
   }
   std::pair<std::uint32_t, std::uint32_t> features_at(const std::string& scale) const {
     const auto found = index().features(parse_rational(scale));
@@ -205,22 +203,22 @@ class Index {
   }
 
   /// The greatest event below a scale, the least above, and whether the scale has an event.
-  std::tuple<std::optional<std::string>, bool, std::optional<std::string>> neighbours(
+  std::tuple<std::optional<ExactNumber>, bool, std::optional<ExactNumber>> neighbours(
       const std::string& scale) const {
     const auto place = index().place(parse_rational(scale));
     const auto [first, last] = index().events_within();
     const auto event = [&, first = first, last = last](std::uint32_t k) {
-      return k < first || k >= last ? std::nullopt : std::optional(to_string(index().event(k)));
+      return k < first || k >= last ? std::nullopt : std::optional(ExactNumber{index().event(k)});
     };
     return {place.interval == 0 ? std::nullopt : event(place.interval - 1), place.at_event,
             event(place.interval + (place.at_event ? 1 : 0))};
   }
 
   std::vector<EdgeRow> edges() const { return convolution_rows(index().edges()); }
-  std::vector<std::string> event_scales() const {
-    std::vector<std::string> scales;
+  std::vector<ExactNumber> event_scales() const {
+    std::vector<ExactNumber> scales;
     const auto [first, last] = index().events_within();
-    for (std::uint32_t k = first; k < last; ++k) scales.push_back(to_string(index().event(k)));
+    for (std::uint32_t k = first; k < last; ++k) scales.push_back({index().event(k)});
     return scales;
   }
 
@@ -395,22 +393,31 @@ void bind_index(nb::module_& module) {
           "P"_a, "Q"_a, "Whether it was built of these operands.")
       .def("counts", &Index::counts)
       .def("edges", &Index::edges, Released(), "Rows as reduced_convolution's.")
-      .def("rings", &Index::rings, "scale"_a, "form"_a = forms_of_boundary[0], Released(),
-           "The boundary: double (certified), homogeneous, rational or track.")
+      .def(
+          "rings", &Index::rings, "scale"_a, "form"_a = forms_of_boundary[0], Released(),
+          nb::sig("def rings(self, scale: " MINKREF_NUMBER ", form: str = 'double') -> IndexRings"),
+          "The boundary: double (certified), homogeneous, rational or track.")
       .def("batch", &Index::batch, "scales"_a, "form"_a = forms_of_boundary[0], "threads"_a = 1,
            Released(), "The boundaries at many scales, in their order.")
       .def(
           "sum", &Index::sum, "scale"_a, "passages"_a = false, nb::keep_alive<0, 1>(), Released(),
+          nb::sig("def sum(self, scale: " MINKREF_NUMBER ", passages: bool = False) -> Sum"),
           "The sum in canonical form, exact. `passages`: with its tight passages found at once, by "
           "the static route, not when they are first asked for.")
       .def(
           "area", &Index::area, "scale"_a,
+          nb::sig("def area(self, scale: " MINKREF_NUMBER ") -> tuple[float, float]"),
           "(value, error): the area is within the error, which is small beside it; the double next "
           "to the area where other doubles cannot tell. Raises LimitExceeded beyond their range.")
       .def("area_polynomial", &Index::area_polynomial, "scale"_a, Released(),
+           nb::sig("def area_polynomial(self, scale: " MINKREF_NUMBER
+                   ") -> tuple[fractions.Fraction, fractions.Fraction, fractions.Fraction]"),
            "Exact a0, a1, a2 of the area a0 + a1 s + a2 s^2 in the interval of a scale.")
-      .def("components_and_holes", &Index::features_at, "scale"_a)
+      .def("components_and_holes", &Index::features_at, "scale"_a,
+           nb::sig("def components_and_holes(self, scale: " MINKREF_NUMBER ") -> tuple[int, int]"))
       .def("neighbours", &Index::neighbours, "scale"_a,
+           nb::sig("def neighbours(self, scale: " MINKREF_NUMBER
+                   ") -> tuple[fractions.Fraction | None, bool, fractions.Fraction | None]"),
            "The next event of the window below a scale, whether one is at it, the next above.")
       .def("event_scales", &Index::event_scales, Released())
       .def_prop_ro(

@@ -9,6 +9,7 @@
 
 #include "bindings/core.hpp"
 #include "bindings/core_shapes.hpp"
+#include "bindings/exact_number.hpp"
 #include "bindings/plane_scale.hpp"
 #include "bindings/vector_caster.hpp"
 #include "formats/json_text.hpp"
@@ -186,13 +187,17 @@ static void bind_measures(nb::class_<Set>&& bound) {
             return Set{axes ? scaled(set.value, *axes) : scaled(set.value, parse_rational(factor))};
           },
           "factor"_a, Released(),
-          "About the origin; by \"SX,SY\" with a factor above 0 for each axis.")
+          nb::sig("def scaled(self, factor: " MINKREF_NUMBER
+                  " | collections.abc.Sequence[" MINKREF_NUMBER "]) -> PolygonSet"),
+          "About the origin; by \"SX,SY\" or [SX, SY] with a factor above 0 for each axis.")
       .def(
           "translated",
           [](const Set& set, const std::string& x, const std::string& y) {
             return Set{translated(set.value, {parse_rational(x), parse_rational(y)})};
           },
-          "x"_a, "y"_a, Released())
+          "x"_a, "y"_a, Released(),
+          nb::sig("def translated(self, x: " MINKREF_NUMBER ", y: " MINKREF_NUMBER
+                  ") -> PolygonSet"))
       .def_prop_ro("vertices", [](const Set& set) { return set.value.vertices(); })
       .def_prop_ro("ring_count", [](const Set& set) { return set.value.rings(); });
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "bindings/exact_number.hpp"
 #include "bindings/vector_caster.hpp"
 #include "formats/refusal_place.hpp"
 #include "formats/set_builder.hpp"
@@ -129,18 +130,21 @@ std::string number_text(nb::handle value, const std::string& where) {
   return nb::cast<std::string>(read(value, where));
 }
 
+nb::object fraction_of(const Rational& value) {
+  static const nb::handle fraction =
+      nb::object(nb::module_::import_("fractions").attr("Fraction")).release();
+  return fraction(integer(numerator(value)), integer(denominator(value)));
+}
+
 nb::object quantity(const Rational& value) {
   return nb::module_::import_("minkref.quantity").attr("Quantity")(to_string(value));
 }
 
 nb::list exact_rings(const Set& set) {
-  const nb::object fraction = nb::module_::import_("fractions").attr("Fraction");
-  const auto number = [&](const Rational& value) {
-    return fraction(integer(numerator(value)), integer(denominator(value)));
-  };
   return each_ring(set, [&](const Ring& ring) {
     nb::list points;
-    for (const Point& point : ring) points.append(nb::make_tuple(number(point.x), number(point.y)));
+    for (const Point& point : ring)
+      points.append(nb::make_tuple(fraction_of(point.x), fraction_of(point.y)));
     return points;
   });
 }

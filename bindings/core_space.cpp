@@ -45,10 +45,11 @@ std::vector<ExactSpacePoint> points_of(const nb::object& vertices) {
   return result;
 }
 
-std::vector<ExactSpacePoint> points(const Polyhedron& polyhedron) {
-  std::vector<ExactSpacePoint> result;
+template <class Row>
+std::vector<Row> points(const Polyhedron& polyhedron, Row (*row)(const SpacePoint&)) {
+  std::vector<Row> result;
   result.reserve(polyhedron.vertices.size());
-  for (const SpacePoint& vertex : polyhedron.vertices) result.push_back(to_strings(vertex));
+  for (const SpacePoint& vertex : polyhedron.vertices) result.push_back(row(vertex));
   return result;
 }
 
@@ -62,7 +63,7 @@ std::vector<std::array<double, 3>> approximate_points(const Polyhedron& polyhedr
 }
 
 /// Areas of the projections along the axes, each summed over all faces.
-ExactSpacePoint projected_areas(const Polyhedron& polyhedron) {
+ExactTriple projected_areas(const Polyhedron& polyhedron) {
   const IntegerPoints integers = integer_points(polyhedron.vertices);
   IntegerVector twice{0, 0, 0};
   for (const Face& face : polyhedron.faces) {
@@ -70,7 +71,7 @@ ExactSpacePoint projected_areas(const Polyhedron& polyhedron) {
     for (std::size_t k = 0; k < 3; ++k) twice[k] += abs(area[k]);
   }
   const Rational unit(Integer(1), 2 * integers.denominator * integers.denominator);
-  return to_strings({twice[0] * unit, twice[1] * unit, twice[2] * unit});
+  return {{twice[0] * unit}, {twice[1] * unit}, {twice[2] * unit}};
 }
 
 /// Cuts each face into triangles.
@@ -90,6 +91,35 @@ std::vector<std::vector<TriangleCorners>> triangles(const Polyhedron& polyhedron
   return result;
 }
 
+/// Other surfaces made from one, and its text.
+void bind_changed_surfaces(nb::class_<Surface>& bound) {
+  bound
+      .def(
+          "scaled",
+          [](const Surface& self, const ExactSpacePoint& by) {
+            return Surface(scaled(self.value(), to_scaling(by)));
+          },
+          "by"_a,
+          nb::sig("def scaled(self, by: " MINKREF_NUMBER
+                  " | collections.abc.Sequence[" MINKREF_NUMBER "]) -> Polyhedron"),
+          "About the origin, by one factor or one for each axis.")
+      .def(
+          "translated",
+          [](const Surface& self, const ExactSpacePoint& by) {
+            return Surface(translated(self.value(), to_point(by)));
+          },
+          "by"_a,
+          nb::sig("def translated(self, by: collections.abc.Sequence[" MINKREF_NUMBER
+                  "]) -> Polyhedron"))
+      .def(
+          "with_shared_vertices",
+          [](const Surface& self) { return Surface(with_shared_vertices(self.value())); },
+          "One vertex for all that have the same coordinates.")
+      .def(
+          "canonical_json", [](const Surface& self) { return canonical_json(self.value()); },
+          "The text of which the digest is taken; of a surface in canonical form.");
+}
+
 }  // namespace
 
 ExactSpacePoint space_point_of(nb::handle row, const std::string& where) {
@@ -107,10 +137,11 @@ ExactSpacePoint space_point_of(nb::handle row, const std::string& where) {
 }
 
 void bind_space(nb::module_& module) {
-  unchanging(nb::class_<Surface>(
-                 module, "Polyhedron",
-                 "A closed surface of planar faces, exact; faces run counter-clockwise seen "
-                 "from outside. Without faces: the empty set, a point, a segment."))
+  nb::class_<Surface> bound(module, "Polyhedron",
+                            "A closed surface of planar faces, exact; faces run counter-clockwise "
+                            "seen from outside. Without faces: the empty set, a point, a segment.");
+  bind_changed_surfaces(bound);
+  unchanging(std::move(bound))
       .def(
           "__init__",
           [](Surface* self, const nb::object& vertices, const std::vector<Face>& faces) {
@@ -123,7 +154,10 @@ void bind_space(nb::module_& module) {
           "and for each face the numbers of its vertices. Refuses (BadInput) a face that names no "
           "vertex, or has fewer than three.")
       .def("__getstate__",
-           [](const Surface& self) { return std::pair(points(self.value()), self.value().faces); })
+           [](const Surface& self) {
+             return std::pair(points<ExactSpacePoint>(self.value(), to_strings),
+                              self.value().faces);
+           })
       .def("__setstate__",
            [](Surface& self,
               const std::pair<std::vector<ExactSpacePoint>, std::vector<Face>>& state) {
@@ -135,8 +169,12 @@ void bind_space(nb::module_& module) {
                     std::to_string(self.value().faces.size()) + " faces>";
            })
       .def(
-          "points", [](const Surface& self) { return points(self.value()); },
-          "The vertices, exact.")
+          "points", [](const Surface& self) { return points(self.value(), exact_point); },
+          "The vertices, exact: triples of Fractions.")
+      .def(
+          "written_points",
+          [](const Surface& self) { return points<ExactSpacePoint>(self.value(), to_strings); },
+          "The vertices as documents have them: texts of exact numbers.")
       .def(
           "approximate_points",
           [](const Surface& self) { return approximate_points(self.value()); },
@@ -172,32 +210,13 @@ void bind_space(nb::module_& module) {
           "The same, but takes a plane polygon as well: a single face. Exact.")
       .def(
           "sextuple_volume",
-          [](const Surface& self) { return to_string(sextuple_volume(self.value())); },
+          [](const Surface& self) { return ExactNumber{sextuple_volume(self.value())}; },
           "Six times the volume. Exact.")
       .def(
           "projected_areas", [](const Surface& self) { return projected_areas(self.value()); },
           Released(),
           "The areas of the projections of all faces along x, y and z, added up, whether they hide "
-          "each other or not. Exact.")
-      .def(
-          "scaled",
-          [](const Surface& self, const ExactSpacePoint& by) {
-            return Surface(scaled(self.value(), to_scaling(by)));
-          },
-          "by"_a)
-      .def(
-          "translated",
-          [](const Surface& self, const ExactSpacePoint& by) {
-            return Surface(translated(self.value(), to_point(by)));
-          },
-          "by"_a)
-      .def(
-          "with_shared_vertices",
-          [](const Surface& self) { return Surface(with_shared_vertices(self.value())); },
-          "One vertex for all that have the same coordinates.")
-      .def(
-          "canonical_json", [](const Surface& self) { return canonical_json(self.value()); },
-          "The text of which the digest is taken; of a surface in canonical form.");
+          "each other or not. Exact.");
 }
 
 }  // namespace minkref::python

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "bindings/exact_number.hpp"
 #include "formats/mesh_reading.hpp"
 
 namespace minkref::python {
@@ -28,6 +29,11 @@ ExactSpacePoint space_point_of(nanobind::handle row, const std::string& where);
 
 inline ExactSpacePoint to_strings(const SpacePoint& point) {
   return {to_string(point.x), to_string(point.y), to_string(point.z)};
+}
+
+/// A point as numbers of Python.
+inline ExactTriple exact_point(const SpacePoint& point) {
+  return {{point.x}, {point.y}, {point.z}};
 }
 
 inline SpacePoint to_point(const ExactSpacePoint& coordinates) {

@@ -49,13 +49,13 @@ Precision precision_named(const std::string& name) {
 }
 
 /// Volume, Euler characteristic, vertices, edges, faces.
-using ShellRow = std::tuple<std::string, long, std::uint64_t, std::uint64_t, std::size_t>;
+using ShellRow = std::tuple<ExactNumber, long, std::uint64_t, std::uint64_t, std::size_t>;
 
 std::vector<ShellRow> shell_rows(const PolyhedralSet& set, const std::string& pairing) {
   const SurfaceEdges surface = surface_edges(set);
   std::vector<ShellRow> rows;
   for (const Shell& shell : shells(surface, pairing_named(pairing))) {
-    rows.emplace_back(to_string(volume(surface, shell)), shell.characteristic, shell.vertices,
+    rows.emplace_back(ExactNumber{volume(surface, shell)}, shell.characteristic, shell.vertices,
                       shell.edges, shell.faces.size());
   }
   return rows;
@@ -111,7 +111,7 @@ void bind_space_surface(nb::module_& module, nb::class_<PolyhedralSet>& set) {
           "projected_areas",
           [](const PolyhedralSet& self) {
             const auto areas = projected_areas(self);
-            return ExactSpacePoint{to_string(areas[0]), to_string(areas[1]), to_string(areas[2])};
+            return ExactTriple{{areas[0]}, {areas[1]}, {areas[2]}};
           },
           Released(), "The areas of the projections of all faces along x, y and z, added up.");
   module.def(

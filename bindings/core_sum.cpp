@@ -109,7 +109,7 @@ void bind_sum(nb::module_& module) {
           "tight_passages",
           [](const nb::object& sum) {
             const nb::object read =
-                nb::module_::import_("minkref.plane.parents").attr("passages_of");
+                nb::module_::import_("minkref.plane.parents").attr("passage_values");
             return read(sum.attr("passage_rows")());
           },
           nb::sig("def tight_passages(self) -> list[dict[str, typing.Any]]"),

@@ -31,10 +31,11 @@ namespace {
 using FacetRow = std::tuple<std::uint32_t, std::vector<Face>, std::vector<std::uint32_t>>;
 using ParentRow = std::pair<Face, Face>;
 
-std::vector<ExactSpacePoint> points_of(const SurfaceEdges& surface) {
-  std::vector<ExactSpacePoint> result;
+template <class Row>
+std::vector<Row> points_of(const SurfaceEdges& surface, Row (*row)(const SpacePoint&)) {
+  std::vector<Row> result;
   result.reserve(surface.points.size());
-  for (const SpaceVertex& point : surface.points) result.push_back(to_strings(point.exact));
+  for (const SpaceVertex& point : surface.points) result.push_back(row(point.exact));
   return result;
 }
 
@@ -85,8 +86,14 @@ void bind_sum_surface(nb::module_& module) {
       .def_prop_ro("edges", [](const SumSurface& self) { return edges_of(*self.value); })
       .def_prop_ro("facets", [](const SumSurface& self) { return self.value->faces.size(); })
       .def(
-          "points", [](const SumSurface& self) { return points_of(*self.value); },
-          "The vertices, in lexicographic order.")
+          "points", [](const SumSurface& self) { return points_of(*self.value, exact_point); },
+          "The vertices, exact, in lexicographic order: triples of Fractions.")
+      .def(
+          "written_points",
+          [](const SumSurface& self) {
+            return points_of<ExactSpacePoint>(*self.value, to_strings);
+          },
+          "The same as documents have them: texts of exact numbers.")
       .def(
           "rings", [](const SumSurface& self) { return facets_of(*self.value); },
           "Of each facet the number of its plane in the canonical form; its rings of vertices, "

@@ -42,10 +42,7 @@ std::vector<TimelineRows::LifeRow> TimelineRows::lives(const std::string& kind) 
     if (died && window_.from && *died < *window_.from) continue;
     if (born && window_.from && *born < *window_.from) born.reset();
     if (died && window_.to && *died > *window_.to) died.reset();
-    const auto text = [](const std::optional<Rational>& s) {
-      return s ? std::optional(to_string(*s)) : std::nullopt;
-    };
-    rows.emplace_back(i, text(born), text(died));
+    rows.emplace_back(i, exact_number(born), exact_number(died));
   }
   return rows;
 }

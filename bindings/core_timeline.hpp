@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bindings/core.hpp"
+#include "bindings/exact_number.hpp"
 #include "reference/plane/critical/pair_events.hpp"
 #include "reference/plane/history/topology_timeline.hpp"
 
@@ -32,7 +33,7 @@ class TimelineRows {
 
   /// For "hole" (the outside left out) or "component": name, scales of birth and death of features
   /// that live at some scale of the window; none for a birth or death outside the window.
-  using LifeRow = std::tuple<std::uint32_t, OptionalText, OptionalText>;
+  using LifeRow = std::tuple<std::uint32_t, std::optional<ExactNumber>, std::optional<ExactNumber>>;
   std::vector<LifeRow> lives(const std::string& kind) const;
 
   /// scale, change, edges, place.

@@ -112,7 +112,7 @@ from minkref.plane.event_values import Event as Event
 from minkref.plane.event_values import Events as Events
 from minkref.plane.event_values import events as events
 from minkref.plane.operand import is_utf8, read_set
-from minkref.plane.parents import passages_of
+from minkref.plane.parents import passage_values, place_of
 from minkref.plane.shown_values import show_values as show_sums
 from minkref.scene.free_values import FreeCell as FreeCell
 from minkref.scene.free_values import FreeComponent as FreeComponent
@@ -313,13 +313,13 @@ def set_memory_limit(bytes: int | None) -> None:
 
 def tight_passages(P: PolygonSet, Q: PolygonSet, scale: PlaneScale = 1) -> list[dict[str, Any]]:
     """Find the points and polylines inside the sum of P, scaled by `scale` > 0 about the origin,
-    and Q that the sum of their interiors misses: `points`, and for each segment the features in
-    `contacts`, as in `minkref sum --json`. Exact, in canonical order. Both operands are validated
-    first. Takes the time to build the reduced convolution's arrangement, and one decision for each
-    part where shapes may touch from all sides. Raises BadInput. docs/definitions.md, "Tight
-    passages"."""
+    and Q that the sum of their interiors misses: `points`, pairs of Fractions, and for each segment
+    the features in `contacts`, as in `minkref sum --json`. Exact, in canonical order. Both operands
+    are validated first. Takes the time to build the reduced convolution's arrangement, and one
+    decision for each part where shapes may touch from all sides. Raises BadInput.
+    docs/definitions.md, "Tight passages"."""
     _validate(True, P=P, Q=Q)
-    return passages_of(_core.tight_passages(P, Q, scale_text("scale", scale)))
+    return passage_values(_core.tight_passages(P, Q, scale_text("scale", scale)))
 
 
 def sum_remnants(P: PolygonSet, Q: PolygonSet, scale: PlaneScale = 1) -> list[dict[str, Any]]:
@@ -329,7 +329,7 @@ def sum_remnants(P: PolygonSet, Q: PolygonSet, scale: PlaneScale = 1) -> list[di
     region = minkowski_sum(P, Q, scale).region
     if any(each.is_region or each.is_empty for each in (P, Q)):
         return []
-    return passages_of(_core.sum_remnants(P, Q, scale_text("scale", scale), region))
+    return passage_values(_core.sum_remnants(P, Q, scale_text("scale", scale), region))
 
 
 def read_file(path: str | os.PathLike[str]) -> PolygonSet:
@@ -366,18 +366,21 @@ def write(set: PolygonSet, format: str) -> str:
 def decide(P: PolygonSet, Q: PolygonSet, scale: PlaneScale, x: Number, y: Number) -> dict[str, Any]:
     """Decide whether scale P + Q contains the point (x, y), exactly and from the definition:
     `contact` says how scale P and the point less Q meet (`empty`, `touching`, `overlapping`), and
-    `p`, `q` give scale p + q = (x, y) if they do. O(mn) pairs of triangles, after both operands'
-    validation. Raises BadInput. docs/definitions.md."""
+    `p`, `q`, pairs of Fractions, give scale p + q = (x, y) if they do. O(mn) pairs of triangles,
+    after both operands' validation. Raises BadInput. docs/definitions.md."""
     _validate(True, P=P, Q=Q)
-    return _core.decide(P, Q, scale_text("scale", scale), number("x", x), number("y", y))
+    found = _core.decide(P, Q, scale_text("scale", scale), number("x", x), number("y", y))
+    return {**found, **{name: place_of(found[name]) for name in "pq" if found[name]}}
 
 
 def difference(first: PolygonSet, second: PolygonSet) -> dict[str, Any] | None:
-    """Find an interior point of the symmetric difference (`point`) and the set that holds the
-    point; None for equal sets. Exact. Takes the time to build a winding number arrangement of both
-    boundaries, after both sets' validation. Raises BadInput. docs/definitions.md."""
+    """Find an interior point of the symmetric difference (`point`, a pair of Fractions), and
+    whether it lies `in_first`; None for equal sets. Exact. Takes the time to build a winding number
+    arrangement of both boundaries, after both sets' validation. Raises BadInput.
+    docs/definitions.md."""
     _validate(first=first, second=second)
-    return _core.difference(first, second)
+    found = _core.difference(first, second)
+    return None if found is None else {**found, "point": place_of(found["point"])}
 
 
 def unite(sets: Sequence[PolygonSet]) -> PolygonSet:

@@ -77,6 +77,13 @@ def factors(name: str, value: Any) -> tuple[str, str, str]:
     return x, y, z
 
 
+def place(name: str, value: Any) -> tuple[str, str, str]:
+    """Read a vector of three numbers."""
+    if not isinstance(value, tuple | list) or len(value) != 3:
+        raise _wrong(name, "three numbers", value)
+    return factors(name, value)
+
+
 def whole(name: str, value: Any) -> int:
     if isinstance(value, bool) or not isinstance(value, int):
         raise _wrong(name, "an int", value)
@@ -112,6 +119,7 @@ _METHODS: dict[type, dict[str, dict[str, Reader]]] = {
         "scaled": {"factor": scale_text},
         "translated": {"x": number, "y": number},
     },
+    _core.Polyhedron: {"scaled": {"by": factors}, "translated": {"by": place}},
     _core.ScaleIndex: {
         "rings": {"scale": number, "form": text_of},
         "sum": {"scale": number, "passages": truth},

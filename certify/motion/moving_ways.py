@@ -102,7 +102,7 @@ class MovingWays:
 
     @cached_property
     def _events(self) -> list[Fraction]:
-        return [] if self._index is None else list(map(Fraction, self._index.event_scales()))
+        return [] if self._index is None else self._index.event_scales()
 
     @cached_property
     def _tracks(self) -> list[MovingPlace]:

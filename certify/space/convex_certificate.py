@@ -79,7 +79,7 @@ class ConvexCertificate:
                 "scaling": at,
                 "vertices": len(vertices),
                 "facets": len(facets),
-                "volume": str(Fraction(found.surface.sextuple_volume()) / 6),
+                "volume": str(found.surface.sextuple_volume() / 6),
                 "digest": digest(found.surface.canonical_json()),
             }
         )
@@ -114,11 +114,11 @@ class _Operand:
 
     def __init__(self, surface: _core.Polyhedron, name: str) -> None:
         self.convex = _core.ConvexPolyhedron(surface, name)
-        points, rings = surface.points(), surface.rings()
+        points, rings = surface.written_points(), surface.rings()
         self.plain = _compact({"faces": rings, "vertices": points})
         place = {point: i for i, point in enumerate(points)}
         hull = self.convex.surface()
-        self.given = [place[point] for point in hull.points()]  # the number of each vertex
+        self.given = [place[point] for point in hull.written_points()]  # the number of each vertex
         self._flat: dict[int, list[tuple[int, set[int]]]] = {}
         if len(self.given) < len(points):
             facets = ([self.given[i] for i in ring] for ring in hull.rings())

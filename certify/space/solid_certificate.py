@@ -114,7 +114,7 @@ def _polygons(found: _core.PolyhedralSet) -> int:
 
 
 def _plain(surface: _core.Polyhedron) -> str:
-    return _compact({"faces": surface.rings(), "vertices": surface.points()})
+    return _compact({"faces": surface.rings(), "vertices": surface.written_points()})
 
 
 def _too_large(what: str) -> Refusal:

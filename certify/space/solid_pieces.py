@@ -23,18 +23,18 @@ class Tiling:
         """Raises _core.BadInput if the polyhedron is invalid."""
         _core.PolyhedralSet(surface, name)
         place: dict[Row, int] = {}
-        for i, point in enumerate(surface.points()):
+        for i, point in enumerate(surface.written_points()):
             place.setdefault(point, i)
-        self.points = list(surface.points())
+        self.points = list(surface.written_points())
         self.given = len(self.points)
         self.rings: list[list[list[int]]] = []  # facets' rings, by piece
         for piece in _core.convex_pieces(surface):
             convex = _core.ConvexPolyhedron(piece, name).surface()
-            for point in convex.points():
+            for point in convex.written_points():
                 if point not in place:
                     place[point] = len(self.points)
                     self.points.append(point)
-            numbers = [place[point] for point in convex.points()]
+            numbers = [place[point] for point in convex.written_points()]
             self.rings.append([[numbers[v] for v in ring] for ring in convex.rings()])
 
     def value(self) -> dict[str, object]:

@@ -68,7 +68,7 @@ class Body:
 
     @cached_property
     def vertices(self) -> list[Point]:
-        return [(Fraction(x), Fraction(y), Fraction(z)) for x, y, z in self._clean.points()]
+        return self._clean.points()
 
     @cached_property
     def numbers(self) -> list[int]:
@@ -111,7 +111,7 @@ class Body:
 
     @cached_property
     def volume(self) -> Fraction:
-        return Fraction(self._clean.sextuple_volume()) / 6
+        return self._clean.sextuple_volume() / 6
 
     @cached_property
     def diameter(self) -> tuple[Point, Point]:

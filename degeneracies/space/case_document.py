@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 from minkref.certify.space.convex_certificate import ConvexCertificate
@@ -74,7 +73,7 @@ class DegenerateInSpace(CaseTexts[SpaceFacts]):
             "digest": digest(surface.canonical_json()),
             "vertices": surface.vertices,
             "facets": surface.faces,
-            "volume": str(Fraction(surface.sextuple_volume()) / 6),
+            "volume": str(surface.sextuple_volume() / 6),
         }
         if at == self.facts.scaling and surface.vertices <= IN_FULL:
             told["result"] = json.loads(surface.canonical_json())
@@ -98,7 +97,7 @@ class DegenerateInSpace(CaseTexts[SpaceFacts]):
         }
 
     def _varies(self) -> list[str]:
-        points = self.facts.sum().found.surface.points()
+        points = self.facts.sum().found.surface.written_points()
         exact = all(is_double(c) for point in points for c in point)
         return ["form"] + ["rounding"] * (not exact)
 

@@ -41,7 +41,7 @@ def body_of(polyhedron: Polyhedron) -> _core.ConvexPolyhedron:
 
 
 def polyhedron_of(surface: _core.Polyhedron) -> Polyhedron:
-    vertices = tuple((Fraction(x), Fraction(y), Fraction(z)) for x, y, z in surface.points())
+    vertices = tuple(surface.points())
     return Polyhedron(vertices, tuple(tuple(ring) for ring in surface.rings()))
 
 

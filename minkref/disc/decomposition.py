@@ -71,7 +71,7 @@ class Decomposition:
 
     def _repr_svg_(self) -> str:
         """The picture in a notebook: pieces, and cuts as lines."""
-        cuts = [[tuple(map(str, end)) for end in (cut.start, cut.end)] for cut in self.cuts]
+        cuts = [[cut.start, cut.end] for cut in self.cuts]
         caption = f"{counted(len(self.pieces), 'piece')}, {counted(len(self.cuts), 'cut')}"
         return small_picture([piece.region for piece in self.pieces], caption, cuts)
 

@@ -12,7 +12,7 @@ from minkref import _core
 from minkref.argument_types import expect_sets, scale_text, text_of
 from minkref.errors import Refusal, choice
 from minkref.exact import digest
-from minkref.plane.parents import passages_of
+from minkref.plane.parents import passage_values, place_of
 from minkref.plane.small_picture import places_picture
 
 Number = str | int | Fraction
@@ -127,16 +127,16 @@ def no_fit(A: _core.PolygonSet, B: _core.PolygonSet, scale: PlaneScale = 1) -> N
     found = _core.minkowski_sum(
         A, _core.negated(B), scale_text("scale", scale), "paper", "rational", True
     )
-    fits = passages_of(found.passage_rows())
+    fits = passage_values(found.passage_rows())
     return NoFit(found.region, found.components, found.holes, fits, found.seconds)
 
 
 def erosion_from(found: _core.Sum) -> Erosion:
     """Convert the extension module's answer."""
     rows = found.passage_rows()
-    points = tuple(tuple((Fraction(x), Fraction(y)) for x, y in places) for places, _ in rows)
+    points = tuple(tuple(map(place_of, places)) for places, _ in rows)
     return Erosion(
-        found.region, found.components, found.holes, passages_of(rows), points, found.seconds
+        found.region, found.components, found.holes, passage_values(rows), points, found.seconds
     )
 
 

@@ -164,13 +164,16 @@ class BoundaryEventList:
         s = Fraction(scale)
         return (self._low is None or s >= self._low) and (self._high is None or s <= self._high)
 
-    def _life(self, name: int, birth: str | None, death: str | None) -> dict[str, Any] | None:
+    def _life(
+        self, name: int, birth: Fraction | None, death: Fraction | None
+    ) -> dict[str, Any] | None:
         """Describe a life with its events inside the window; None without scales inside."""
-        if birth is not None and self._high is not None and Fraction(birth) > self._high:
+        if birth is not None and self._high is not None and birth > self._high:
             return None
-        if death is not None and self._low is not None and Fraction(death) < self._low:
+        if death is not None and self._low is not None and death < self._low:
             return None
-        kept = [None if s is None or not self._holds(s) else s for s in (birth, death)]
+        texts = [None if s is None else str(s) for s in (birth, death)]
+        kept = [None if s is None or not self._holds(s) else s for s in texts]
         return {"id": name, "birth": kept[0], "death": kept[1]}
 
     def _add(

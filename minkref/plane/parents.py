@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from fractions import Fraction
 from typing import Any
 
 EdgeRow = tuple[str, int, int, int, int, int]
@@ -17,10 +19,24 @@ def parents(row: tuple[str, int, int, int, int, int]) -> dict[str, Any]:
 
 
 def passages_of(rows: PassageRows) -> list[dict[str, Any]]:
-    """List tight passages from the extension module's rows."""
+    """List tight passages from the extension module's rows, as documents have them."""
+    return _passages(rows, list)
+
+
+def passage_values(rows: PassageRows) -> list[dict[str, Any]]:
+    """List the same for Python: points are pairs of Fractions."""
+    return _passages(rows, place_of)
+
+
+def place_of(texts: Sequence[str]) -> tuple[Fraction, Fraction]:
+    x, y = map(Fraction, texts)
+    return x, y
+
+
+def _passages(rows: PassageRows, place: Callable[[Sequence[str]], Any]) -> list[dict[str, Any]]:
     return [
         {
-            "points": [list(point) for point in points],
+            "points": [place(point) for point in points],
             "contacts": [[parents(edge) for edge in edges] for edges in contacts],
         }
         for points, contacts in rows

@@ -20,12 +20,12 @@ STYLE = (
 
 
 def small_picture(
-    sets: Sequence[_core.PolygonSet], caption: str, passages: Sequence[Sequence[Sequence[str]]] = ()
+    sets: Sequence[_core.PolygonSet], caption: str, passages: Sequence[Sequence[Exact]] = ()
 ) -> str:
     """An SVG document: the sets in one frame, with lines, and rings around points, on top. Numbers
     stay exact until the frame places them. Linear."""
     exact = [exact_polygons(each) for each in sets]
-    lines: list[list[Exact]] = [[(Fraction(x), Fraction(y)) for x, y in each] for each in passages]
+    lines = [list(each) for each in passages]
     box = box_of([polygon for polygons in exact for polygon in polygons] + [[it] for it in lines])
     frame = fitted(box or (Fraction(0), Fraction(0), Fraction(1), Fraction(1)), SIZE, SIZE)
     height = SIZE if box is None else float((box[3] - box[1]) * frame.factor)

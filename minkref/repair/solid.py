@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.errors import Refusal, refusal_of
-from minkref.repair.change import Change
+from minkref.repair.change import Change, Vector
 from minkref.repair.edges import agree, refuse_open, separate, sides_of
 from minkref.repair.faces import (
     Mesh,
@@ -28,7 +28,7 @@ def repaired_solid(
     """Repair a polyhedron as read, and list the changes in order. A polyhedron without faults, or
     with fewer than two faces, stays unchanged. Exact. Refuses open surfaces, naming the boundary,
     and surfaces with remaining faults, like self-crossings."""
-    points = [tuple(Fraction(x) for x in point) for point in read.points()]
+    points: list[Vector] = [*read.points()]
     moves = moves_of(points, weld)
     if read.faces < 2 or (not moves and _is_valid(read)):
         return read, []

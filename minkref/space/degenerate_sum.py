@@ -22,12 +22,12 @@ def degenerate_sum(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling) -> SpaceS
         return SpaceSum(empty, [], [], time.perf_counter() - start)
     if P.body is None:
         _only_one(P, Q)
-        corners = P.surface.scaled(scaling).points()
+        corners = P.surface.scaled(scaling).written_points()
         swapped = _with_corners(Q, ONCE, corners)
         pairs = [(q, p) for p, q in swapped.vertex_parents]
         faces = [(q, p) for p, q in swapped.facet_parents]
         return SpaceSum(swapped.surface, pairs, faces, time.perf_counter() - start)
-    found = _with_corners(P, scaling, Q.surface.points())
+    found = _with_corners(P, scaling, Q.surface.written_points())
     return SpaceSum(
         found.surface, found.vertex_parents, found.facet_parents, time.perf_counter() - start
     )

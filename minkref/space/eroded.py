@@ -34,7 +34,7 @@ class Room:
 
 
 def points_of(surface: _core.Polyhedron) -> list[Point]:
-    return [tuple(map(Fraction, point)) for point in surface.points()]
+    return list(surface.points())
 
 
 def box_of(points: list[Point]) -> tuple[Point, Point]:

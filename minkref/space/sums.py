@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from fractions import Fraction
 from typing import Any
 
 from minkref import _core
@@ -42,7 +41,7 @@ def timed(where: str, call: Callable[[], _core.ConvexSum]) -> SpaceSum:
 
 def sum_fields(answer: SpaceSum) -> dict[str, Any]:
     """Return the fields, exact except `volume_approximate`."""
-    volume = str(Fraction(answer.surface.sextuple_volume()) / 6)
+    volume = str(answer.surface.sextuple_volume() / 6)
     rings = answer.surface.rings()
     return {
         "digest": digest(answer.surface.canonical_json()),

@@ -39,7 +39,8 @@ def descent(P: Body, n: Whole, Q: Body, vertex: int, form: str) -> int | None:
     facet = next(
         number
         for number, ring in enumerate(surface.rings())
-        if primitive(normal(*(_whole(surface.points()[k]) for k in ring[:3]))) == primitive(n)
+        if primitive(normal(*(_whole(surface.written_points()[k]) for k in ring[:3])))
+        == primitive(n)
     )
     found = _core.descend(first, facet, second, order.index(vertex), ONCE, form)
     return None if found is None else order[found]

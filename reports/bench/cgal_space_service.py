@@ -63,4 +63,4 @@ class CgalSpaceService:
 
 
 def _document(polyhedron: _core.Polyhedron) -> dict[str, Any]:
-    return {"vertices": polyhedron.points(), "faces": polyhedron.rings()}
+    return {"vertices": polyhedron.written_points(), "faces": polyhedron.rings()}

@@ -224,7 +224,7 @@ def sum_of_cgal(
 
 
 def _same(sum_: _core.Polyhedron, theirs: set[Corner]) -> bool:
-    mine = set(sum_.points())
+    mine = set(sum_.written_points())
     return mine == theirs or (mine < theirs and _flat(mine, theirs))
 
 

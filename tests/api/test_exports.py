@@ -47,7 +47,7 @@ def test_tight_passages_of_a_sum_are_found_when_asked_for(arithmetic: str) -> No
     )
     found = minkref.minkowski_sum(SQUARE, hole, arithmetic=arithmetic)
     expected = minkref.tight_passages(SQUARE, hole)
-    assert [passage["points"] for passage in expected] == [[["2", "2"]]]
+    assert [passage["points"] for passage in expected] == [[(2, 2)]]
     assert found.tight_passages == expected == found.tight_passages
     index = minkref.build_index(SQUARE, hole, "1/2", 2)
     assert index.sum(1).tight_passages == expected

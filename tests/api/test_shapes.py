@@ -275,7 +275,7 @@ def test_vertices_of_a_polyhedron_count_by_their_exact_value(kind: str) -> None:
         "arrays": np.array(corners, dtype=float),
     }[kind]
     solid = Polyhedron(made, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
-    assert solid.points() == [tuple(map(str, corner)) for corner in corners]
+    assert solid.points() == corners
     assert repr(solid) == "<Polyhedron: 4 vertices, 4 faces>"
 
 
@@ -295,8 +295,8 @@ def test_a_sum_of_boxes_by_the_public_functions(scaling: Any, tmp_path: Path) ->
     file.write_text(minkref.write_mesh(box, "off"), encoding="utf-8")
     body = minkref.ConvexPolyhedron(minkref.read_mesh(file))
     found = minkref.convex_sum(body, body, scaling)
-    assert sorted(found.surface.points()) == sorted(tuple(str(3 * c) for c in p) for p in corners)
-    tripled, same = (minkref.ConvexPolyhedron(box.scaled((by,) * 3)) for by in "31")
+    assert sorted(found.surface.points()) == sorted(tuple(3 * c for c in p) for p in corners)
+    tripled, same = (minkref.ConvexPolyhedron(box.scaled(by)) for by in (3, (1, "1", Fraction(1))))
     assert minkref.ConvexPolyhedron(found.surface) == tripled != body
     assert len({body, same}) == 1
     assert repr(body) == "<ConvexPolyhedron: 8 vertices, 12 edges, 6 facets>"

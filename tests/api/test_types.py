@@ -399,7 +399,7 @@ def test_a_number_is_what_it_says() -> None:
     assert SQUARE.scaled(Fraction(7, 5)).to_json() == SQUARE.scaled("7/5").to_json()
     assert at(-2, Fraction(-1, 3)).to_json() == at("-2", "-1/3").to_json()
     assert sum_(SQUARE, SQUARE, Fraction(1, 2)).region.area() == "9/4"
-    assert decide(SQUARE, SQUARE, 1, 2, Fraction(4, 2))["p"] == ["1", "1"]
+    assert decide(SQUARE, SQUARE, 1, 2, Fraction(4, 2))["p"] == (1, 1)
 
 
 @pytest.mark.parametrize(

@@ -33,7 +33,7 @@ def theirs(P: Operand, Q: Operand, scale: Fraction) -> tuple[Any, ...]:
         found.region.canonical_json(),
         found.components,
         found.holes,
-        [[[x, y] for x, y in piece["points"]] for piece in tight],
+        [[[str(x), str(y)] for x, y in piece["points"]] for piece in tight],
     )
 
 

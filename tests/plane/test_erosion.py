@@ -109,7 +109,7 @@ def test_components_and_holes_live_as_static_erosions_have_them(index: int) -> N
 def test_no_fit_tells_exact_fits_from_overlaps() -> None:
     hole = PolygonSet([(0, 0), (2, 0), (2, 2), (0, 2)])
     found = minkref.no_fit(ROOM, hole)
-    assert [fit["points"] for fit in found.exact_fits] == [[["3", "3"]]]
+    assert [fit["points"] for fit in found.exact_fits] == [[(3, 3)]]
     assert (found.region.area(), found.components, found.holes) == ("121", 1, 0)
     smaller = minkref.no_fit(ROOM, hole.scaled("1/2"))
     assert (smaller.holes, smaller.exact_fits) == (1, [])

@@ -75,7 +75,7 @@ def test_order_direction_and_subdivision_change_nothing() -> None:
             assert points_of(found) == points_of(whole), line
 
 
-def points_of(found: minkref.Sum) -> list[list[str]]:
+def points_of(found: minkref.Sum) -> list[list[tuple[Fraction, Fraction]]]:
     return [passage["points"] for passage in found.tight_passages]
 
 
@@ -95,7 +95,7 @@ def test_tight_passages_touch_only_and_more_is_missed_nowhere() -> None:
     square = PolygonSet([(0, 0), (2, 0), (2, 2), (0, 2)])
     found = minkref.minkowski_sum(corridor, square)
     assert found.region == PolygonSet([(0, 0), (8, 0), (8, 4), (0, 4)])
-    assert points_of(found) == [[["0", "2"], ["8", "2"]]]
+    assert points_of(found) == [[(0, 2), (8, 2)]]
     for line, Q in cases(20, 300):
         for passage in minkref.tight_passages(of_lines(line), Q):
             for x, y in passage["points"]:
@@ -148,7 +148,7 @@ def test_points_are_places() -> None:
     others = PolygonSet("MULTIPOINT (1 1, 2 2)")
     assert minkref.minkowski_sum(places, others).region.is_empty
     assert [one["points"] for one in minkref.sum_remnants(places, others, 2)] == [
-        [["1", "1"]], [["2", "2"]], [["11", "1"]], [["12", "2"]],
+        [(1, 1)], [(2, 2)], [(11, 1)], [(12, 2)],
     ]  # fmt: skip
 
 

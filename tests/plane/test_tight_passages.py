@@ -34,7 +34,7 @@ def found(case: Case, scale: Fraction) -> list[dict[str, Any]]:
 
 
 def points(passages: list[dict[str, Any]]) -> list[Ring]:
-    return [[(Fraction(x), Fraction(y)) for x, y in piece["points"]] for piece in passages]
+    return [piece["points"] for piece in passages]
 
 
 def numbers(pieces: list[Ring]) -> list[Ring]:

@@ -162,7 +162,7 @@ def test_a_copy_alone_is_the_sum_with_its_passages() -> None:
         scene = draw.scene(passages=True)
         shape, robot = draw.shapes[str(copy.shape)], turned(draw.robot)
         expected = [
-            [(Fraction(x) + copy.place[0], Fraction(y) + copy.place[1]) for x, y in p["points"]]
+            [(x + copy.place[0], y + copy.place[1]) for x, y in p["points"]]
             for p in minkref.tight_passages(shape.scaled(copy.scale), robot)
         ]
         assert [list(p.points) for p in scene.passages()] == sorted(expected), draw.told

@@ -101,5 +101,5 @@ def _at_event(dice: Dice, P: _core.PolygonSet, Q: _core.PolygonSet, scale: str) 
     first = Fraction(_core.least_scale_with_room(P, Q) or 1)
     window = str(first / 2 or Fraction(1, 2)), str(6 * first or 6)
     index = _core.ScaleIndex(_core.Outside(P).set, _core.negated(Q), *window)
-    scales = index.event_scales()
+    scales = list(map(str, index.event_scales()))
     return P, Q, dice.choice(scales) if scales else scale

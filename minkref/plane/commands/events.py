@@ -142,7 +142,9 @@ def _found(
         swept = index_of(request.index, P, Q, *bounds)
         if eroding is not None and request.index is None:
             return BoundaryEventList(swept, kind, window, outside), window
-        window = [own or bound for own, bound in zip(window, swept.window, strict=True)]
+        window = [
+            own or bound for own, bound in zip(window, text_of_bounds(*swept.window), strict=True)
+        ]
         return BoundaryEventList(swept, kind, window, outside), window
     with progress(1) as line:
         line.now(f"finding all {kind} events")

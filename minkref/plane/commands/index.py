@@ -111,11 +111,9 @@ def _checked(index: _core.ScaleIndex, count: int) -> dict[str, Any]:
 
 def scales_of(index: _core.ScaleIndex, count: int) -> list[str]:
     """Scales of the window, the same ones each time; every other one at an event."""
-    begin, end = index.window
-    low = Fraction(begin) if begin is not None else None
-    high = Fraction(end) if end is not None else None
+    low, high = index.window
     dice = random.Random(1)
-    events = [Fraction(scale) for scale in index.event_scales()]
+    events = index.event_scales()
     scales: list[str] = []
     for k in range(count):
         if k % 2 == 1 and events:

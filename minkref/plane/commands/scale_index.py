@@ -110,8 +110,8 @@ def index_of(
         )
     begin, end = index.window
     given = [bound for bound in (first, last) if bound is not None]
-    too_early = begin is not None and any(scale < Fraction(begin) for scale in given)
-    too_late = end is not None and any(scale > Fraction(end) for scale in given)
+    too_early = begin is not None and any(scale < begin for scale in given)
+    too_late = end is not None and any(scale > end for scale in given)
     if too_early or too_late:
         asked = " to ".join(str(bound) for bound in dict.fromkeys(given))
         raise Refusal(

@@ -108,8 +108,8 @@ def _bounds(request: ViewInPlane) -> tuple[Fraction, Fraction]:
     if request.index is not None:
         path = str(request.index)
         begin, end = refusing(path, lambda: _core.ScaleIndex.open(path).window)
-        first = Fraction(begin) if first is None and begin is not None else first
-        last = Fraction(end) if last is None and end is not None else last
+        first = begin if first is None else first
+        last = end if last is None else last
     first = Fraction(FROM) if first is None else first
     last = Fraction(TO) if last is None else last
     if first >= last:

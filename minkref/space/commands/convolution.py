@@ -87,12 +87,12 @@ def _in_triangles(
         for facet, triangles in zip(facets, surface.triangles(), strict=True)
         for triangle in triangles
     ]
-    return _core.Polyhedron(surface.points(), [facet.ring for facet in cut]), cut
+    return _core.Polyhedron(surface.written_points(), [facet.ring for facet in cut]), cut
 
 
 def _shape(answer: SpaceSum, P: SpaceOperand, Q: SpaceOperand) -> dict[str, Any]:
     return {
-        "vertices": [list(point) for point in answer.surface.points()],
+        "vertices": [list(point) for point in answer.surface.written_points()],
         "vertex_parents": answer.vertex_parents,
         "operands": {
             name: json_text.loads(operand.canonical().canonical_json())

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Iterator
-from fractions import Fraction
 from typing import Any
 
 from minkref import _core
@@ -54,7 +53,7 @@ class RepairWalk:
         points = self._repair.coordinates(pairs)
         surface = _core.Polyhedron(points, [[number[pair] for pair in ring] for _, ring in claims])
         seconds = time.perf_counter() - start
-        volume = str(Fraction(surface.sextuple_volume()) / 6)
+        volume = str(surface.sextuple_volume() / 6)
         row: Row = {
             "scale": list(scaling),
             "volume": volume,

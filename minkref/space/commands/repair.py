@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from minkref import _core
 from minkref.output.terminal import escaped
 from minkref.repair.solid import repaired_solid
@@ -22,7 +20,7 @@ def _repair(request: RepairRequest) -> Repaired:
     path, surface, warnings = read_surface(request.file)
     source = escaped(str(path))
     found, changes = repaired_solid(surface, request.rule, request.weld, source)
-    volume = Fraction(found.sextuple_volume()) / 6
+    volume = found.sextuple_volume() / 6
     return Repaired(
         path,
         3,

@@ -22,7 +22,7 @@ def of_convex_sum(answer: SpaceSum, P: SpaceOperand, Q: SpaceOperand) -> dict[st
         "components": 1 if fields["facets"] else 0,
         "cavities": 0,
         "tunnels": 0,
-        "projected_areas": list(answer.surface.projected_areas()),
+        "projected_areas": list(map(str, answer.surface.projected_areas())),
         "signs": None,
         "statistics": None,
         "result": json.loads(answer.surface.canonical_json()),
@@ -43,7 +43,7 @@ def of_general_sum(answer: GeneralSum, P: SpaceOperand, Q: SpaceOperand) -> dict
         "volume": volume,
         "volume_approximate": in_double_range(volume),
         **answer.surface.counts(),
-        "projected_areas": list(answer.set.projected_areas()),
+        "projected_areas": list(map(str, answer.set.projected_areas())),
         **_signs_and_counts(answer.statistics),
         "result": json.loads(answer.canonical_json()),
         "surface": _surface(answer),
@@ -55,7 +55,7 @@ def of_general_sum(answer: GeneralSum, P: SpaceOperand, Q: SpaceOperand) -> dict
 
 def _surface(answer: GeneralSum) -> dict[str, Any]:
     return {
-        "vertices": answer.surface.boundary.points(),
+        "vertices": answer.surface.boundary.written_points(),
         "facets": [
             {
                 "plane": facet.plane,

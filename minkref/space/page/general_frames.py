@@ -4,7 +4,6 @@ of any shape."""
 from __future__ import annotations
 
 from collections import Counter
-from fractions import Fraction
 from typing import Any
 
 from minkref.exact import in_double_range
@@ -35,19 +34,15 @@ def general_text(row: dict[str, Any], answer: GeneralSum, P: Body, Q: Body) -> s
     """A frame of the page: its row, and what is drawn."""
     box = FrameBox(row["scale"], P, Q)
     facets, boundary = answer.surface.facets, answer.surface.boundary
-    points = boundary.points()
     near = [
-        [
-            float((Fraction(axis) - middle) / box.size)
-            for axis, middle in zip(point, box.centre, strict=True)
-        ]
-        for point in points
+        [float((axis - middle) / box.size) for axis, middle in zip(point, box.centre, strict=True)]
+        for point in boundary.points()
     ]
     return json_for_script(
         {
             **row,
             **box.data,
-            "points": points,
+            "points": boundary.written_points(),
             "near": near,
             "outlines": [facet.rings for facet in facets],
             "triangles": boundary.triangles(),

@@ -33,14 +33,13 @@ class Body:
 
     def __init__(self, operand: SpaceOperand) -> None:
         surface = operand.canonical()
-        exact = surface.points()
-        points = [tuple(Fraction(axis) for axis in point) for point in exact]
+        points = surface.points()
         low, high = ([end(axis) for axis in zip(*points, strict=True)] for end in (min, max))
         self.centre = _triple((b + a) / 2 for a, b in zip(low, high, strict=True))
         self.sides = _triple(b - a for a, b in zip(low, high, strict=True))
         self.data = {
             "name": escaped(operand.name),
-            "points": exact,
+            "points": surface.written_points(),
             "near": [
                 [
                     float((axis - middle) / (side or 1))

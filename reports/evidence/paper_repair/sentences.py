@@ -271,7 +271,7 @@ def _tetrahedra() -> Iterator[tuple[_core.ConvexPolyhedron, _core.ConvexPolyhedr
 
 
 def _told(body: _core.ConvexPolyhedron) -> str:
-    return " ".join("".join(point) for point in body.surface().points())
+    return " ".join("".join(point) for point in body.surface().written_points())
 
 
 def _in_words(found: ClaimComparison) -> str:

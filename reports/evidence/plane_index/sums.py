@@ -108,10 +108,10 @@ def same_events(task: Task) -> tuple[str, int, str]:
 def drawn(index: _core.ScaleIndex, seed: str, count: int) -> list[str]:
     """Seeded scales: out of every four, one at an event, one between two events, two anywhere."""
     dice = random.Random(f"{SEED} {seed}")
-    events = [Fraction(scale) for scale in index.event_scales()]
+    events = index.event_scales()
     begin, end = index.window
-    low = Fraction(begin) if begin is not None else (events[0] / 2 if events else Fraction(1, 2))
-    high = Fraction(end) if end is not None else (2 * events[-1] if events else Fraction(2))
+    low = begin if begin is not None else (events[0] / 2 if events else Fraction(1, 2))
+    high = end if end is not None else (2 * events[-1] if events else Fraction(2))
     scales = []
     for k in range(count):
         scale = low + (high - low) * Fraction(dice.randrange(1, 10_000), 10_000)

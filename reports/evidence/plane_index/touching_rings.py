@@ -59,10 +59,10 @@ def _account(sum: _core.Sum) -> tuple[str, int, int]:
     return digest(sum.region.canonical_json()), sum.components, sum.holes
 
 
-def telling_scales(events: list[str], window: Window) -> list[str]:
+def telling_scales(events: list[Fraction], window: Window) -> list[str]:
     """At, beside and between all events, and beyond them as far as the window goes."""
     low, high = (None if bound is None else Fraction(bound) for bound in window)
-    at = sorted(map(Fraction, events))
+    at = sorted(events)
     bounds = [low or Fraction(0), *at, high if high is not None else (at[-1] if at else 1) * 2]
     scales = {(a + b) / 2 for a, b in itertools.pairwise(bounds)}
     scales.update(scale * way for scale in at for way in (1 - HAIR, 1, 1 + HAIR))

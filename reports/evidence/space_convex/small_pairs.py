@@ -133,7 +133,9 @@ def _is_tiny(P: SpaceOperand, Q: SpaceOperand) -> bool:
 def _by_algebra(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling) -> Parents:
     if P.body is None or Q.body is None:
         raise ValueError("a hull has volume")
-    return convex_facets(P.body.surface().points(), Q.body.surface().points(), scaling)
+    return convex_facets(
+        P.body.surface().written_points(), Q.body.surface().written_points(), scaling
+    )
 
 
 def _facets(found: _core.ConvexSum) -> Parents:

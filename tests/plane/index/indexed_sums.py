@@ -63,11 +63,9 @@ def window_of(name: str) -> tuple[str | None, str | None]:
 def scales(index: Index, most: int = draws(6, 12)) -> list[str]:
     """Event scales, topology events first, and scales between them, beyond them, and at the
     window's ends."""
-    low, high = (None if bound is None else Fraction(bound) for bound in index.window)
+    low, high = index.window
     events = sorted(
-        s
-        for s in map(Fraction, index.event_scales())
-        if (low is None or s >= low) and (high is None or s <= high)
+        s for s in index.event_scales() if (low is None or s >= low) and (high is None or s <= high)
     )
     topology = list(dict.fromkeys(Fraction(row[0]) for row in index.topology_events()))
     chosen = topology[: most // 3] + events[:: 1 + len(events) // most]

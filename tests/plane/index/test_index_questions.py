@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import numpy
@@ -34,17 +35,16 @@ def test_the_error_of_the_area_is_small(indices: dict[str, Index], name: str) ->
 def test_the_polynomial_of_the_area_is_exact(index: Index) -> None:
     for scale in scales(index):
         exact = Fraction(_core.minkowski_sum(index.P, index.Q, scale).region.area())
-        a0, a1, a2 = map(Fraction, index.area_polynomial(scale))
+        a0, a1, a2 = index.area_polynomial(scale)
         assert a0 + Fraction(scale) * (a1 + Fraction(scale) * a2) == exact, scale
 
 
 def test_one_polynomial_holds_up_to_the_next_events(indices: dict[str, Index]) -> None:
     index = indices["several components"]
-    for low, high in zip(index.event_scales(), index.event_scales()[1:], strict=False):
-        a, b = Fraction(low), Fraction(high)
-        told = {tuple(index.area_polynomial(str(a + (b - a) * k / 4))) for k in (1, 2, 3)}
+    for a, b in pairwise(index.event_scales()):
+        told = {index.area_polynomial(str(a + (b - a) * k / 4)) for k in (1, 2, 3)}
         assert len(told) == 1
-        a0, a1, a2 = map(Fraction, told.pop())
+        a0, a1, a2 = told.pop()
         for s in (a, b):
             exact = Fraction(_core.minkowski_sum(index.P, index.Q, str(s)).region.area())
             assert a0 + s * (a1 + s * a2) == exact
@@ -64,8 +64,7 @@ def test_components_and_holes_and_the_sum_are_those_of_the_static_route(index: I
 
 
 def test_neighbours_are_the_events_beside_a_scale(index: Index) -> None:
-    events = index.event_scales()
-    exact = [Fraction(event) for event in events]
+    exact = index.event_scales()
     assert exact == sorted(set(exact))
     low, high = index.window
     for scale in scales(index, 20):
@@ -73,15 +72,11 @@ def test_neighbours_are_the_events_beside_a_scale(index: Index) -> None:
         below = [event for event in exact if event < s]
         above = [event for event in exact if event > s]
         assert index.neighbours(scale) == (
-            str(below[-1]) if below else None,
+            below[-1] if below else None,
             s in exact,
-            str(above[0]) if above else None,
+            above[0] if above else None,
         )
-    within = [
-        e
-        for e in exact
-        if (low is None or e >= Fraction(low)) and (high is None or e <= Fraction(high))
-    ]
+    within = [e for e in exact if (low is None or e >= low) and (high is None or e <= high)]
     assert {Fraction(row[0]) for row in index.boundary_events()} <= set(within)
 
 

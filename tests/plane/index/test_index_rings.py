@@ -203,7 +203,7 @@ def turned(ring: list[int]) -> list[int]:
 def test_drawn_operands_at_events_and_elsewhere(both: Any, n: int, d: int) -> None:
     P, Q = map(to_set, both)
     index = Index(P, Q)
-    for scale in {str(Fraction(n, d)), *index.event_scales()[:3], *index.event_scales()[-2:]}:
+    for scale in map(str, {Fraction(n, d), *index.event_scales()[:3], *index.event_scales()[-2:]}):
         expected = _core.minkowski_sum(P, Q, scale)
         text, area = expected.region.canonical_json(), Fraction(expected.region.area())
         assert index.sum(scale).region.canonical_json() == text
@@ -229,7 +229,7 @@ def test_drawn_operands_at_events_and_elsewhere(both: Any, n: int, d: int) -> No
 def test_drawn_operands_with_long_numbers(both: Any, n: int, d: int) -> None:
     P, Q = map(to_set, both)
     index = Index(P, Q)
-    for scale in {str(Fraction(n, d)), *index.event_scales()[:2]}:
+    for scale in map(str, {Fraction(n, d), *index.event_scales()[:2]}):
         expected = _core.minkowski_sum(P, Q, scale)
         text = expected.region.canonical_json()
         for form in ("homogeneous", "rational", "track"):
