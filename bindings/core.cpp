@@ -110,7 +110,9 @@ NB_MODULE(_core, module) {
   if (const char* fault = minkref::FloatEnvironment::fault(); fault != nullptr) {
     throw nanobind::import_error(fault);
   }
-  module.doc() = "The exact reference, in the plane and in space; numbers are strings, n or n/d.";
+  module.doc() =
+      "The exact reference, in the plane and in space; exact numbers are Fractions, or texts n and "
+      "n/d in rows.";
   module.attr("__version__") = MINKREF_VERSION;
   minkref::python::bind_errors(module);
   module.def("set_memory_limit", &minkref::python::set_memory_limit, "bytes"_a,
