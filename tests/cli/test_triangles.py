@@ -88,7 +88,7 @@ def test_the_edge_of_the_towers_is_cut() -> None:
     bodies = [_core.read_mesh_text(text.encode(), "off")[0] for text in (spaced(TOWERS), cube())]
     found = _core.edge_sum_in_space(*bodies, ("1", "1", "1"))
     mesh = found.mesh("triangles")
-    assert mesh.points().count(("2", "2", "3")) == 2
+    assert mesh.points().count((2, 2, 3)) == 2
     assert faults_of(read_as_written(minkref.write_mesh(mesh, "off"), "off")) == []
     assert _core.polyhedral_set(mesh) == found
 

@@ -471,7 +471,7 @@ def test_exact_coordinates_and_parents_are_those_of_the_sum(
           [...Array(frame.vertices).keys()].map((v) => exactPoint(frame, v).map(text)))"""
     )
     for got, scale in zip(points, SCALES, strict=True):
-        assert [tuple(point) for point in got] == true_sum(*names, scale).surface.points()
+        assert [tuple(point) for point in got] == true_sum(*names, scale).surface.written_points()
     slide(window, 2)
     true = true_sum(*names, SCALES[2])
     operands = data_of(page)[0]
