@@ -8,8 +8,8 @@ cd "$(dirname "$0")/../.."
 rooms=(Order Definitions Form Predicates Moving Space Sums Crossings Fans Curves Unions Local
   Numbers Checker Figures Rational Values Corners Cancellation Bodies Scaling Trees Theorems
   Components Classes Counting Holes Across Sides Overlaps Differing Canonical Signs Passages Touching
-  Moves Events Outside Cones Means Meshes Hulls Paths Decomposed Gaps Unique Boundaries
-  Segments Legal Points Member Decided Paper Lines Wedges
+  Moves Events Outside Cones Means Meshes Hulls OneForm Paths Decomposed Gaps Unique Boundaries
+  Beside Leaving Rounds Next Shared Under Alike Segments Legal Points Member Decided Paper Lines Wedges
   Boundary Walls Facets Axioms Extract)
 programs=(failure json text sha256 reading rings checker checked classes pieces elaborate moving
   faces bodies theorem point_theorem intervals claims main)

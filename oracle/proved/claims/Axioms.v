@@ -1,6 +1,6 @@
 (** The axioms that the theorems rest on. *)
 From Proved Require Import Theorems Counting Holes Canonical Signs Passages Moves Events Outside
-  Hulls Decomposed Gaps Boundaries Decided Lines Boundary Walls Facets.
+  Hulls Decomposed Gaps Boundaries Alike Decided Lines Boundary Walls Facets.
 Print Assumptions form_is_right.
 Print Assumptions one_point_is_right.
 Print Assumptions outside_is_right.
@@ -14,6 +14,10 @@ Print Assumptions sum_is_union.
 Print Assumptions membership_is_decided.
 Print Assumptions gap_separation.
 Print Assumptions forms_agree.
+Print Assumptions one_canonical_form_holds.
+Print Assumptions rings_give_closed_sets_holds.
+Print Assumptions another_form_is_another_set_holds.
+Print Assumptions one_form_of_a_sum_holds.
 (* The paper's theory *)
 Print Assumptions observation_1_holds.
 Print Assumptions observation_1_printed_fails.

@@ -2,7 +2,7 @@
 From Coq Require Import Lra Lia Psatz Permutation Classical.
 From Proved Require Import Definitions Form Sums Crossings Fans Curves Unions Local Across Overlaps
   Components Canonical.
-From Proved Require Import Paths Decomposed Gaps Unique.
+From Proved Require Import Paths Decomposed Gaps Unique Rounds.
 Open Scope R_scope.
 
 (** Rings may touch in points: no two edges have more than a point in common. *)
@@ -36,15 +36,6 @@ Proof.
     eauto].
   - exists L. intros g x [<-|I] X Y; [destruct N; eauto|eauto].
 Qed.
-Lemma pairs_at {A} (R : A -> A -> Prop) l e r : ForallOrdPairs R (l ++ e :: r) ->
-  (forall f, In f l -> R f e) /\ (forall f, In f r -> R e f).
-Proof.
-  induction l as [|g l IH]; simpl; intros H; inversion H as [|x k F G]; subst.
-  - split; [intros f []|]. rewrite Forall_forall in F. exact F.
-  - destruct (IH G) as [I J]. split; auto. intros f [<-|K]; auto. rewrite Forall_forall in F.
-    apply F. apply in_or_app. simpl. auto.
-Qed.
-
 Theorem legal_has_edges E : closed E -> (forall e, In e E -> fst e <> snd e) ->
   share_points_only E -> once E -> has_edges E.
 Proof.

@@ -2,7 +2,7 @@
     edges cover the same points. *)
 From Coq Require Import Lra Lia Psatz Classical.
 From Proved Require Import Definitions Form Crossings Fans Curves Unions Local Across Components
-  Overlaps Paths Decomposed Gaps Unique.
+  Overlaps OneForm Paths Decomposed Gaps Unique.
 Open Scope R_scope.
 
 Definition form_edges (ps : list (polygon point)) : edges_t := all_edges (rings_of ps).

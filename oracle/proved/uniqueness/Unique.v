@@ -3,7 +3,7 @@
 From Coq Require Import Lra Lia Psatz Permutation Classical.
 From Proved Require Import Definitions Form Sums Crossings Fans Curves Unions Local Across Bodies
   Overlaps Components.
-From Proved Require Import Paths Decomposed Gaps.
+From Proved Require Import OneForm Paths Decomposed Gaps.
 Open Scope R_scope.
 
 (** ** Components *)
@@ -87,8 +87,6 @@ Proof.
     rewrite Rabs_mult, (Rabs_right t) by lra. nra.
 Qed.
 
-Definition is_closed (S : point -> Prop) := forall x, (forall e, 0 < e -> exists q, near e x q /\ S
-  q) -> S x.
 (** Off the edges of a form, a closed set is locally all or nothing. *)
 Theorem off_edges S E x : is_closed S ->
   (forall y, S y -> ~ on_some E y -> interior S y) -> ~ on_some E x ->
