@@ -2,8 +2,8 @@
 //
 // union: union_ of multi-polygons in doubles, one set after the other.
 //
-// buffer: buffer with round joins and ends, 72 points for a circle: the polygon of an arc is off by
-// 1 - cos(pi / 72) = 0.00095 of the radius.
+// buffer: buffer with round or mitred joins, round or flat ends, 72 points for a circle: the
+// polygon of an arc is off by 1 - cos(pi / 72) = 0.00095 of the radius.
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/multi_polygon.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -57,23 +57,76 @@ json written(const Areas& all) {
 
 constexpr std::size_t points_per_circle = 72;
 
+namespace how = bg::strategy::buffer;
+using Line = bg::model::linestring<Place>;
+using Lines = bg::model::multi_linestring<Line>;
+
+/// Round or mitred corners, chosen at run time: each pair of strategies takes long to compile.
+struct Join {
+  how::join_round round;
+  how::join_miter mitre;
+  bool is_mitre;
+
+  template <class P, class Distance, class Out>
+  bool apply(const P& tip, const P& vertex, const P& from, const P& to, const Distance& distance,
+             Out& out) const {
+    return is_mitre ? mitre.apply(tip, vertex, from, to, distance, out)
+                    : round.apply(tip, vertex, from, to, distance, out);
+  }
+  template <class Number>
+  Number max_distance(const Number& distance) const {
+    return is_mitre ? mitre.max_distance(distance) : round.max_distance(distance);
+  }
+};
+
+/// Round or flat ends, likewise.
+struct End {
+  how::end_round round;
+  how::end_flat flat;
+  bool is_flat;
+
+  template <class P, class Out, class Distance>
+  void apply(const P& before, const P& left, const P& last, const P& right,
+             how::buffer_side_selector side, const Distance& distance, Out& out) const {
+    if (is_flat) {
+      flat.apply(before, left, last, right, side, distance, out);
+    } else {
+      round.apply(before, left, last, right, side, distance, out);
+    }
+  }
+  template <class Number>
+  Number max_distance(const Number& distance) const {
+    return distance;
+  }
+  how::piece_type get_piece_type() const {
+    return is_flat ? how::buffered_flat_end : how::buffered_round_end;
+  }
+};
+
 template <class Geometry>
-json buffered(const Geometry& from, double radius) {
-  namespace how = bg::strategy::buffer;
+json buffered(const Geometry& from, const Growth& asked) {
   Areas all;
-  bg::buffer(from, all, how::distance_symmetric<double>(radius), how::side_straight(),
-             how::join_round(points_per_circle), how::end_round(points_per_circle),
-             how::point_circle(points_per_circle));
+  bg::buffer(
+      from, all, how::distance_symmetric<double>(asked.radius), how::side_straight(),
+      Join{how::join_round(points_per_circle), how::join_miter(asked.limit), asked.join == "mitre"},
+      End{how::end_round(points_per_circle), how::end_flat(), asked.cap == "flat"},
+      how::point_circle(points_per_circle));
   return written(all);
 }
 
-json grow(const Polygons& P, double radius) {
-  if (P.size() != 1 || P[0].outer.size() > 2) return buffered(to_areas(P), radius);
+json grow(const Growth& asked) {
+  if (!asked.lines.empty()) {
+    Lines lines;
+    for (const Ring& line : asked.lines) fill(lines.emplace_back(), line);
+    return buffered(lines, asked);
+  }
+  const Polygons& P = asked.polygons;
+  if (P.size() != 1 || P[0].outer.size() > 2) return buffered(to_areas(P), asked);
   const Ring& ring = P[0].outer;
-  if (ring.size() == 1) return buffered(Place(ring[0].x, ring[0].y), radius);
-  bg::model::linestring<Place> line;
-  fill(line, ring);
-  return buffered(line, radius);
+  if (ring.size() == 1) return buffered(Place(ring[0].x, ring[0].y), asked);
+  Lines line;
+  fill(line.emplace_back(), ring);
+  return buffered(line, asked);
 }
 
 json unite(const std::vector<Polygons>& sets) {
@@ -111,10 +164,11 @@ int run(std::string_view mode) {
   if (mode == "buffer") {
     json value = hello("boost-geometry-buffer");
     value["tolerance"]["radius"] = "0.00096";
-    for (const char* more : {"point", "segment", "offset", "inset"}) {
+    for (const char* more :
+         {"point", "segment", "offset", "inset", "line-offset", "join-mitre", "cap-flat"}) {
       value["capabilities"].push_back(more);
     }
-    return serve(value, {nullptr, nullptr, grow});
+    return serve(value, {nullptr, nullptr, nullptr, grow});
   }
   std::cerr << "usage: boost_geometry_adapter union|buffer\n";
   return 2;
