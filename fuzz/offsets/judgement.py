@@ -187,15 +187,18 @@ def _witness(
     )  # fmt: skip
     if not case.manner.is_round:
         witness = replace(witness, manner=str(case.manner))
-    by_disc = case.manner.is_round or _by_disc(case, half)
-    if not (holds(case.P_json, witness) if by_disc else shows(case.literal, witness)):
+    if not is_proven(case, witness):
         raise WitnessRefuted(f"the point ({x}, {y}) on {case.name.text}")
     return witness
 
 
-def _by_disc(case: AskedOffset, half: Fraction) -> bool:
-    """Whether parts with sharp corners meet: then the points that a disc sweeps are judged."""
-    return case.manner.join == SHARP and not is_free(case, half)
+def is_proven(case: AskedOffset, witness: Witness) -> bool:
+    """Whether plain fractions confirm the witness. Where parts with sharp corners meet, only the
+    points that a disc sweeps are judged."""
+    met = case.manner.join == SHARP and not is_free(case, Fraction(witness.tolerance))
+    if case.manner.is_round or met:
+        return holds(case.P_json, witness)
+    return shows(case.literal, witness)
 
 
 def _refuted(

@@ -55,9 +55,9 @@ def seeded_adapter(fault: str) -> str:
     return f"cmd:{sys.executable} {SEEDED / 'seeded_adapter.py'} {fault}"
 
 
-def seeded_offset(number: str) -> str:
+def seeded_offset(name: str) -> str:
     """The target for a fault of the verb `offset`; 0 for none."""
-    return f"cmd:{sys.executable} {SEEDED_OFFSETS / 'seeded_offset.py'} {number}"
+    return f"cmd:{sys.executable} {SEEDED_OFFSETS / 'seeded_offset.py'} {name}"
 
 
 def page_adapters(which: str) -> dict[str, Any]:

@@ -8,8 +8,7 @@ from typing import Any
 
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.offsets.asked_offset import AskedOffset
-from minkref.fuzz.offsets.distance_check import holds
-from minkref.fuzz.offsets.join_check import holds as shows
+from minkref.fuzz.offsets.judgement import is_proven as shown
 from minkref.fuzz.offsets.judgement import judge_offset
 from minkref.fuzz.run import naming
 from minkref.fuzz.targets.declaration import Declaration, read_declaration
@@ -17,6 +16,7 @@ from minkref.fuzz.verdicts.verdict import Outcome
 from seeded_offset import answer, made
 
 FAMILIES = ("offsets-grid", "insets-grid", "line-offsets-grid", "joins-grid")
+SHARP = ("sharp-joins-grid",)
 
 
 @cache
@@ -30,8 +30,9 @@ def outcomes(name: str, seed: int, count: int) -> Iterator[tuple[AskedOffset, Ou
     """Judges an implementation on so many cases from each family."""
     target = made(name)
     declared = read_declaration(answer(target, name, {"verb": "hello"}), name)
+    families = SHARP if "join-sharp" in declared.capabilities else FAMILIES
     for k in range(count):
-        for family in FAMILIES:
+        for family in families:
             asked = case(f"{family}:{seed}:{k}")
             if not declared.lacks(asked.needs):
                 value = answer(target, name, request(asked, declared))
@@ -48,8 +49,4 @@ def request(asked: AskedOffset, declared: Declaration) -> dict[str, Any]:
 
 def is_proven(asked: AskedOffset, said: Outcome) -> bool:
     """Whether plain fractions confirm the witness."""
-    if said.witness is None:
-        return False
-    if asked.manner.is_round:
-        return holds(asked.P_json, said.witness)
-    return shows(asked.literal, said.witness)
+    return said.witness is not None and shown(asked, said.witness)

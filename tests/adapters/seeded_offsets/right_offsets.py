@@ -1,6 +1,6 @@
 """Right implementations of the verb `offset`, from the page of the protocol alone, each with the
 tolerance that it documents: polygons inside of arcs, around them, with corners elsewhere, rounded
-to a grid, and GEOS by Shapely with many segments."""
+to a grid, GEOS by Shapely with many segments, and sharp corners."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import math
 from typing import Any, ClassVar
 
 from plain_offset import How, PlainOffset, Point, Ring, rings_of
+from sharp_faults import PlainSharp
 
 
 class Inside(PlainOffset):
@@ -87,5 +88,5 @@ class ByShapely(PlainOffset):
 
 RIGHT: dict[str, type[Any]] = {
     "inside": Inside, "around": Around, "other-corners": OtherCorners, "rounded": Rounded,
-    "shapely": ByShapely,
+    "shapely": ByShapely, "sharp": PlainSharp,
 }  # fmt: skip

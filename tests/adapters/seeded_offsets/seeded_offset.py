@@ -1,5 +1,6 @@
-"""`python seeded_offset.py NUMBER`: a seeded fault of the verb `offset`, 0 for none, or the name of
-a right one (right_offsets.py), as a program that speaks the adapter protocol."""
+"""`python seeded_offset.py NAME`: a seeded fault of the verb `offset` (offset_faults.py, there also
+by number, 0 for none; sharp_faults.py) or a right one (right_offsets.py), as a program that speaks
+the adapter protocol."""
 
 from __future__ import annotations
 
@@ -9,6 +10,7 @@ from typing import Any
 
 from offset_faults import FAULTS
 from right_offsets import RIGHT, Inside
+from sharp_faults import SHARP_FAULTS
 
 HELLO = {
     "protocol": "adapter-v1",
@@ -27,7 +29,9 @@ ABLE = (
 
 def made(name: str) -> Any:
     """The implementation of this name or number."""
-    return RIGHT[name]() if name in RIGHT else FAULTS[int(name)]()
+    named: dict[str, type[Any]] = {**RIGHT, **SHARP_FAULTS}
+    named |= {fault.__name__: fault for fault in FAULTS}
+    return named[name]() if name in named else FAULTS[int(name)]()
 
 
 def answer(target: Any, name: str, request: dict[str, Any]) -> dict[str, Any]:
@@ -38,7 +42,7 @@ def answer(target: Any, name: str, request: dict[str, Any]) -> dict[str, Any]:
             "name": f"offset-{name}",
             "tolerance": getattr(target, "tolerance", Inside.tolerance),
             **HELLO,
-            "capabilities": [word for word in ABLE if word not in lacks],
+            "capabilities": [w for w in getattr(target, "able", ABLE) if w not in lacks],
         }
     if request["verb"] != "offset":
         return {"status": "skipped", "reason": "no such verb"}

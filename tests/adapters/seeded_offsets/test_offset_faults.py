@@ -19,25 +19,25 @@ from offset_faults import FAULTS
 from plain_offset import PlainOffset, Point, Ring, ccw, go
 from right_offsets import RIGHT
 from seeded_offset import answer
+from sharp_faults import SHARP_FAULTS
 from thoroughness import THOROUGH, draws
 
 SEED = 7
 SOON = ("SignIgnored", "ArcsReversed", "HolesIgnored", "ReflexDiscsLost", "OneSide", "LimitIgnored")
-NUMBERS = [k for k, fault in enumerate(FAULTS) if k and (THOROUGH or fault.__name__ in SOON)]
-BY_NAME = {fault.__name__: str(k) for k, fault in enumerate(FAULTS)}
+NAMES = [*([fault.__name__ for fault in FAULTS[1:]] if THOROUGH else SOON), *SHARP_FAULTS]
 
 
 def test_there_are_sixty_of_them_and_each_says_what_is_wrong() -> None:
-    abouts = [fault.__doc__ or "" for fault in FAULTS[1:]]
+    abouts = [fault.__doc__ or "" for fault in (*FAULTS[1:], *SHARP_FAULTS.values())]
     assert len(set(abouts)) == len(abouts) >= 60
     assert all(12 <= len(about) <= 100 and about.endswith(".") for about in abouts)
 
 
-@pytest.mark.parametrize("number", NUMBERS, ids=lambda k: FAULTS[k].__name__)
-def test_a_seeded_fault_is_refuted(number: int) -> None:
+@pytest.mark.parametrize("name", NAMES)
+def test_a_seeded_fault_is_refuted(name: str) -> None:
     print("seed", SEED)
     asked, said = next(
-        pair for pair in outcomes(str(number), SEED, 60) if pair[1].verdict not in GOOD
+        pair for pair in outcomes(name, SEED, 60) if pair[1].verdict not in GOOD
         and pair[1].verdict is not Verdict.SKIPPED
     )  # fmt: skip
     assert said.verdict is Verdict.WRONG and is_proven(asked, said)
@@ -119,7 +119,7 @@ def test_a_slit_is_missing_however_thin(name: str) -> None:
 def test_a_witness_with_joins_that_says_too_much_is_refused() -> None:
     """A corner without its mitre: the square around the witness has to lie within it."""
     asked, said = next(
-        (asked, said) for asked, said in outcomes(BY_NAME["MitresBevelled"], SEED, 60)
+        (asked, said) for asked, said in outcomes("MitresBevelled", SEED, 60)
         if said.verdict is Verdict.WRONG and asked.manner.join == "mitre"
     )  # fmt: skip
     witness = said.witness
