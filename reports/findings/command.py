@@ -71,6 +71,8 @@ def _text(entry: Entry, value: dict[str, Any], scale: Fraction = Fraction(1)) ->
     if "vertices" in value:
         vertices = [[float(scale * Fraction(x)) for x in point] for point in value["vertices"]]
         return json.dumps({"vertices": vertices, "faces": value["faces"]}, separators=(",", ":"))
+    if "lines" in value:
+        return f"MULTILINESTRING {_braced(_braced(points(line)) for line in value['lines'])}"
     polygons = [
         list(map(points, [polygon["outer"], *polygon.get("holes", ())]))
         for polygon in value["polygons"]

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
-from minkref.reports.drawing import Layer, Polygons, picture
+from minkref.reports.drawing import Layer, Polygons, Segment, picture
 from minkref.reports.findings.entry import Entry
 
 WIDTH = 260
@@ -24,7 +25,10 @@ def case_picture(entry: Entry) -> str | None:
     if any("vertices" in each for each in _sets(entry.case)):
         return None
     sets = list(_sets(entry.case))
-    layers = [Layer(STYLES[k % len(STYLES)], polygons=_drawn(each)) for k, each in enumerate(sets)]
+    layers = [
+        Layer(STYLES[k % len(STYLES)], polygons=_drawn(each), segments=_segments(each))
+        for k, each in enumerate(sets)
+    ]
     if entry.witness is not None and entry.verb not in ("sum", "path"):
         x, y = (float(Fraction(number)) for number in entry.witness["point"])
         layers.append(Layer("witness", point=(x, y)))
@@ -42,11 +46,17 @@ def _sets(case: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _drawn(value: dict[str, Any]) -> Polygons:
-    def ring(points: Any) -> list[tuple[float, float]]:
-        return [(float(Fraction(x)), float(Fraction(y))) for x, y in points]
-
     return [
-        [ring(polygon["outer"]), *map(ring, polygon.get("holes", ()))]
-        for polygon in value["polygons"]
+        [_points(polygon["outer"]), *map(_points, polygon.get("holes", ()))]
+        for polygon in value.get("polygons", ())
         if len(polygon["outer"]) > 1
     ]
+
+
+def _segments(value: dict[str, Any]) -> list[Segment]:
+    lines = map(_points, value.get("lines", ()))
+    return [(*a, *b) for line in lines for a, b in pairwise(line)]
+
+
+def _points(given: Any) -> list[tuple[float, float]]:
+    return [(float(Fraction(x)), float(Fraction(y))) for x, y in given]
