@@ -1,10 +1,11 @@
-"""One run of `minkref verify --json`, cut down to the verdicts of libraries and kept."""
+"""Runs of `minkref verify --json`, cut down to the verdicts of libraries and kept. A later run
+takes the place of what was kept about its targets."""
 
 from __future__ import annotations
 
 import json
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import asdict, astuple, dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -13,13 +14,14 @@ from minkref.fuzz.libraries import catalogue
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 
 FILE = Path(__file__).parent / "kept_run.json"
-SUMS, UNIONS, OFFSETS = "Sums", "Unions", "Offsets"
+SUMS, UNIONS, OFFSETS, PATHS = "Sums", "Unions", "Offsets", "Paths"
 OPEN = (Verdict.SKIPPED, Verdict.UNDECIDED)  # say nothing about the target
 
 
 @dataclass(frozen=True)
 class Cell:
-    """A target's verdicts on a family, without `OPEN` ones. `asked`: sums, unions or offsets."""
+    """A target's verdicts on a family, without `OPEN` ones. `asked`: sums, unions, offsets or
+    paths."""
 
     asked: str
     target: str
@@ -36,15 +38,23 @@ class Cell:
 
 
 @dataclass(frozen=True)
-class Kept:
-    """`seconds` and `cases` of the whole run. `versions` and `reasons` by target: reasons of wrong
-    answers with their counts. `shrunk`: findings made small."""
+class Run:
+    """`seconds` and `cases` of the whole run. `shrunk`: findings made small. `targets`: those about
+    which the run is kept."""
 
     date: str
     seed: int
     seconds: int
     cases: int
     shrunk: int
+    targets: list[str]
+
+
+@dataclass(frozen=True)
+class Kept:
+    """`versions` and `reasons` by target: reasons of wrong answers with their counts."""
+
+    runs: tuple[Run, ...]
     versions: dict[str, str]
     reasons: dict[str, dict[str, int]]
     cells: tuple[Cell, ...]
@@ -68,42 +78,62 @@ def library_of(target: str) -> str:
     return max(fitting, key=lambda each: len(each.targets)).title
 
 
-def keep(document: Path, file: Path = FILE) -> None:
-    """Writes what the page needs of a document of `verify`, a cell in each line."""
+NOTHING = Kept((), {}, {}, ())
+
+
+def keep(document: Path, file: Path | None = None) -> None:
+    """Writes what the page needs of a document of `verify`, beside what is kept about other
+    targets; a cell in each line."""
+    file = file or FILE
+    found, before = _read(document), kept(file) if file.is_file() else NOTHING
+    others = [target for target in before.versions if target not in found.versions]
+    runs = [replace(run, targets=[t for t in run.targets if t in others]) for run in before.runs]
+    head: dict[str, Any] = {
+        "runs": [asdict(run) for run in (*runs, *found.runs) if run.targets],
+        "versions": {t: before.versions[t] for t in others} | found.versions,
+        "reasons": {t: r for t, r in before.reasons.items() if t in others} | found.reasons,
+    }
+    cells = [cell for cell in before.cells if cell.target in others] + [*found.cells]
+    lines = [f'"{key}": {json.dumps(value)},' for key, value in head.items()]
+    told = ",\n".join(json.dumps([*astuple(cell)]) for cell in cells)
+    file.write_text("\n".join(["{", *lines, f'"cells": [\n{told}\n]', "}", ""]), encoding="utf-8")
+
+
+def _read(document: Path) -> Kept:
     run = json.loads(document.read_text(encoding="utf-8"))
+    targets = {each["name"]: each for each in run["targets"]}
     reasons: dict[str, Counter[str]] = {}
     for finding in run["findings"]:
         reasons.setdefault(finding["target"], Counter()).update(finding["reasons"])
-    head: dict[str, Any] = {
-        "date": f"{datetime.fromtimestamp(document.stat().st_mtime, tz=UTC):%Y-%m-%d}",
-        "seed": run["seed"],
-        "seconds": round(run["seconds"]),
-        "cases": sum(group["cases"] for group in run["groups"]),
-        "shrunk": len(run["shrunk"]),
-        "versions": {each["name"]: each["version"] or "" for each in run["targets"]},
-        "reasons": {target: dict(counts) for target, counts in reasons.items()},
-    }
-    targets = {each["name"]: each for each in run["targets"]}
     cells = []
     for cell in run["matrix"]:
         verdicts = {v: n for v, n in cell["verdicts"].items() if v not in OPEN}
         if verdicts:
             asked = _asked(targets[cell["target"]], cell["group"])
-            cells.append(json.dumps([asked, cell["target"], cell["group"], verdicts]))
-    lines = [f'"{key}": {json.dumps(value)},' for key, value in head.items()]
-    told = ",\n".join(cells)
-    file.write_text("\n".join(["{", *lines, f'"cells": [\n{told}\n]', "}", ""]), encoding="utf-8")
+            cells.append(Cell(asked, cell["target"], cell["group"], verdicts))
+    one = Run(
+        date=f"{datetime.fromtimestamp(document.stat().st_mtime, tz=UTC):%Y-%m-%d}",
+        seed=run["seed"],
+        seconds=round(run["seconds"]),
+        cases=sum(group["cases"] for group in run["groups"]),
+        shrunk=len(run["shrunk"]),
+        targets=[*targets],
+    )
+    versions = {name: each["version"] or "" for name, each in targets.items()}
+    counts = {target: dict(each) for target, each in reasons.items()}
+    return Kept((one,), versions, counts, tuple(cells))
 
 
 def _asked(target: dict[str, Any], group: str) -> str:
     """Groups that the target was asked for: `mutants` mix all."""
     if target["sum"] == "none":
-        return OFFSETS if "offset" in target["capabilities"] else UNIONS
-    return {"unions": UNIONS, "offsets": OFFSETS}.get(group, SUMS)
+        able = {"offset": OFFSETS, "join-sharp": OFFSETS, "path": PATHS}
+        return next((able[word] for word in target["capabilities"] if word in able), UNIONS)
+    return {"unions": UNIONS, "offsets": OFFSETS, "paths": PATHS}.get(group, SUMS)
 
 
-def kept() -> Kept:
-    """The kept run."""
-    value = json.loads(FILE.read_text(encoding="utf-8"))
-    cells = tuple(Cell(*each) for each in value.pop("cells"))
-    return Kept(**value, cells=cells)
+def kept(file: Path | None = None) -> Kept:
+    """The kept runs."""
+    value = json.loads((file or FILE).read_text(encoding="utf-8"))
+    runs = tuple(Run(**each) for each in value.pop("runs"))
+    return Kept(runs, **value | {"cells": tuple(Cell(*each) for each in value["cells"])})

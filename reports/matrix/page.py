@@ -1,6 +1,6 @@
 """The page docs/matrix.md with its badges: `python -m minkref.reports.matrix.page [RUN.json]`.
 
-RUN.json, a document of `minkref verify --json`, becomes the kept run.
+RUN.json, a document of `minkref verify --json`, takes the place of what is kept about its targets.
 """
 
 from __future__ import annotations
@@ -14,7 +14,17 @@ from pathlib import Path
 import minkref.reports
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.reports.matrix.badge import badge
-from minkref.reports.matrix.kept_run import OFFSETS, SUMS, UNIONS, Cell, Kept, keep, kept
+from minkref.reports.matrix.kept_run import (
+    OFFSETS,
+    PATHS,
+    SUMS,
+    UNIONS,
+    Cell,
+    Kept,
+    Run,
+    keep,
+    kept,
+)
 
 DOCS = Path(minkref.reports.__file__).resolve().parents[1] / "docs"
 PAGE = DOCS / "matrix.md"
@@ -27,17 +37,20 @@ def page() -> str:
     """The whole page, as Markdown."""
     run = kept()
     libraries = run.libraries
-    targets = sum(map(len, libraries.values()))
-    told = (
-        f"One run, of {run.date}: seed {run.seed}, {run.cases:,} cases in {run.seconds // 60} "
-        f"minutes, {targets} targets of {len(libraries)} libraries, {run.shrunk} findings made "
-        "small."
-    )
+    told = f"{len(libraries)} libraries. {' '.join(map(_told, run.runs))}"
     images = " ".join(f"![{title}](matrix/{_file(title)})" for title in libraries)
     parts = [HEAD.rstrip(), _wrapped(told), images, _targets(run)]
-    for asked in (SUMS, UNIONS, OFFSETS):
-        parts += [f"## {asked}", _families(run, asked)]
+    for asked in (SUMS, UNIONS, OFFSETS, PATHS):
+        if any(cell.asked == asked for cell in run.cells):
+            parts += [f"## {asked}", _families(run, asked)]
     return "\n\n".join(parts) + "\n"
+
+
+def _told(run: Run) -> str:
+    return (
+        f"A run of {run.date}: seed {run.seed}, {run.cases:,} cases in {run.seconds // 60} "
+        f"minutes, {len(run.targets)} targets, {run.shrunk} findings made small."
+    )
 
 
 def badges() -> dict[str, str]:

@@ -1,5 +1,5 @@
-"""The matrix of libraries and families: its page is as generated from the kept run, and counts only
-what was decided."""
+"""The matrix of libraries and families: its page is as generated from the kept runs, and counts
+only what was decided."""
 
 from __future__ import annotations
 
@@ -9,25 +9,27 @@ from pathlib import Path
 import pytest
 from minkref.reports.matrix import kept_run, page
 from minkref.reports.matrix.badge import AMBER, GREEN, RED, badge
-from minkref.reports.matrix.kept_run import OFFSETS, SUMS, UNIONS
+from minkref.reports.matrix.kept_run import OFFSETS, PATHS, SUMS, UNIONS
 
 
-def test_page_and_badges_are_those_of_the_kept_run() -> None:
+def test_page_and_badges_are_those_of_the_kept_runs() -> None:
     """`python -m minkref.reports.matrix.page` writes them again."""
     assert page.PAGE.read_text(encoding="utf-8") == page.page()
     drawn = {path.name: path.read_text(encoding="utf-8") for path in page.BADGES.glob("*.svg")}
     assert drawn == page.badges()
 
 
+def target(name: str, kind: str, *capabilities: str) -> dict[str, object]:
+    return {"name": name, "version": "1", "sum": kind, "capabilities": capabilities}
+
+
+def cell(name: str, group: str, **verdicts: int) -> dict[str, object]:
+    names = {"right": "pass", "pass_within": "pass-within"}
+    told = {names.get(each, each): count for each, count in verdicts.items()}
+    return {"target": name, "group": group, "verdicts": told}
+
+
 def document() -> dict[str, object]:
-    def target(name: str, kind: str, *capabilities: str) -> dict[str, object]:
-        return {"name": name, "version": "1", "sum": kind, "capabilities": capabilities}
-
-    def cell(name: str, group: str, **verdicts: int) -> dict[str, object]:
-        names = {"right": "pass", "pass_within": "pass-within"}
-        told = {names.get(each, each): count for each, count in verdicts.items()}
-        return {"target": name, "group": group, "verdicts": told}
-
     return {
         "seed": 5,
         "seconds": 61.5,
@@ -53,7 +55,7 @@ def test_a_run_is_kept_without_what_says_nothing(
     monkeypatch.setattr(kept_run, "FILE", tmp_path / "kept.json")
     kept_run.keep(tmp_path / "run.json", tmp_path / "kept.json")
     run = kept_run.kept()
-    assert (run.seed, run.cases, run.shrunk) == (5, 11, 1)
+    assert [(one.seed, one.cases, one.shrunk) for one in run.runs] == [(5, 11, 1)]
     assert run.reasons == {"jts": {"missing": 1, "extra": 2}}
     assert [(cell.asked, cell.target, cell.right, cell.judged) for cell in run.cells] == [
         (UNIONS, "jts", 0, 2), (UNIONS, "boost-polygon", 1, 1), (OFFSETS, "geos-buffer", 1, 1),
@@ -61,6 +63,27 @@ def test_a_run_is_kept_without_what_says_nothing(
     ]  # fmt: skip
     assert list(run.libraries) == ["GEOS", "Boost.Polygon", "JTS"]
     assert "| comb | **5/6** |" in page.page()
+
+
+def test_a_later_run_takes_the_place_of_its_targets(tmp_path: Path) -> None:
+    later = document() | {
+        "seed": 6,
+        "targets": [target("jts", "none", "union"), target("fcl-collide", "none", "path"),
+                    target("cgal-skeleton", "none", "join-sharp")],
+        "findings": [],
+        "matrix": [cell("jts", "unions", right=3), cell("fcl-collide", "paths", wrong=1),
+                   cell("cgal-skeleton", "offsets", pass_within=2)],
+    }  # fmt: skip
+    for value in (document(), later):
+        (tmp_path / "run.json").write_text(json.dumps(value), encoding="utf-8")
+        kept_run.keep(tmp_path / "run.json", tmp_path / "kept.json")
+    run = kept_run.kept(tmp_path / "kept.json")
+    assert [(one.seed, len(one.targets)) for one in run.runs] == [(5, 3), (6, 3)]
+    assert run.reasons == {} and list(run.versions)[-3:] == ["jts", "fcl-collide", "cgal-skeleton"]
+    assert [(each.asked, each.target, each.judged) for each in run.cells][-3:] == [
+        (UNIONS, "jts", 3), (PATHS, "fcl-collide", 1), (OFFSETS, "cgal-skeleton", 2),
+    ]  # fmt: skip
+    assert len(run.of("jts")) == 1 and len(run.of("boost-polygon")) == 2
 
 
 def test_a_badge_is_green_only_where_all_are_right() -> None:
