@@ -1,11 +1,11 @@
 """Judges witnesses of sums, unions, offsets and insets by definition, in fractions; joins and caps
 by what every answer has, and what none goes beyond (docs/adapter-protocol.md). For a part on a path
-the point is its place, and in means that it collides there.
+the point tells its place, and in means a collision there.
 
 Standard library only; written apart from every other judge. `judge.py FILE` takes findings.json,
 known_offsets.json, or a document of `minkref verify --json` with its shrunk findings. It prints a
-line for each witness in the plane, and ends with 1 if one is refuted. A tolerance is tried at the
-corners of the square around the point; one that may hide the answer is refuted, too.
+line for each witness in the plane, and ends with 1 after a refuted one. A tolerance counts at the
+corners of the square around the point, and refutes the witness if they differ.
 """
 
 import json
@@ -18,11 +18,11 @@ from typing import Any
 Point = tuple[Fraction, Fraction]
 Rings = list[list[Point]]
 Case = dict[str, Any]
-FINE = 1 << 240  # roots are cut off after so many parts of 1
+FINE = 1 << 240  # parts of 1 in a root
 
 
 def read(value: Case, scale: Fraction = Fraction(1)) -> list[Rings]:
-    """The rings of each polygon. A line is a ring that goes there and back."""
+    """The rings of each polygon. A line becomes a ring, there and back."""
     every = [[p["outer"], *p.get("holes", [])] for p in value.get("polygons", [])]
     every += [[line + line[-2:0:-1]] for line in value.get("lines", [])]
     return [[[(scale * Fraction(x), scale * Fraction(y)) for x, y in r] for r in p] for p in every]
@@ -66,7 +66,7 @@ def meet(a: Point, b: Point, c: Point, d: Point) -> bool:
 
 
 def overlap(P: list[Rings], Q: list[Rings], by: Point, curves: bool) -> bool:
-    """Whether P and Q less a step meet, or their boundaries. Without sides that meet, one holds a
+    """Whether P and Q less a step meet, or their boundaries. If no sides meet, one holds a
     vertex of the other, or none."""
     T = [[[minus(q, by) for q in ring] for ring in rings] for rings in Q]
     if any(meet(*e, *f) for p in P for e in sides(p) for t in T for f in sides(t)):
@@ -74,19 +74,13 @@ def overlap(P: list[Rings], Q: list[Rings], by: Point, curves: bool) -> bool:
     return not curves and any(holds(p, t[0][0]) or holds(t, p[0][0]) for p in P for t in T)
 
 
-def root(x: Fraction) -> Fraction:
-    return Fraction(isqrt(int(x * FINE * FINE)), FINE)
-
-
-def unit(way: Point) -> Point:
-    far = root(dot(way, way)) or Fraction(1)
-    return (way[0] / far, way[1] / far)
-
-
 def turns(ring: list[Point]) -> list[tuple[Point, Point, Point]]:
     """At the end of each side its unit vector, the next one, and the mean of the normals to their
     right."""
-    ways = [unit(minus(b, a)) for a, b in sides([ring])]
+    ways = []
+    for a, b in sides([ring]):
+        far = Fraction(isqrt(int(square(a, b, b) * FINE**2)), FINE) or Fraction(1)
+        ways.append(((b[0] - a[0]) / far, (b[1] - a[1]) / far))
     pairs = zip(ways, ways[1:] + ways[:1], strict=True)
     return [(u, w, ((u[1] + w[1]) / 2, -(u[0] + w[0]) / 2)) for u, w in pairs]
 
@@ -116,10 +110,11 @@ def joins(case: Case, d: Point, u: Point, w: Point, axis: Point, r: Fraction, du
         return disc
     if cross(u, w) <= 0 or not dot(d, w) <= 0 <= dot(d, u):
         return False
-    cut = root(cosine) * Fraction(case.get("limit", 1))
+    cut = cosine * Fraction(case.get("limit", 1)) ** 2
     if join == "bevel" or (join == "mitre" and due and cut < 1):
-        cut = cosine
-    return disc if join == "round" else max(cross(d, u), cross(d, w), dot(d, axis) / cut) <= r
+        cut = cosine**2
+    in_kite = max(cross(d, u), cross(d, w)) <= r and dot(d, axis) ** 2 <= cut * r * r
+    return disc if join == "round" else in_kite
 
 
 def grown(case: Case, x: Point, r: Fraction, due: bool) -> bool:
@@ -134,8 +129,8 @@ def grown(case: Case, x: Point, r: Fraction, due: bool) -> bool:
 
 
 def in_offset(case: Case, spots: list[Point], half: Fraction) -> set[bool]:
-    """By distances at both ends of the tolerance; with joins and caps, whether the spots are due,
-    and whether one is allowed. Where sharp sides have met, by distances too."""
+    """By distances at both ends of the tolerance; with joins and caps, whether all spots are due,
+    and whether one may belong. After sharp sides have met, by distances too."""
     rings = [ring for p in read(case["offset"]) for ring in p]
     inward, radius = Fraction(case["radius"]) < 0, abs(Fraction(case["radius"]))
     reach = [max(radius + way * half, Fraction(0)) for way in (0, -1, 1)]

@@ -22,8 +22,8 @@ FILE = Path(__file__).parents[2] / "degeneracies" / "known_offsets.json"
 @dataclass(frozen=True)
 class KnownOffset:
     """`digest`: of the canonical form (docs/disc.md); None, as the counts, with other joins and
-    caps, which leave more than one answer right. `witness`: a point where the first victim is
-    wrong; None if it gave no answer."""
+    caps, which leave several answers right. `witness`: a wrong point of the first victim; None if
+    it gave no answer."""
 
     title: str
     story: str

@@ -1,12 +1,14 @@
 """Seeded faults of the verb `offset` are refuted within few cases, each with a point that plain
-fractions check; right implementations from the page alone are never accused."""
+fractions check, twice; right implementations from the page alone are never accused."""
 
 from __future__ import annotations
 
 import json
+import runpy
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
+from pathlib import Path
 
 import pytest
 from asked_offsets import case, is_proven, outcomes, request
@@ -23,6 +25,8 @@ from sharp_faults import SHARP_FAULTS
 from thoroughness import THOROUGH, draws
 
 SEED = 7
+JUDGE = Path(__file__).parents[3] / "degeneracies" / "findings" / "judge.py"
+ALONE = runpy.run_path(str(JUDGE))  # shares no code with the others
 SOON = ("SignIgnored", "ArcsReversed", "HolesIgnored", "ReflexDiscsLost", "OneSide", "LimitIgnored")
 NAMES = [*([fault.__name__ for fault in FAULTS[1:]] if THOROUGH else SOON), *SHARP_FAULTS]
 
@@ -41,6 +45,9 @@ def test_a_seeded_fault_is_refuted(name: str) -> None:
         and pair[1].verdict is not Verdict.SKIPPED
     )  # fmt: skip
     assert said.verdict is Verdict.WRONG and is_proven(asked, said)
+    assert said.witness is not None
+    told = ALONE["answers"](json.loads(asked.literal), said.witness.document())
+    assert told == {said.witness.in_truth}
 
 
 @pytest.mark.parametrize("name", ["0", *RIGHT])
