@@ -1,5 +1,5 @@
 """Runs of `minkref verify --json`, cut down to the verdicts of libraries and kept. A later run
-takes the place of what was kept about its targets."""
+replaces earlier verdicts about its targets."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ class Cell:
 
 @dataclass(frozen=True)
 class Run:
-    """`seconds` and `cases` of the whole run. `shrunk`: findings made small. `targets`: those about
-    which the run is kept."""
+    """`seconds` and `cases` of the whole run. `shrunk`: findings made small. `targets`: without
+    later runs."""
 
     date: str
     seed: int
@@ -82,8 +82,8 @@ NOTHING = Kept((), {}, {}, ())
 
 
 def keep(document: Path, file: Path | None = None) -> None:
-    """Writes what the page needs of a document of `verify`, beside what is kept about other
-    targets; a cell in each line."""
+    """Adds a document of `verify`, cut down for the page, and drops earlier verdicts about its
+    targets. Writes a cell in each line."""
     file = file or FILE
     found, before = _read(document), kept(file) if file.is_file() else NOTHING
     others = [target for target in before.versions if target not in found.versions]

@@ -1,6 +1,6 @@
 """The page docs/matrix.md with its badges: `python -m minkref.reports.matrix.page [RUN.json]`.
 
-RUN.json, a document of `minkref verify --json`, takes the place of what is kept about its targets.
+RUN.json, a document of `minkref verify --json`, replaces earlier verdicts about its targets.
 """
 
 from __future__ import annotations
