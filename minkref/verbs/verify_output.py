@@ -6,6 +6,7 @@ import json
 import signal
 import sys
 from collections import Counter
+from pathlib import Path
 from typing import Any
 
 from minkref.cli.progress_lines import progress_lines
@@ -198,7 +199,17 @@ def print_tables(run: Run, groups: list[Group], value: dict[str, Any]) -> None:
     out.print(conclusion(run), soft_wrap=True)
     if value["report"]:
         out.print(escaped(f"report: {value['report']}"), soft_wrap=True)
+        certified = len(_certified(value))
+        if certified:
+            told = f"{counted(certified, 'certificate')} of witnesses: minkref check"
+            out.print(escaped(f"{told} {Path(value['report']).parent}"), soft_wrap=True)
     out.print(f"{value['seconds']:.1f} s, {value['peak_bytes'] / 2**20:,.0f} MiB at most")
+
+
+def _certified(value: dict[str, Any]) -> list[dict[str, Any]]:
+    """The findings whose certificates are in the report's folder."""
+    rows = [*value["shrunk"], *value["findings"]]
+    return [row for row in rows if row.get("certificate", {}).get("file")]
 
 
 def _matrix(run: Run) -> Table:

@@ -11,6 +11,7 @@ from minkref import _core
 from minkref.errors import cut
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.geometry.polyhedron import Polyhedron
+from minkref.fuzz.judges.witness_certificate import WitnessCertificate, certificate_of
 from minkref.fuzz.libraries.program import Program
 from minkref.fuzz.libraries.programs import program, why_none
 from minkref.fuzz.plane.boundary_sum import MOST_PAIRS, boundary_sum
@@ -77,6 +78,7 @@ class CaseView:
     program: Program | None = None
     no_program: str = ""
     undrawn: str = ""
+    certificate: WitnessCertificate | None = None
 
     @property
     def outcome(self) -> Outcome:
@@ -162,7 +164,7 @@ def case_views(group: Group, name: str, boundary: bool) -> list[CaseView]:
 
 
 def _view(finding: Finding, title: str, name: str, boundary: bool) -> CaseView:
-    view = CaseView(finding, title)
+    view = CaseView(finding, title, certificate=certificate_of(finding, name))
     case = finding.case
     if case.P is None or case.Q is None:
         view.no_program = why_none(finding)

@@ -36,12 +36,14 @@ def write_report(
     solids: Sequence[SpaceShowcase] = (),
 ) -> Path:
     """Writes `index.html`, a page for each target and each kind of finding, `report.html` with
-    everything, and a program for each case that has one. `value` is the run's JSON document,
+    everything, a program for each case that has one, and a certificate for each witness that has
+    one. `value` is the run's JSON document, whose findings name their certificates afterwards;
     `again` the command that makes the report again, `solids` sums in space to show. Returns the
     front page's path."""
     findings = finding_pages(groups, value, limits)
     targets = target_pages(run, value, findings)
-    files = _programs(findings)
+    files = _programs(findings) | _certificates(findings)
+    _name_certificates(run, findings, value)
     shared = {**_shared(run, value, targets, findings, again), "solids": solids}
     templates = environment("conformance")
 
@@ -65,6 +67,31 @@ def _programs(findings: list[FindingPage]) -> dict[str, str]:
         for case in finding.cases
         if case.program is not None
     }
+
+
+def _certificates(findings: list[FindingPage]) -> dict[str, str]:
+    cases = (case for finding in findings for case in finding.cases)
+    return {
+        name: text
+        for case in cases
+        if case.certificate is not None
+        for name, text in case.certificate.files.items()
+    }
+
+
+def _name_certificates(run: Run, findings: list[FindingPage], value: dict[str, Any]) -> None:
+    """Adds `certificate` to the shrunk findings of the document, and to the findings that are shown
+    as they were found."""
+    shrunk = iter(value["shrunk"])
+    as_found = list(zip(run.findings, value["findings"], strict=False))
+    for page in findings:
+        for case in page.cases:
+            rows = [row for finding, row in as_found if finding is case.finding]
+            if page.group.small:
+                rows = [next(shrunk)]
+            if case.certificate is not None:
+                for row in rows:
+                    row["certificate"] = case.certificate.document()
 
 
 def _shared(

@@ -202,6 +202,14 @@ class CaseOperand(TypedDict):
     ]
 
 
+class WitnessCertificate(TypedDict):
+    """The certificate of a witness, or why there is none."""
+
+    file: Annotated[str | None, Meta(description="In the folder of --report, for `minkref check`.")]
+    claim: Annotated[str | None, Meta(description="What it proves: about the point alone.")]
+    why_none: str | None
+
+
 @ruled(allOf=WRONG_IS_SHOWN)
 class Finding(TypedDict):
     target: str
@@ -225,6 +233,12 @@ class Finding(TypedDict):
     digest: Digest | None
     expected_digest: Digest | None
     reproduce: Annotated[str, Meta(description="The command line that shows it again.")]
+    certificate: NotRequired[
+        Annotated[
+            WitnessCertificate,
+            Meta(description="With --report, of a finding that it shows with a witness."),
+        ]
+    ]
 
 
 @ruled(allOf=WRONG_IS_SHOWN)
