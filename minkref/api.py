@@ -33,6 +33,9 @@ from minkref.certify.plane.certificate import Certificate as Certificate
 from minkref.certify.plane.certificate import NoProof as NoProof
 from minkref.certify.space.convex_certificate import ConvexCertificate as ConvexCertificate
 from minkref.certify.space.solid_certificate import SolidCertificate as SolidCertificate
+from minkref.certify.space.solid_point_certificate import (
+    SolidPointCertificate as SolidPointCertificate,
+)
 from minkref.disc.closed import DiscClosing as DiscClosing
 from minkref.disc.closed import closing_by_disc as closing_by_disc
 from minkref.disc.closed import opening_by_disc as opening_by_disc

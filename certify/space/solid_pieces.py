@@ -65,16 +65,21 @@ class Hull:
         return all(inner(n, p) <= level for n, level in self.levels)
 
 
+def hulls_at(tiling: Tiling, scaling: Row, unit: int) -> list[Hull]:
+    """The pieces at a scaling, times `unit`, which makes coordinates whole."""
+    factors = [Fraction(factor) * unit for factor in scaling]
+    at: list[Whole] = []
+    for point in tiling.points:
+        x, y, z = (int(f * Fraction(c)) for f, c in zip(factors, point, strict=True))
+        at.append((x, y, z))
+    return [Hull([[at[v] for v in ring] for ring in rings]) for rings in tiling.rings]
+
+
 class ScaledTiling:
     """All pieces at a scaling, times `unit`, which makes coordinates whole."""
 
     def __init__(self, tiling: Tiling, scaling: Row, unit: int) -> None:
-        factors = [Fraction(factor) * unit for factor in scaling]
-        at: list[Whole] = []
-        for point in tiling.points:
-            x, y, z = (int(f * Fraction(c)) for f, c in zip(factors, point, strict=True))
-            at.append((x, y, z))
-        self.hulls = [Hull([[at[v] for v in ring] for ring in rings]) for rings in tiling.rings]
+        self.hulls = hulls_at(tiling, scaling, unit)
         holders = {
             p: frozenset(k for k, hull in enumerate(self.hulls) if hull.holds(p))
             for p in {p for hull in self.hulls for p in hull.corners}

@@ -12,7 +12,7 @@ from minkref.cli.memory import Memory
 from minkref.cli.options import READ_SCALE, FirstOperand, Json, SecondOperand
 from minkref.cli.request import Read
 from minkref.cli.verb import Verb, command_of
-from minkref.exact import read_point
+from minkref.exact import read_point, read_space_point
 from minkref.scaling import PlaneScale, Scaling, read_plane_scale, read_scaling
 from minkref.settings import PLANE, SPACE
 
@@ -34,7 +34,9 @@ minkref certify g1 g2 --scale 2,1/3 -o sum.cert.json
 
 minkref certify gs3 rod --scale 2,1/3,5 -o convex.cert.json
 
-minkref certify P.off Q.stl --scale 7/5 -o solids.cert.json"""
+minkref certify P.off Q.stl --scale 7/5 -o solids.cert.json
+
+minkref certify P.off Q.stl --scale 7/5 --point 1/3,5,2 -o point.cert.json"""
 
 TOLD = """\
 Write a certificate: a proof in steps that `minkref check`, or your own checker, verifies
@@ -81,13 +83,11 @@ Degeneracy = Annotated[
     ),
     READ_SCALE,
 ]
-Point = Annotated[
-    tuple[str, str] | None,
-    typer.Option(
-        "--point", metavar="X,Y", help="Prove only whether this point is in the sum at --scale."
-    ),
-    Read(read_point),
-]
+POINT = typer.Option(
+    "--point", metavar="X,Y[,Z]", help="Prove only whether this point is in the sum at --scale."
+)
+Point = Annotated[tuple[str, str] | None, POINT, Read(read_point)]
+PointInSpace = Annotated[tuple[str, str, str] | None, POINT, Read(read_space_point)]
 Check = Annotated[
     bool,
     typer.Option(
@@ -130,12 +130,13 @@ class CertifyInSpace:
     Q: SecondOperand
     output: Output
     scale: ScaleInSpace = None
+    point: PointInSpace = None
     check: Check = True
     memory: Memory = None
     json: Json = False
 
 
-OF_PLANE = ("--event", "--from", "--to", "--degeneracy", "--point")
+OF_PLANE = ("--event", "--from", "--to", "--degeneracy")
 command = command_of(
     "certify",
     TOLD,
@@ -144,7 +145,7 @@ command = command_of(
         SPACE: Verb(
             CertifyInSpace,
             "minkref.space.commands.certify:run",
-            why=dict.fromkeys(OF_PLANE, "there are certificates of sums only")
+            why=dict.fromkeys(OF_PLANE, "there are certificates of sums and points only")
             | {"--theorem": "there are theorems of sums in the plane only"},
         ),
     },

@@ -1202,9 +1202,8 @@ class SolidSum:
         require(min(self.scaling) > 0, "a factor of the scaling is not positive")
         common = lcm(*(factor.denominator for factor in self.scaling))
         self.unit = unit * common
-        P, Q = points
         factors = [common * factor for factor in self.scaling], (common, common, common)
-        scaled = [[times(by, p) for p in of] for by, of in zip(factors, (P, Q), strict=True)]
+        scaled = [[times(by, p) for p in of] for by, of in zip(factors, points, strict=True)]
         self.P, self.Q = (
             PiecesInSpace([[at[i] for i in one] for one in of], budget)
             for at, of in zip(scaled, hulls, strict=True)
@@ -1252,9 +1251,8 @@ class SolidSum:
         if pair not in self._bounds:
             A, B = self.P.hulls[pair[0]], self.Q.hulls[pair[1]]
             others = {*A.facets, *B.facets}
-            for way in (shortest(cross_in_space(e, f)) for e in A.ways for f in B.ways):
-                if any(way):
-                    others |= {way, negative(way)}
+            ways = (shortest(cross_in_space(e, f)) for e in A.ways for f in B.ways)
+            others |= {n for way in ways if any(way) for n in (way, negative(way))}
             normals = [*AXES, *sorted(others - {*AXES})]
             self.budget.spend(len(normals) * (len(A.points) + len(B.points)))
             self._bounds[pair] = [(n, A.support(n) + B.support(n)) for n in normals]
@@ -1310,8 +1308,7 @@ class SolidSum:
     def meets(self, polygon: list[Homogeneous], pair: tuple[int, int]) -> bool:
         """Whether they have an area in common."""
         for half in self.bounds(pair):
-            polygon = below(polygon, half, self.budget)
-            if not polygon:
+            if not (polygon := below(polygon, half, self.budget)):
                 return False
         return True
 
@@ -1412,10 +1409,8 @@ def united(tiles: Rings, budget: Budget) -> list[Rings]:
             right = [n for a, b, n in edges if b <= low and high <= a]
             if left and right:
                 root[find(root, left[0])] = find(root, right[0])
-            elif left:
-                sides.append((low, high, left[0]))
-            elif right:
-                sides.append((high, low, right[0]))
+            elif left or right:
+                sides.append((low, high, left[0]) if left else (high, low, right[0]))
     sides = cut_at_ends(sides, budget)
     leaving: dict[Vertex, list[tuple[Vertex, Vertex, int]]] = defaultdict(list)
     for side in sides:
@@ -1506,25 +1501,93 @@ def in_order(ring: list[Vertex]) -> list[Vertex]:
     return corners[least:] + corners[:least]
 
 
-def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budget) -> list[str]:
+def tiled(case: Json, digest: Json, parts: list[Json], budget: Budget) -> tuple[Any, ...]:
+    """The unit that makes coordinates whole, and for both operands: the points, the numbers of the
+    corners of each piece, and the pieces."""
     bodies = bodies_of(case, digest)
-    *parts, entries = members(proof, "P Q sums")
     exact, hulls = zip(*map(read_pieces, parts, bodies), strict=True)
     demand(len(hulls[0]) * len(hulls[1]) <= MOST_PAIRS, "too many pairs of pieces", OUT_OF_BUDGET)
-    unit = budget.common([*itertools.chain(*exact)])
+    unit, found = budget.common([*itertools.chain(*exact)]), []
     points = [[times((unit, unit, unit), p) for p in of] for of in exact]
     for body, at, pieces in zip(bodies, points, hulls, strict=True):
         body.points = at[: len(body.exact)]
         with within(f"the pieces of {body.name}"):
-            check_pieces(body, [Hull([at[i] for i in one], budget) for one in pieces], budget)
+            found.append([Hull([at[i] for i in one], budget) for one in pieces])
+            check_pieces(body, found[-1], budget)
+    return unit, points, list(hulls), found
+
+
+def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budget) -> list[str]:
+    *parts, entries = members(proof, "P Q sums")
+    unit, points, hulls, _ = tiled(case, digest, parts, budget)
     sums: list[SolidSum] = []
     for entry in items(entries):
         with within(f"sum {len(sums)}"):
-            sums.append(SolidSum(entry, unit, points, list(hulls), budget))
+            sums.append(SolidSum(entry, unit, points, hulls, budget))
     return said_of(sums, claims, "planes polygons volume digest", budget)
 
 
 FORMS["solid-certificate-v1"] = "proof", of_solids
+
+
+# Part 5b: points of sums of solids, by their convex pieces. Needs part 5.
+
+Solids = list[list[Hull]]  # the pieces of P and of Q
+
+
+def scaling_of(value: Json) -> SpacePoint:
+    require(min(space_vector(value)) > 0, "a factor of the scaling is not positive")
+    return space_vector(value)
+
+
+def product(factors: Sequence[Any], point: Sequence[Any]) -> Any:
+    return tuple(a * b for a, b in zip(factors, point, strict=True))
+
+
+def check_point(claim: Json, solids: Solids, unit: int, budget: Budget) -> str:
+    """A point of the sum: S p + q, p in a piece of P and q in one of Q."""
+    scaling, point, p, q, nodes = members(claim, "claim scaling point p q pieces")[1:]
+    parts = space_vector(p), space_vector(q)
+    made = zip(product(scaling_of(scaling), parts[0]), parts[1], strict=True)
+    demand(space_vector(point) == tuple(a + b for a, b in made), "S p + q is another point")
+    for name, part, node, pieces in zip("PQ", parts, items(nodes, 2), solids, strict=True):
+        piece = pieces[index(node, len(pieces))]
+        budget.spend(len(piece.facets))
+        demand(piece.holds(product((unit,) * 3, part)), f"{part} is not in piece {node} of {name}")
+    return f"point: {point} at {scaling}"
+
+
+def check_outside(claim: Json, solids: Solids, unit: int, budget: Budget) -> str:
+    """A point that is not in the sum: for each pair of pieces a normal, along which the point is
+    farther than all of the pair's sum."""
+    scaling, point, normals, code = members(claim, "claim scaling point normals code")[1:]
+    factors, x = scaling_of(scaling), product((unit,) * 3, space_vector(point))
+    ways: Any = [tuple(map(integer, items(normal, 3))) for normal in items(normals)]
+    pairs = list(itertools.product(*solids))
+    numbers = indices(items(code, len(pairs)), len(ways))
+    require(all(map(any, ways)) and len({*numbers}) == len(ways), "a normal is 0, or not used")
+    for (A, B), n in zip(pairs, (ways[k] for k in numbers), strict=True):
+        budget.spend(len(A.points) + len(B.points))
+        most = A.support(product(factors, n)) + B.support(n)
+        demand(dot_in_space(n, x) > most, f"normal {n} does not hold the point apart")
+    return f"outside: {point} at {scaling}"
+
+
+def of_points(case: Json, digest: Json, proof: Json, claims: Json, budget: Budget) -> list[str]:
+    unit, _, _, solids = tiled(case, digest, members(proof, "P Q"), budget)
+    kinds = {"point": check_point, "outside": check_outside}
+    require(len(set(map(digest_of, items(claims)))) == len(claims) > 0, "a claim is made twice")
+    said: list[str] = []
+    for claim in claims:
+        with within(f"claim {len(said)}"):
+            budget.spend(64)
+            kind = str(claim.get("claim") if isinstance(claim, dict) else None)
+            require(kind in kinds, f"there is no claim {kind!r}")
+            said.append(kinds[kind](claim, solids, unit, budget))
+    return said
+
+
+FORMS["solid-point-certificate-v1"] = "proof", of_points
 
 
 # Part 6: a part R, scaled, that moves along a path in the plane among obstacles O. Needs part 2.

@@ -22,6 +22,7 @@
 #include "oracle/checker/plane/claims.hpp"
 #include "oracle/checker/space/convex.hpp"
 #include "oracle/checker/space/solid.hpp"
+#include "oracle/checker/space/solid_point.hpp"
 #include "oracle/checker/unions/unions.hpp"
 
 namespace {
@@ -202,8 +203,10 @@ int check_file(const std::string& file, const Options& options) {
   try {
     const Value certificate = parse_json(read(file, most, file == "-"), false);
     const auto said =
-        is_convex_certificate(certificate)     ? check_convex(certificate, read_case, budget)
-        : is_solid_certificate(certificate)    ? check_solids(certificate, read_case, budget)
+        is_convex_certificate(certificate)  ? check_convex(certificate, read_case, budget)
+        : is_solid_certificate(certificate) ? check_solids(certificate, read_case, budget)
+        : is_solid_point_certificate(certificate)
+            ? check_solid_points(certificate, read_case, budget)
         : is_path_certificate(certificate)     ? check_paths(certificate, read_case, budget)
         : is_feature_certificate(certificate)  ? check_features(certificate, read_case, budget)
         : is_disc_sum_certificate(certificate) ? check_disc_sums(certificate, read_case, budget)

@@ -31,6 +31,7 @@ TEXTS: dict[str, Any] = {
     "<Certificate: claims none>": lambda: minkref.Certificate(SQUARE, SQUARE),
     "<ConvexCertificate: claims none>": lambda: minkref.ConvexCertificate(SIMPLEX, SIMPLEX),
     "<SolidCertificate: claims none>": lambda: minkref.SolidCertificate(SIMPLEX, SIMPLEX),
+    "<SolidPointCertificate: claims none>": lambda: minkref.SolidPointCertificate(SIMPLEX, SIMPLEX),
     "<PathCertificate: claims none>": lambda: minkref.PathCertificate(SQUARE, FRAME, [(9, 9)]),
     "<ScaleIndex: scales 1 to 2>": lambda: minkref.build_index(SQUARE, FRAME, 1, 2),
     "<ScaleIndex: scales 0 to infinity>": lambda: minkref.build_index(SQUARE, SQUARE),

@@ -167,6 +167,18 @@ CALLS |= {
     "outside x": (lambda x: minkref.Certificate(SQUARE, SQUARE).outside(4, (x, 9)), NUMBERS),
     "ConvexCertificate P": (lambda x: minkref.ConvexCertificate(x, SIMPLEX), (minkref.Polyhedron,)),
     "SolidCertificate Q": (lambda x: minkref.SolidCertificate(SIMPLEX, x), (minkref.Polyhedron,)),
+    "SolidPointCertificate P": (
+        lambda x: minkref.SolidPointCertificate(x, SIMPLEX),
+        (minkref.Polyhedron,),
+    ),
+    "point in space": (
+        lambda x: minkref.SolidPointCertificate(SIMPLEX, SIMPLEX).point((1, 1, 1), (x, 0, 0)),
+        NUMBERS,
+    ),
+    "outside in space": (
+        lambda x: minkref.SolidPointCertificate(SIMPLEX, SIMPLEX).outside((1, x, 1), (9, 0, 0)),
+        NUMBERS,
+    ),
 }
 grown = minkref.DiscIndex(SQUARE)
 CALLS |= {

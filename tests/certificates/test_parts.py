@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import subprocess
 import sys
@@ -17,6 +18,7 @@ import squares
 import touching
 import walls
 from file_alone import laid
+from minkref.certify.space.solid_point_certificate import SolidPointCertificate
 from minkref.reports.evidence.certificates.checkers import CHECKER
 
 PARTS = sorted((CHECKER.parent / "parts").glob("*.py"))
@@ -41,7 +43,7 @@ def test_parts_are_short() -> None:
 
 def test_the_page_says_how_many_lines_a_claim_needs() -> None:
     rows = ROW.findall((CHECKER.parent / "README.md").read_text(encoding="utf-8"))
-    assert len(rows) == 8
+    assert len(rows) == 9
     for numbers, lines in rows:
         assert len(text_of(*numbers.split(", ")).splitlines()) == int(lines), numbers
 
@@ -77,6 +79,11 @@ def test_those_of_solids_too(tmp_path: Path) -> None:
     certificate, case = solid_pairs.values(*solid_pairs.PAIRS["cup and less"])
     code, said = followed("01 02 04 05 09", tmp_path, case, certificate)
     assert code == 0 and "verified" in said, said
+    of_point = SolidPointCertificate(*map(solid_pairs.given, solid_pairs.PAIRS["convex"][:2]))
+    of_point.outside(solid_pairs.ONE, ("9", "9", "9"))
+    values = json.loads(of_point.case()), json.loads(of_point.text("case.json"))
+    assert followed("01 02 04 05 05b 09", tmp_path, *values)[0] == 0
+    assert followed("01 02 04 05 09", tmp_path, *values)[0] == 2
 
 
 def test_a_claim_of_a_part_that_is_missing_is_malformed(tmp_path: Path) -> None:

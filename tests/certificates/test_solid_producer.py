@@ -12,7 +12,7 @@ import cubes
 import pytest
 import solid_pairs
 from minkref import _core
-from minkref.certify.space import solid_certificate
+from minkref.certify.space import solid_certificate, tiled_solids
 from minkref.certify.space.convex_certificate import convex_certificate
 from minkref.errors import Refusal
 from minkref.fuzz.judges.space.certified_solids import SolidConfirmation
@@ -94,7 +94,7 @@ def test_operands_that_are_no_solids_are_refused() -> None:
 
 
 def test_what_is_too_large_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(solid_certificate, "MOST_PAIRS", 3)
+    monkeypatch.setattr(tiled_solids, "MOST_PAIRS", 3)
     with pytest.raises(Refusal) as pairs:
         solid_pairs.certified(solid_pairs.L, solid_pairs.L, [solid_pairs.ONE])
     assert pairs.value.code == "too-large" and "4 pairs" in pairs.value.what

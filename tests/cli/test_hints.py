@@ -126,7 +126,7 @@ VALUES: dict[str, list[str]] = {
     "--persistence": ["1"],
     "--event": ["1"],
     "--degeneracy": ["1"],
-    "--point": ["1,1"],
+    "--point": ["1,1", "1,1,1"],
     "--certify": ["made.cert.json", "made.json"],
     "--path": [WAY],
     "--check": ["1"],

@@ -31,7 +31,10 @@ PATH = (
 def shown(literal: str, witness: Witness, reason: Reason = Reason.MISSING) -> Finding:
     case: Any = naming.load(CaseName(literal, "named"))
     result = CaseResult(0, case.name, case.scale, [], "P", "Q", case.size, literal=literal)
-    result.P, result.Q = case.P_json, case.Q_json
+    pair = case.pair if hasattr(case, "pair") else None
+    result.P = pair.P.to_json() if pair else case.P_json
+    result.Q = pair.Q.to_json() if pair else case.Q_json
+    result.dimension = 3 if pair else 2
     return Finding(Outcome("target", Verdict.WRONG, (reason,), witness=witness), result)
 
 
@@ -43,11 +46,19 @@ def grown(radius: str) -> str:
     return f'{{"offset":{SQUARE},"radius":"{radius}"}}'
 
 
+BOX = (
+    '{"vertices":[[0,0,0],[0,0,1],[0,1,0],[0,1,1],[1,0,0],[1,0,1],[1,1,0],[1,1,1]],"faces":'
+    "[[0,1,3,2],[0,2,6,4],[0,4,5,1],[1,5,7,3],[2,3,7,6],[4,6,7,5]]}"
+)
+SOLIDS = f'{{"P":{BOX},"Q":{BOX},"scale":"1,2,1"}}'
+POINT = '{"vertices":[["1","1","1"]],"faces":[]}'
 TRUE = {
     "sum, inside": (summed("1"), Witness(("5", "1"), True)),
     "sum, outside": (summed("1/2"), Witness(("7/2", "1"), False)),
     "sum at another scale": (summed("1"), Witness(("7", "1"), True, scale="2")),
     "a factor for each axis": (summed("1,2"), Witness(("5", "3"), True)),
+    "sum in space, inside": (SOLIDS, Witness(("2", "5/2", "1"), True)),
+    "sum in space, outside": (SOLIDS, Witness(("3/2", "7/2", "1"), False)),
     "union, in a set": (UNION, Witness(("9/2", "1/2"), True, sets=2, of_set=2)),
     "union, in no set": (UNION, Witness(("3", "1/2"), False, sets=2)),
     "grown, in": (grown("2"), Witness(("3", "0"), True, radius="2")),
@@ -59,6 +70,11 @@ NONE = {
     "sum of boundaries": (summed("1"), Witness(("5", "1"), True, boundary=True), "boundaries"),
     "erosion": (grown("-1/4"), Witness(("1/2", "1/2"), True, radius="-1/4"), "erosions"),
     "joins": (grown("2"), Witness(("3", "0"), True, radius="2", manner="mitred"), "round"),
+    "a point in space": (
+        f'{{"P":{BOX},"Q":{POINT},"scale":"1"}}',
+        Witness(("9", "9", "9"), False),
+        "no volume",
+    ),
     "a point as an operand": (
         f'{{"P":{{"polygons":[{{"outer":[[1,1]]}}]}},"Q":{FAR},"scale":"1"}}',
         Witness(("5", "1"), True),

@@ -172,9 +172,8 @@ class SolidSum:
         require(min(self.scaling) > 0, "a factor of the scaling is not positive")
         common = lcm(*(factor.denominator for factor in self.scaling))
         self.unit = unit * common
-        P, Q = points
         factors = [common * factor for factor in self.scaling], (common, common, common)
-        scaled = [[times(by, p) for p in of] for by, of in zip(factors, (P, Q), strict=True)]
+        scaled = [[times(by, p) for p in of] for by, of in zip(factors, points, strict=True)]
         self.P, self.Q = (
             PiecesInSpace([[at[i] for i in one] for one in of], budget)
             for at, of in zip(scaled, hulls, strict=True)
@@ -222,9 +221,8 @@ class SolidSum:
         if pair not in self._bounds:
             A, B = self.P.hulls[pair[0]], self.Q.hulls[pair[1]]
             others = {*A.facets, *B.facets}
-            for way in (shortest(cross_in_space(e, f)) for e in A.ways for f in B.ways):
-                if any(way):
-                    others |= {way, negative(way)}
+            ways = (shortest(cross_in_space(e, f)) for e in A.ways for f in B.ways)
+            others |= {n for way in ways if any(way) for n in (way, negative(way))}
             normals = [*AXES, *sorted(others - {*AXES})]
             self.budget.spend(len(normals) * (len(A.points) + len(B.points)))
             self._bounds[pair] = [(n, A.support(n) + B.support(n)) for n in normals]
@@ -280,8 +278,7 @@ class SolidSum:
     def meets(self, polygon: list[Homogeneous], pair: tuple[int, int]) -> bool:
         """Whether they have an area in common."""
         for half in self.bounds(pair):
-            polygon = below(polygon, half, self.budget)
-            if not polygon:
+            if not (polygon := below(polygon, half, self.budget)):
                 return False
         return True
 
@@ -382,10 +379,8 @@ def united(tiles: Rings, budget: Budget) -> list[Rings]:
             right = [n for a, b, n in edges if b <= low and high <= a]
             if left and right:
                 root[find(root, left[0])] = find(root, right[0])
-            elif left:
-                sides.append((low, high, left[0]))
-            elif right:
-                sides.append((high, low, right[0]))
+            elif left or right:
+                sides.append((low, high, left[0]) if left else (high, low, right[0]))
     sides = cut_at_ends(sides, budget)
     leaving: dict[Vertex, list[tuple[Vertex, Vertex, int]]] = defaultdict(list)
     for side in sides:
@@ -476,21 +471,29 @@ def in_order(ring: list[Vertex]) -> list[Vertex]:
     return corners[least:] + corners[:least]
 
 
-def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budget) -> list[str]:
+def tiled(case: Json, digest: Json, parts: list[Json], budget: Budget) -> tuple[Any, ...]:
+    """The unit that makes coordinates whole, and for both operands: the points, the numbers of the
+    corners of each piece, and the pieces."""
     bodies = bodies_of(case, digest)
-    *parts, entries = members(proof, "P Q sums")
     exact, hulls = zip(*map(read_pieces, parts, bodies), strict=True)
     demand(len(hulls[0]) * len(hulls[1]) <= MOST_PAIRS, "too many pairs of pieces", OUT_OF_BUDGET)
-    unit = budget.common([*itertools.chain(*exact)])
+    unit, found = budget.common([*itertools.chain(*exact)]), []
     points = [[times((unit, unit, unit), p) for p in of] for of in exact]
     for body, at, pieces in zip(bodies, points, hulls, strict=True):
         body.points = at[: len(body.exact)]
         with within(f"the pieces of {body.name}"):
-            check_pieces(body, [Hull([at[i] for i in one], budget) for one in pieces], budget)
+            found.append([Hull([at[i] for i in one], budget) for one in pieces])
+            check_pieces(body, found[-1], budget)
+    return unit, points, list(hulls), found
+
+
+def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budget) -> list[str]:
+    *parts, entries = members(proof, "P Q sums")
+    unit, points, hulls, _ = tiled(case, digest, parts, budget)
     sums: list[SolidSum] = []
     for entry in items(entries):
         with within(f"sum {len(sums)}"):
-            sums.append(SolidSum(entry, unit, points, list(hulls), budget))
+            sums.append(SolidSum(entry, unit, points, hulls, budget))
     return said_of(sums, claims, "planes polygons volume digest", budget)
 
 

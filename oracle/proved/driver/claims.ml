@@ -336,7 +336,8 @@ let check certificate read_case budget =
     List.map
       (fun said : proved -> { said; theorem = None })
       (Bodies.check certificate read_case budget)
-  | "solid-certificate-v1" -> fail Declined "there is no theorem about sums of any polyhedra yet"
+  | "solid-certificate-v1" | "solid-point-certificate-v1" ->
+    fail Declined "there is no theorem about sums of any polyhedra yet"
   | "path-certificate-v1" -> fail Declined "there is no theorem about paths yet"
   | "feature-certificate-v1" -> fail Declined "there is no theorem about bridges yet"
   | "union-certificate-v1" -> fail Declined "there is no theorem about unions yet"

@@ -40,6 +40,11 @@ def path_adapter(way: str) -> str:
     return f"cmd:{sys.executable} {VERIFY / 'path_adapter.py'} {way}"
 
 
+def union_adapter(way: str) -> str:
+    """The target name for an adapter that unites sets."""
+    return f"cmd:{sys.executable} {VERIFY / 'union_adapter.py'} {way}"
+
+
 def offset_adapter(way: str) -> str:
     """The target name for an adapter that grows sets by a disc."""
     return f"cmd:{sys.executable} {VERIFY / 'offset_adapter.py'} {way}"
