@@ -31,15 +31,15 @@ Three = tuple[Number, Number, Number]
 
 
 class SolidPointCertificate(TiledSolids):
-    """Where points lie: in the sum of two polyhedra of any shape, or outside. Scalings and points
-    are three exact numbers. Exact. A point costs a test for each pair of convex pieces; no sum is
-    computed."""
+    """Proves where points lie: in the sum of two polyhedra, or outside. Scalings and points are
+    three exact numbers. Exact. A point costs a test for each pair of convex pieces; this computes
+    no sum."""
 
     form = "solid-point-certificate-v1"
 
     def point(self, scaling: Three, point: Three) -> int:
-        """Claims that the sum has a point, by p and q; returns the claim's number. Raises NoProof
-        where the sum has it not."""
+        """Claims a point inside the sum, with p and q; returns the claim's number. Raises NoProof
+        for a point outside."""
         asked = _Asked(self, scaling, point)
         for (i, A), (j, B) in product(enumerate(asked.P), enumerate(asked.Q)):
             found = asked.meeting(A, B)
@@ -49,8 +49,8 @@ class SolidPointCertificate(TiledSolids):
         raise NoProof(f"the point ({', '.join(asked.point)}) is not in the sum")
 
     def outside(self, scaling: Three, point: Three) -> int:
-        """Claims that the sum has a point not, by a normal for each pair of pieces; returns the
-        claim's number. Raises NoProof where the sum has it."""
+        """Claims a point outside the sum, with a normal for each pair of pieces; returns the
+        claim's number. Raises NoProof for a point inside."""
         asked = _Asked(self, scaling, point)
         numbers: dict[Whole, int] = {}
         code = []
@@ -68,7 +68,7 @@ class SolidPointCertificate(TiledSolids):
 
 
 class _Asked:
-    """A point and both operands' pieces at a scaling, times a unit that makes all numbers whole."""
+    """A point and both operands' pieces at a scaling, times a unit: all numbers become whole."""
 
     def __init__(self, of: SolidPointCertificate, scaling: Three, point: Three) -> None:
         self.scaling, self.point = _texts(scaling), _texts(point)
@@ -88,7 +88,7 @@ class _Asked:
         return inner(n, self.x) > A.support(n) + B.support(n)
 
     def meeting(self, A: Hull, B: Hull) -> Place | None:
-        """A point of A such that the point less it is in B: A meets the mirror image of B."""
+        """Finds a point a in A with x - a in B: A meets a mirror image of B."""
         if any(self.is_apart(n, A, B) for n in SIMPLEST):
             return None
         mirrored = Hull([[minus(self.x, p) for p in ring[::-1]] for ring in B.facets.values()])
@@ -113,7 +113,7 @@ class _Asked:
 
 
 def _normals(A: Hull, B: Hull, known: dict[Whole, int]) -> Iterator[Whole]:
-    """The normals that decide whether a point is in A + B, after those used before."""
+    """Yields normals already used, then all normals that decide membership for A + B."""
     yield from [*reversed(known), *SIMPLEST]
     yield from chain(A.facets, B.facets)
     for e, f in product(A.ways, B.ways):

@@ -1,4 +1,4 @@
-"""Two polyhedra as convex pieces, and the parts that all certificates about them share."""
+"""Two polyhedra as convex pieces: the shared parts of certificates about solids."""
 
 from __future__ import annotations
 
@@ -52,8 +52,8 @@ class TiledSolids:
         return "{" + ",\n".join(parts) + "}\n"
 
     def case_digest(self) -> str:
-        """The digest of both operands, by which the certificate names the case."""
-        return digest(f'{{"P":{_plain(self.P)},"Q":{_plain(self.Q)}}}')
+        """SHA-256 of both operands; the certificate names the case with this digest."""
+        return solid_case_digest(self.P, self.Q)
 
     def case(self) -> str:
         """The text of the certified case."""
@@ -62,6 +62,11 @@ class TiledSolids:
     def _argument(self) -> dict[str, Any]:
         """The proof's members beside the pieces."""
         return {}
+
+
+def solid_case_digest(P: _core.Polyhedron, Q: _core.Polyhedron) -> str:
+    """SHA-256 of both operands, as in certificates."""
+    return digest(f'{{"P":{_plain(P)},"Q":{_plain(Q)}}}')
 
 
 def too_large(what: str) -> Refusal:

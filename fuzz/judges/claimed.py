@@ -1,4 +1,4 @@
-"""A claim about a witness, in words and as a certificate that is not yet checked."""
+"""A claim about a witness, in words and as a certificate, not yet checked."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
-"""Certificates of witnesses: a claim about one point, with its proof, for checkers that share
-nothing with the suite."""
+"""Certificates of witnesses: a claim about one point with a proof, for independent checkers."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib import import_module
+from typing import Any
 
 from minkref.certify.plane.certificate import NoProof
 from minkref.errors import Refusal, cut, message_of
@@ -21,8 +21,8 @@ LIMITS = 60.0, 1e9, 2.0**28  # of seconds, of tests, of bytes
 
 @dataclass(frozen=True)
 class WitnessCertificate:
-    """A certificate, its case, and the claim in words; or the reason why there is none. `name`: of
-    the files without their endings."""
+    """A certificate, the case, and the claim in words; or a reason for having no certificate.
+    Files are called `name`, with two endings."""
 
     name: str
     claim: str = ""
@@ -32,7 +32,7 @@ class WitnessCertificate:
 
     @property
     def file(self) -> str | None:
-        """The name of the certificate's file; None if there is none."""
+        """The name of the certificate's file, or None."""
         return f"{self.name}.cert.json" if self.text else None
 
     @property
@@ -42,14 +42,14 @@ class WitnessCertificate:
         return both if self.text else {}
 
     def document(self) -> dict[str, str | None]:
-        """As the JSON document of `verify` has it."""
+        """The member `certificate` for documents of `verify`."""
         return {"file": self.file, "claim": self.claim or None, "why_none": self.why_none or None}
 
 
 def certificate_of(finding: Finding, name: str) -> WitnessCertificate | None:
-    """The certificate of a finding's witness, verified by the checker in Python; `name`: of its
-    files. None for a finding without a witness. The tolerance is left out: the claim is about the
-    point itself. Exact; the cost is a point's, not the sum's."""
+    """Certifies a finding's witness and runs the checker in Python on the certificate, whose files
+    will be called `name`. None for a finding without witness. The claim leaves out tolerances:
+    the point alone counts. Exact; costs a point, not a sum."""
     witness, case = finding.outcome.witness, finding.case
     if witness is None or case.P is None or case.Q is None:
         return None
@@ -95,8 +95,16 @@ def _claimed(finding: Finding) -> Claimed:
     return claimed
 
 
+def is_true(case: Any, claim: Any) -> bool:
+    """Asks a judge without proofs about a certificate's claim on one point of a sum. Takes JSON
+    values."""
+    room = "space" if "scaling" in claim else "plane"
+    judged: bool = import_module(f"minkref.fuzz.judges.{room}.witness_claims").is_true(case, claim)
+    return judged
+
+
 def _room_of(case: CaseResult) -> str:
-    """The folder that certifies witnesses about this kind of case; loaded when it is needed."""
+    """Names the folder for this kind of case."""
     if case.path is not None:
         return "motion"
     if case.offset is not None:

@@ -1,4 +1,4 @@
-"""Certificates of witnesses about sets grown by a disc."""
+"""Certifies witnesses about sets grown with a disc."""
 
 from __future__ import annotations
 

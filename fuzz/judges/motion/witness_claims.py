@@ -1,4 +1,4 @@
-"""Certificates of witnesses about parts on paths."""
+"""Certifies witnesses about parts on paths."""
 
 from __future__ import annotations
 
@@ -14,8 +14,7 @@ from minkref.motion.scale_ranges import ScaleRange
 
 
 def claimed(case: CaseResult, witness: Witness) -> Claimed:
-    """Claims that the part collides at the witness' scale, or passes. Raises NoProof where no proof
-    is found."""
+    """Claims a collision at the witness' scale, or a free path. Raises NoProof without a proof."""
     asked = json.loads(case.path or "")
     part, obstacles = (
         _core.PolygonSet.from_json(json.dumps(asked[name])) for name in ("part", "obstacles")

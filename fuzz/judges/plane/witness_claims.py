@@ -1,20 +1,27 @@
-"""Certificates of witnesses about sums and unions in the plane."""
+"""Certifies witnesses about sums and unions."""
 
 from __future__ import annotations
 
 import json
+from typing import Any
 
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate
 from minkref.certify.plane.union_certificate import UnionCertificate
 from minkref.fuzz.judges.claimed import Claimed, NoForm, place_text
+from minkref.fuzz.judges.plane.certified_claims import Confirmation
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.verdicts.verdict import Witness
 
 
 def claimed(case: CaseResult, witness: Witness) -> Claimed:
-    """Claims where the point lies. Raises NoForm, and NoProof where no proof is found."""
+    """Claims where the point lies. Raises NoForm, or NoProof without a proof."""
     return _sum(case, witness) if case.union is None else _union(case.union, witness)
+
+
+def is_true(case: Any, claim: Any) -> bool:
+    """Asks the slow engine about a claim `point` or `outside`."""
+    return Confirmation(json.dumps(case)).holds(claim, [claim])
 
 
 def _sum(case: CaseResult, witness: Witness) -> Claimed:

@@ -1,12 +1,16 @@
-"""Certificates of witnesses about sums in space."""
+"""Certifies witnesses about sums in space."""
 
 from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
 
 from minkref import _core
 from minkref.certify.space.solid_point_certificate import SolidPointCertificate
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.claimed import Claimed, NoForm, place_text
 from minkref.fuzz.run.worker import CaseResult
+from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Witness
 from minkref.scaling import read_scaling
 
@@ -27,6 +31,14 @@ def claimed(case: CaseResult, witness: Witness) -> Claimed:
     claim(read_scaling(scale), (x, y, z))
     side = "inside" if witness.in_truth else "outside"
     return Claimed(f"{place_text(witness)} is {side} the sum at {scale}", certificate)
+
+
+def is_true(case: Any, claim: Any) -> bool:
+    """Tests all pairs of faces, of S P and of the point less Q."""
+    P, Q = (Polyhedron.from_document(case[name]) for name in "PQ")
+    x, y, z = map(Fraction, claim["scaling"])
+    is_outside = holds(P, Q, (x, y, z), Witness(tuple(claim["point"]), False))
+    return bool(is_outside == (claim["claim"] == "outside"))
 
 
 def _surface(body: Polyhedron) -> _core.Polyhedron:

@@ -1,6 +1,6 @@
 
 
-# Part 5b: points of sums of solids, by their convex pieces. Needs part 5.
+# Part 5b: single points and sums of solids, piece by piece. Needs part 5.
 
 Solids = list[list[Hull]]  # the pieces of P and of Q
 
@@ -28,8 +28,7 @@ def check_point(claim: Json, solids: Solids, unit: int, budget: Budget) -> str:
 
 
 def check_outside(claim: Json, solids: Solids, unit: int, budget: Budget) -> str:
-    """A point that is not in the sum: for each pair of pieces a normal, along which the point is
-    farther than all of the pair's sum."""
+    """A point outside the sum: a normal for each pair of pieces holds the point apart."""
     scaling, point, normals, code = members(claim, "claim scaling point normals code")[1:]
     factors, x = scaling_of(scaling), product((unit,) * 3, space_vector(point))
     ways: Any = [tuple(map(integer, items(normal, 3))) for normal in items(normals)]

@@ -1,8 +1,9 @@
-"""Witnesses of `minkref verify` as certificates, before all checkers; what they say, changed."""
+"""Certifies witnesses of `minkref verify`: all checkers, and changed claims."""
 
 from __future__ import annotations
 
 import json
+import os
 import random
 import statistics
 import tempfile
@@ -16,8 +17,7 @@ from typing import Any
 
 from minkref.fuzz.all_targets import ALL_TARGETS
 from minkref.fuzz.judges.claimed import NO_FORM
-from minkref.fuzz.judges.plane.certified_claims import Confirmation
-from minkref.fuzz.judges.witness_certificate import WitnessCertificate, certificate_of
+from minkref.fuzz.judges.witness_certificate import WitnessCertificate, certificate_of, is_true
 from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.run.runner import run as run_cases
@@ -25,12 +25,14 @@ from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_proved, in_python, verdicts
 from minkref.reports.evidence.certificates.witness_mutants import ChangedWitness, changed_witnesses
+from minkref.reports.evidence.framework.command import searched
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.of_tests import (
+    SEEDED,
+    VERIFY,
     offset_adapter,
     path_adapter,
     seeded_adapter,
-    seeded_faults,
     union_adapter,
 )
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
@@ -39,12 +41,13 @@ MINUTES = Minutes(0.2, 0.6, 6)
 
 SEED = 2026
 WITNESSES, MUTANTS = Counts(30, 100, 500), Counts(100, 500, 2000)
-EVERY = Counts(9, 4, 1)  # one seeded fault of so many
-CASES = Counts(6, 10, 30)  # of each family
-KINDS = ("holes", "shortcuts", "convex sums")  # of faults that show soon
-FAMILIES = ("holes", "random", "union", "offsets", "path")
+EVERY = Counts(12, 6, 1)  # one seeded fault of so many
+CASES = Counts(4, 8, 24)  # of each family
+FAMILIES = ("union", "offsets", "path", "space-slot", "space-ring", "space-cup")
+SHOWN_BY = SEEDED / "shown_by.json"  # a case for each seeded fault
+SOLIDS = "py:faulty_solids:fills_all"
 DECLINED = 5
-PLANE = "certificate-v1"
+OF_SUMS = ("certificate-v1", "solid-point-certificate-v1")
 Made = tuple[str, WitnessCertificate]
 
 
@@ -83,17 +86,21 @@ def run(findings: Findings, size: Size) -> None:
     findings.figures["without one"] = dict(sorted(why.items()))
     findings.figures["bytes, median and most"] = _spread([len(one.text) for _, one in made])
     findings.figures["seconds to make and check one, median and most"] = _spread(seconds)
-    plane = [made_ for made_ in made if json.loads(made_[1].text)["certificate"] == PLANE]
-    _changed(findings, plane, size.of(MUTANTS))
+    of_sums = [row for row in made if json.loads(row[1].text)["certificate"] in OF_SUMS]
+    _changed(findings, of_sums, size.of(MUTANTS))
 
 
 def _found(size: Size) -> Iterator[Finding]:
-    """Findings of wrong targets about cases of all kinds, in turn from each target."""
-    seeded = [name for name, fault in sorted(seeded_faults().items()) if fault.kind in KINDS]
-    targets = [union_adapter("parity"), offset_adapter("bevel"), path_adapter("always")]
-    targets += map(seeded_adapter, seeded[:: size.of(EVERY)])
-    names = [f"{family}:{SEED}:{k}" for k in range(size.of(CASES)) for family in FAMILIES]
+    """Yields findings about wrong targets, one from each target in turn."""
+    shown_by = json.loads(SHOWN_BY.read_text(encoding="utf-8"))
+    faults = sorted(shown_by)[:: size.of(EVERY)]
+    targets = [union_adapter("parity"), offset_adapter("bevel"), path_adapter("always"), SOLIDS]
+    targets += map(seeded_adapter, faults)
+    pairs = (shown_by[fault][-1] for fault in faults)
+    names = [json.dumps({"P": P, "Q": Q, "scale": "1"}) for P, Q in pairs]
+    names += [f"{family}:{SEED}:{k}" for k in range(size.of(CASES)) for family in FAMILIES]
     cases = CaseList(SEED, named=tuple(names), models=False)
+    os.environ.update(searched(VERIFY))  # for the function
     done = run_cases(cases, targets, ALL_TARGETS, {}, Baseline(), Limits(seconds=20), 2)
     of = {target: [f for f in done.findings if f.outcome.target == target] for target in targets}
     for row in zip_longest(*of.values()):
@@ -101,7 +108,7 @@ def _found(size: Size) -> Iterator[Finding]:
 
 
 def _verified(findings: Findings, made: list[Made]) -> None:
-    """Each certificate before each checker."""
+    """Puts each certificate before each checker."""
     with tempfile.TemporaryDirectory() as name:
         files = []
         for number, (_, one) in enumerate(made):
@@ -148,7 +155,7 @@ def _changed(findings: Findings, made: list[Made], count: int) -> None:
 
 
 def _judged(task: tuple[int, str, str, int]) -> Tally:
-    """Changes of one certificate before both checkers; the slow engine tells what is true."""
+    """Puts changes of one certificate before both checkers, and judges accepted ones."""
     number, case, text, each = task
     found = Tally()
     every = list(islice(changed_witnesses(case, text, random.Random(f"{SEED}:{number}")), each))
@@ -161,7 +168,7 @@ def _judged(task: tuple[int, str, str, int]) -> Tally:
             found.disagreements.append(f"{told}: {one.code}, {other.code}")
         if one.code:
             found.refused[changed.way] += 1
-        elif Confirmation(json.dumps(changed.case)).all_hold(changed.certificate["claims"]):
+        elif is_true(changed.case, changed.certificate["claims"][0]):
             found.true[changed.way] += 1
         else:
             found.false.append(told)

@@ -14,7 +14,7 @@ from minkref.fuzz.geometry.space import denominator_of
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 0.3, 0.3)
+MINUTES = Minutes(0.05, 0.3, 0.3)
 
 #: pairs that meet on an interval; births and deaths; counts for SS, ST and TT pairs
 COUNTED = {

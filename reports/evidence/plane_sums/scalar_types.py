@@ -10,7 +10,7 @@ from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.framework.operands import case_of
 from minkref.reports.evidence.framework.part import Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 0.1, 0.1)
+MINUTES = Minutes(0.05, 0.1, 0.1)
 
 ARITHMETICS = ("rational", "interval", "double", "mpfr:53", "mpfr:256")
 CASES = (

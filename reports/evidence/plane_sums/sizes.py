@@ -13,7 +13,7 @@ from minkref.reports.convolution_count import turns_of, whole_rings
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 0.1, 0.1)
+MINUTES = Minutes(0.05, 0.1, 0.1)
 
 SCALE = Fraction(541, 186)
 # S-edges and T-edges of the reduced convolution (or their total), and all full convolution edges.

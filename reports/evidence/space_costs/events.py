@@ -16,7 +16,7 @@ from minkref.reports.bench.space_pairs import EVENT_PAIRS, Solids
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.space_event_plot import draw
 
-MINUTES = Minutes(0.1, 0.8, 12)
+MINUTES = Minutes(0.05, 0.8, 12)
 ALONE = True
 
 WINDOW = ("1/5", "2")
