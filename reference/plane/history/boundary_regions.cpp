@@ -12,9 +12,9 @@
 namespace minkref::inline plane {
 namespace {
 
-using NearPoint = std::array<Interval, 2>;
+using EnclosedPoint = std::array<Interval, 2>;
 
-NearPoint near(const Point& p) { return {Interval(p.x), Interval(p.y)}; }
+EnclosedPoint near(const Point& p) { return {Interval(p.x), Interval(p.y)}; }
 
 /// A value's sign from intervals, otherwise from the exact value.
 template <class Exact>
@@ -32,7 +32,7 @@ class CyclesAtScale {
     const Interval s(scale);
     const auto at = [&](std::uint32_t track) {
       const auto& [a, b] = tracks[track];
-      return NearPoint{Interval(a.x) + s * Interval(b.x), Interval(a.y) + s * Interval(b.y)};
+      return EnclosedPoint{Interval(a.x) + s * Interval(b.x), Interval(a.y) + s * Interval(b.y)};
     };
     for (const BoundaryLink& link : links) {
       from_.push_back(at(link.from));
@@ -47,7 +47,7 @@ class CyclesAtScale {
 
   /// Whether a cycle winds around a point off the cycle.
   bool around(const BoundaryCycles& cycles, std::uint32_t cycle, const Point& m,
-              const NearPoint& near_m) const {
+              const EnclosedPoint& near_m) const {
     bool inside = false;
     std::uint32_t k = cycles.cycles[cycle].first;
     do {
@@ -92,14 +92,14 @@ class CyclesAtScale {
   const std::vector<Track>& tracks_;
   const std::vector<BoundaryLink>& links_;
   const Rational& scale_;
-  std::vector<NearPoint> from_, to_;
+  std::vector<EnclosedPoint> from_, to_;
 };
 
 /// The smallest of some cycles around a point; `no_entry` if none.
 std::uint32_t smallest_around(const BoundaryCycles& cycles,
                               const std::vector<std::uint32_t>& enclosing, const Point& point,
                               const CyclesAtScale& at_scale) {
-  const NearPoint near_point = near(point);
+  const EnclosedPoint near_point = near(point);
   std::vector<std::uint32_t> found;
   for (const std::uint32_t e : enclosing) {
     if (at_scale.around(cycles, e, point, near_point)) found.push_back(e);

@@ -104,7 +104,7 @@ bool BoundaryEdgeSearch::is_outside(const CarrierPiece& piece, const Ray& first,
                                     bool narrow) {
   const bool at_end = piece.to.plane.facet == nullptr && piece.from.plane.facet != nullptr;
   const Cut& cut = at_end ? piece.to : piece.from;
-  const NearPoint x(cutting_.line().point_at(cut.t), [&]() -> NearPoint::Exact {
+  const NudgedPoint x(cutting_.line().point_at(cut.t), [&]() -> NudgedPoint::Exact {
     auto [point, weight] = exact_point(cutting_.line(), cut);
     const IntegerVector& direction = cutting_.line().as<Integer>().direction;
     const IntegerVector &n = facets_[first.facet].normal.exact,

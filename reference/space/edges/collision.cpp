@@ -54,7 +54,7 @@ CollisionTrees::CollisionTrees(const SpaceOperand& P_, const SpaceOperand& Q_, I
   for (const FilteredVector& point : Q.points) box_Q.add(box_around(point.rounded));
 }
 
-bool Collision::contains(const NearPoint& x) {
+bool Collision::contains(const NudgedPoint& x) {
   ++tests;
   if (trees_.cells.contain({&x.rounded(), 1})) {
     ++covered;
@@ -64,7 +64,7 @@ bool Collision::contains(const NearPoint& x) {
          vertex_inside(x, Q_, trees_.tree_Q, trees_.box_Q, P_);
 }
 
-bool Collision::surfaces_cross(const NearPoint& x) {
+bool Collision::surfaces_cross(const NudgedPoint& x) {
   for (std::size_t k = 0; k < known_; ++k) {
     if (meet(x, recent_[k].of_P, recent_[k].of_Q)) return true;
   }
@@ -96,7 +96,7 @@ bool Collision::surfaces_cross(const NearPoint& x) {
 }
 
 /// Two triangles in general position meet iff an edge of one pierces the other.
-bool Collision::meet(const NearPoint& x, std::uint32_t of_P, std::uint32_t of_Q) {
+bool Collision::meet(const NudgedPoint& x, std::uint32_t of_P, std::uint32_t of_Q) {
   const Element p(P_, of_P), q(Q_, of_Q);
   std::array<int, 3> height_of_P{}, height_of_Q{};  // over the plane of the other, up to reversal
   const auto same = [](const std::array<int, 3>& heights, std::size_t count) {
@@ -152,7 +152,7 @@ bool Collision::meet(const NearPoint& x, std::uint32_t of_P, std::uint32_t of_Q)
 }
 
 /// Whether x - v lies inside a body, for some v among one vertex per shell of the other body.
-bool Collision::vertex_inside(const NearPoint& x, const SpaceOperand& body,
+bool Collision::vertex_inside(const NudgedPoint& x, const SpaceOperand& body,
                               const SpaceBoxTree& triangles, const SpaceBox& box,
                               const SpaceOperand& other) {
   if (body.triangles.empty()) return false;
@@ -165,8 +165,8 @@ bool Collision::vertex_inside(const NearPoint& x, const SpaceOperand& body,
 
 /// Whether the surface's winding number about x - v is positive, counted from the triangles above
 /// along the third axis.
-bool Collision::inside(const NearPoint& x, const SpaceOperand& body, const SpaceBoxTree& triangles,
-                       const FilteredVector& vertex) {
+bool Collision::inside(const NudgedPoint& x, const SpaceOperand& body,
+                       const SpaceBoxTree& triangles, const FilteredVector& vertex) {
   SpaceBox column = box_around(x.rounded() - vertex.rounded);
   column.high[2] = SpaceBox::infinity;
   int winding = 0;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "reference/space/edges/interior_cells.hpp"
-#include "reference/space/edges/near_point.hpp"
+#include "reference/space/edges/nudged_point.hpp"
 
 namespace minkref::inline space {
 
@@ -25,7 +25,7 @@ class Collision {
   explicit Collision(const CollisionTrees& trees) : trees_(trees), P_(trees.P), Q_(trees.Q) {}
 
   /// Whether P ⊕ Q contains x. Exact. O(n) at worst; the trees leave few pairs of triangles.
-  bool contains(const NearPoint& x);
+  bool contains(const NudgedPoint& x);
 
   SignCounts signs;
   std::uint64_t tests = 0, covered = 0;  ///< of these, answered by cells
@@ -35,11 +35,11 @@ class Collision {
     std::uint32_t of_P, of_Q;
   };
 
-  bool surfaces_cross(const NearPoint& x);
-  bool meet(const NearPoint& x, std::uint32_t of_P, std::uint32_t of_Q);
-  bool vertex_inside(const NearPoint& x, const SpaceOperand& body, const SpaceBoxTree& triangles,
+  bool surfaces_cross(const NudgedPoint& x);
+  bool meet(const NudgedPoint& x, std::uint32_t of_P, std::uint32_t of_Q);
+  bool vertex_inside(const NudgedPoint& x, const SpaceOperand& body, const SpaceBoxTree& triangles,
                      const SpaceBox& box, const SpaceOperand& other);
-  bool inside(const NearPoint& x, const SpaceOperand& body, const SpaceBoxTree& triangles,
+  bool inside(const NudgedPoint& x, const SpaceOperand& body, const SpaceBoxTree& triangles,
               const FilteredVector& vertex);
 
   const CollisionTrees& trees_;

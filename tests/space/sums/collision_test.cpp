@@ -55,7 +55,7 @@ void expect_cells_of_sum(const Cells& a, const Cells& b, std::mt19937& dice) {
       cell[k] = std::uniform_int_distribution<int>(low[k], high[k])(dice);
     }
     const IntegerVector middle{2 * cell[0] + 1, 2 * cell[1] + 1, 2 * cell[2] + 1};
-    const NearPoint x(FilteredVector(middle, 0).rounded, [&]() -> NearPoint::Exact {
+    const NudgedPoint x(FilteredVector(middle, 0).rounded, [&]() -> NudgedPoint::Exact {
       return {middle, Integer(1), {1, 2, -3}, {2, -1, 1}};
     });
     EXPECT_EQ(collision.contains(x), sum.contains(cell))

@@ -95,7 +95,7 @@ bool is_interior(Collision& collision, const IntegerVector& point) {
   for (int k = 0; k < 8; ++k) {
     const IntegerVector along{k & 1 ? 7 : -7, k & 2 ? 3 : -3, k & 4 ? 2 : -2};
     const FilteredVector filtered(point, 0);
-    const NearPoint x(filtered.rounded, [&]() -> NearPoint::Exact {
+    const NudgedPoint x(filtered.rounded, [&]() -> NudgedPoint::Exact {
       return {point, Integer(1), along, {along[1], Integer(-along[0]), along[2]}};
     });
     if (!collision.contains(x)) return false;

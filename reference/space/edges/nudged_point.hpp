@@ -10,7 +10,7 @@ namespace minkref::inline space {
 
 /// x + ε along + ε² into + ε³ across, for ε small enough; the three directions are independent, so
 /// that no integer plane contains the point.
-class NearPoint {
+class NudgedPoint {
  public:
   struct Exact {
     IntegerVector point;
@@ -18,7 +18,7 @@ class NearPoint {
     IntegerVector along, into;
   };
   /// Calls `exact` at most once.
-  NearPoint(BoundedVector rounded, std::function<Exact()> exact)
+  NudgedPoint(BoundedVector rounded, std::function<Exact()> exact)
       : rounded_(rounded), make_exact_(std::move(exact)) {}
 
   const BoundedVector& rounded() const { return rounded_; }
