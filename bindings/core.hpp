@@ -69,6 +69,13 @@ class Computing {
 };
 using Released = nanobind::call_guard<Computing>;
 
+/// What the work gives, where the rest of a call needs the interpreter lock.
+template <class Work>
+auto computed(const Work& work) {
+  const Computing computing;
+  return work();
+}
+
 /// For a class whose values never change: copy.copy and copy.deepcopy give the value itself.
 template <typename Value>
 nanobind::class_<Value>& unchanging(nanobind::class_<Value>&& bound) {

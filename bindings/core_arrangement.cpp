@@ -186,7 +186,7 @@ void bind_arrangement(nb::module_& module) {
   nb::class_<ArrangementList>(module, "ArrangementList",
                               "Pair, parallel, triple or all (arrangement) events, sorted.")
       .def(nb::init<const Arrangement&, const std::string&>(), "events"_a, "kind"_a,
-           nb::keep_alive<1, 2>())
+           nb::keep_alive<1, 2>(), Released())
       .def("__len__", &ArrangementList::size)
       .def("distinct", &ArrangementList::distinct, Released(),
            "How many different scales the events have that are there.")

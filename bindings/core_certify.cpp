@@ -116,8 +116,8 @@ void bind_certify(nb::module_& module) {
             const bool first = operand == "P";
             return certify::pieces_text(first ? self.pieces_of_P() : self.pieces_of_Q(), operand);
           },
-          "operand"_a, "The step `pieces` of operand P or Q.")
-      .def("box", &box, "largest"_a,
+          "operand"_a, Released(), "The step `pieces` of operand P or Q.")
+      .def("box", &box, "largest"_a, Released(),
            "A box that holds the sums at all scales up to the largest: left, bottom, right, top.")
       .def("prove", &prove, "scale"_a, "box"_a, "by"_a, "passages"_a = false, Released(),
            "The step `eq` at a scale; the sum, its components and holes; its tight passages, as "

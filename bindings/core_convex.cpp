@@ -64,7 +64,7 @@ struct MovingConvexSum {
 Fields update(MovingConvexSum& dynamic, const ExactSpacePoint& scaling) {
   const Scaling to = to_scaling(scaling);
   const Stopwatch watch;
-  const UpdateCounts counts = dynamic.sum.update(to);
+  const UpdateCounts counts = computed([&] { return dynamic.sum.update(to); });
   const double seconds = watch.seconds();
   Fields fields = fields_of(counts);
   fields["seconds"] = seconds;
@@ -109,19 +109,7 @@ std::optional<std::uint32_t> descent(const ConvexBody& P, std::uint32_t facet, c
   return descend(*P.value, facet, *Q.value, vertex, to_scaling(scaling), form_named(form));
 }
 
-using ParentRow = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
-
-}  // namespace
-
-Fields fields_of(const UpdateCounts& counts) {
-  Fields fields;
-  MINKREF_PUT(counts, fv_errors, vf_errors, descent_steps, ee_errors, ee_pairs_added, chains_walked,
-              chains_mended_by_proof, chains_without_error, facets_examined, chains_examined, signs,
-              exact_signs);
-  return fields;
-}
-
-void bind_convex(nb::module_& module) {
+void bind_body(nb::module_& module) {
   unchanging(
       nb::class_<ConvexBody>(module, "ConvexPolyhedron",
                              "A strictly convex polyhedron, certified: coplanar faces merged, flat "
@@ -139,39 +127,63 @@ void bind_convex(nb::module_& module) {
           [](const ConvexBody& a, const ConvexBody& b) {
             return canonical_json(a.value->surface()) == canonical_json(b.value->surface());
           },
-          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__hash__",
-           [](const ConvexBody& self) {
-             return std::hash<std::string>()(canonical_json(self.value->surface())) >> 1;
-           })
+          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"), Released())
+      .def(
+          "__hash__",
+          [](const ConvexBody& self) {
+            return std::hash<std::string>()(canonical_json(self.value->surface())) >> 1;
+          },
+          Released())
       .def("__repr__",
            [](const ConvexBody& self) {
              return "<ConvexPolyhedron: " + std::to_string(self.value->vertices()) + " vertices, " +
                     std::to_string(self.value->edges()) + " edges, " +
                     std::to_string(self.value->facets()) + " facets>";
            })
-      .def("__getstate__", [](const ConvexBody& self) { return Surface(self.value->surface()); })
-      .def("__setstate__",
-           [](ConvexBody& self, const Surface& state) {
-             new (&self) ConvexBody(certified(state, ""));
-           })
+      .def(
+          "__getstate__", [](const ConvexBody& self) { return Surface(self.value->surface()); },
+          Released())
+      .def(
+          "__setstate__",
+          [](ConvexBody& self, const Surface& state) {
+            new (&self) ConvexBody(certified(state, ""));
+          },
+          Released())
       .def_prop_ro("vertices", [](const ConvexBody& self) { return self.value->vertices(); })
       .def_prop_ro("edges", [](const ConvexBody& self) { return self.value->edges(); })
       .def_prop_ro("facets", [](const ConvexBody& self) { return self.value->facets(); })
       .def_prop_ro(
           "volume",
           [](const ConvexBody& self) {
-            return quantity(sextuple_volume(self.value->surface()) / 6);
+            return quantity(
+                computed([&] { return Rational(sextuple_volume(self.value->surface()) / 6); }));
           },
           nb::sig("def volume(self) -> fractions.Fraction"), "The exact volume. Linear.")
       .def(
           "surface", [](const ConvexBody& self) { return Surface(self.value->surface()); },
-          "In canonical form.");
+          Released(), "In canonical form.");
+}
+
+using ParentRow = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
+
+}  // namespace
+
+Fields fields_of(const UpdateCounts& counts) {
+  Fields fields;
+  MINKREF_PUT(counts, fv_errors, vf_errors, descent_steps, ee_errors, ee_pairs_added, chains_walked,
+              chains_mended_by_proof, chains_without_error, facets_examined, chains_examined, signs,
+              exact_signs);
+  return fields;
+}
+
+void bind_convex(nb::module_& module) {
+  bind_body(module);
   nb::class_<ConvexSum>(module, "ConvexSum", "A sum of convex polyhedra, in canonical form.")
-      .def_prop_ro("surface", [](const ConvexSum& self) { return Surface(self.surface); })
+      .def_prop_ro(
+          "surface", [](const ConvexSum& self) { return Surface(self.surface); }, Released())
       .def_prop_ro(
           "vertex_parents", [](const ConvexSum& self) { return pairs_of(self.vertex_parents); },
-          "For each vertex the vertices of P and of Q whose sum it is.")
+          Released(), "For each vertex the vertices of P and of Q whose sum it is.")
       .def_prop_ro(
           "facet_parents",
           [](const ConvexSum& self) {
@@ -179,7 +191,7 @@ void bind_convex(nb::module_& module) {
             for (const auto& [P, Q] : self.facet_parents) rows.emplace_back(P, Q);
             return rows;
           },
-          "For each facet the vertices of the face of P and of that of Q.");
+          Released(), "For each facet the vertices of the face of P and of that of Q.");
   module.def("convex_sum", &static_sum, "P"_a, "Q"_a, "scaling"_a, "route"_a = "traversal",
              Released(),
              "S P + Q from scratch, by the route traversal or brute-force. Exact, certified closed "
@@ -195,7 +207,7 @@ void bind_convex(nb::module_& module) {
   nb::class_<MovingConvexSum>(module, "DynamicConvexSum",
                               "S P + Q kept up to date (Behar & Lien 2012, Sec. 6).")
       .def(nb::init<const ConvexBody&, const ConvexBody&, const ExactSpacePoint&>(), "P"_a, "Q"_a,
-           "scaling"_a)
+           "scaling"_a, Released())
       .def(
           "update", &update, "scaling"_a,
           "Mends what the new scaling makes wrong: what was found, walked and mended, and seconds.")
@@ -205,16 +217,16 @@ void bind_convex(nb::module_& module) {
       .def(
           "pairs",
           [](const MovingConvexSum& self) { return pairs_of(self.sum.vertices().pairs()); },
-          "The pairs of vertices whose sums are corners of facets in generic position.")
+          Released(), "The pairs of vertices whose sums are corners of facets in generic position.")
       .def_prop_ro("ee_pairs", [](const MovingConvexSum& self) { return self.sum.ee_pairs(); })
       .def("equals_route", &same_state, "route"_a, Released(),
            "Whether all compatible pairs are those that a static route finds.");
   module.def("incompatibility", &degree, "P"_a, "facet"_a, "Q"_a, "vertex"_a, "scaling"_a,
-             "form"_a = "corrected",
+             "form"_a = "corrected", Released(),
              "The squared degree of incompatibility of a facet of P, scaled, and a vertex of Q "
              "(Sec. 6, printed or corrected), and the other end of its witness. Exact.");
   module.def("descend", &descent, "P"_a, "facet"_a, "Q"_a, "vertex"_a, "scaling"_a,
-             "form"_a = "corrected",
+             "form"_a = "corrected", Released(),
              "Where the descent on it ends; None where it comes to a vertex again. Exact.");
   bind_timed_convex_walk(module);
 }

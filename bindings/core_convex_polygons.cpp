@@ -30,7 +30,7 @@ PlaneScaling scaling_of(const std::string& scale) {
 Fields update(DynamicPolygonSum& sum, const std::string& scale) {
   const PlaneScaling to = scaling_of(scale);
   const Stopwatch watch;
-  const PolygonUpdateCounts counts = sum.update(to);
+  const PolygonUpdateCounts counts = computed([&] { return sum.update(to); });
   const double seconds = watch.seconds();
   Fields fields;
   MINKREF_PUT(counts, ev_errors, ve_errors, descent_steps);
@@ -72,6 +72,7 @@ void bind_convex_polygons(nb::module_& module) {
           [](const DynamicPolygonSum& self) {
             return std::pair(self.vertex_of_Q(), self.vertex_of_P());
           },
+          Released(),
           "For each edge of P its vertex of Q, and for each edge of Q its vertex of P; vertices "
           "are strictly convex ones, from the least one on.");
 }

@@ -169,9 +169,11 @@ void bind_disc(nb::module_& module) {
       .def(
           "__eq__",
           [](const TimedOffset& a, const TimedOffset& b) { return json_of(a) == json_of(b); },
-          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__hash__",
-           [](const TimedOffset& offset) { return std::hash<std::string>()(json_of(offset)); })
+          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"), Released())
+      .def(
+          "__hash__",
+          [](const TimedOffset& offset) { return std::hash<std::string>()(json_of(offset)); },
+          Released())
       .def("__repr__",
            [](const TimedOffset& offset) {
              return "<Offset: " + std::to_string(offset.region.components.size()) +
@@ -184,10 +186,10 @@ void bind_disc(nb::module_& module) {
       .def_prop_ro("curves", curves, "Of all rings, parts of one circle or line together.")
       .def_prop_ro(
           "area", [](const TimedOffset& offset) { return bounds(measures_of(offset).area); },
-          "Between the two doubles next to it.")
+          Released(), "Between the two doubles next to it.")
       .def_prop_ro(
           "length", [](const TimedOffset& offset) { return bounds(measures_of(offset).length); },
-          "Of the boundary, between the two doubles next to it.")
+          Released(), "Of the boundary, between the two doubles next to it.")
       .def_ro("seconds", &TimedOffset::seconds, "Of the computation, without conversions.")
       .def_prop_ro("statistics", statistics,
                    "Curves and edges that were compared, by the route paper curves and curves; how "
@@ -210,6 +212,7 @@ void bind_disc(nb::module_& module) {
             return std::tuple(to_strings(frame.origin), to_string(frame.factor),
                               nearest_double(root_of(RootNumber(square))));
           },
+          Released(),
           "An origin and a factor for drawings, exact: in that frame the boundary is of a size of "
           "about 1. The radius there, in a double.")
       .def("drawn_rings", rows_of_rings, "origin"_a = ExactPoint("0", "0"), "factor"_a = "1",

@@ -138,7 +138,7 @@ void bind_disc_closing(nb::module_& module) {
   nb::class_<ClosedByDisc>(module, "ClosedByDisc", "A closing or an opening by a disc.")
       .def_prop_ro("components", &ClosedByDisc::components, "Of the interior.")
       .def_prop_ro("holes", &ClosedByDisc::holes, "Bounded components of the complement.")
-      .def_prop_ro("arcs", &ClosedByDisc::arcs, "Of the boundary.")
+      .def_prop_ro("arcs", &ClosedByDisc::arcs, Released(), "Of the boundary.")
       .def_prop_ro("seconds", [](const ClosedByDisc& found) { return found.seconds; })
       .def("area", &ClosedByDisc::measured_area, Released(), "Between two doubles.")
       .def("rings", &ClosedByDisc::rings, Released(),

@@ -146,7 +146,7 @@ void bind_disc_events(nb::module_& module) {
               kinds.emplace_back(name(event.kind));
             return kinds;
           },
-          "Of all events, in order.")
+          Released(), "Of all events, in order.")
       .def(
           "rows",
           [](const TimedDiagramEvents& self, std::size_t first, std::size_t count) {

@@ -58,12 +58,14 @@ struct BoundIndex {
     const FloatEnvironment standard;
     std::call_once(has_radii_, [&] {
       const DiagramEvents& diagram = index.diagram();
+      std::vector<std::pair<double, double>> found;
       for (std::uint32_t k = 0; k < index.radii(); ++k) {
         look_for_interrupt();
         const Enclosure near =
             enclose(root_of(diagram.exact(diagram.events[index.event_at(k)]).squared_radius));
-        radii_.emplace_back(near.lower, near.upper);
+        found.emplace_back(near.lower, near.upper);
       }
+      radii_ = std::move(found);
     });
     return radii_;
   }
@@ -221,19 +223,27 @@ class Drawing {
         index_(index.index),
         diagram_(index.index.diagram()),
         unit_(to_double(Rational(1 / diagram_.factor))) {
+    const Computing computing;
     name_edges();
+    for (std::uint32_t k = 0; k < index_.radii(); ++k) {
+      look_for_interrupt();
+      const Equidistant<RootNumber> event = diagram_.exact(diagram_.events[index_.event_at(k)]);
+      radii_.push_back(nearest_double(root_of(event.squared_radius)));
+    }
+    for (const DiagramEvent& event : diagram_.events) {
+      look_for_interrupt();
+      const Equidistant<RootNumber> exact =
+          equidistant_places<RootNumber>(diagram_.curves, event.of)[event.branch];
+      places_.push_back(unit_ * nearest_double(exact.at.x));
+      places_.push_back(unit_ * nearest_double(exact.at.y));
+    }
   }
 
   nb::dict fields() const {
     const FloatEnvironment standard;
     nb::dict all;
     all["origin"] = std::pair(to_double(diagram_.origin.x), to_double(diagram_.origin.y));
-    std::vector<double> radii;
-    for (std::uint32_t k = 0; k < index_.radii(); ++k) {
-      const Equidistant<RootNumber> event = diagram_.exact(diagram_.events[index_.event_at(k)]);
-      radii.push_back(nearest_double(root_of(event.squared_radius)));
-    }
-    all["radii"] = radii;
+    all["radii"] = radii_;
     put_boundary(all);
     put_events(all);
     put_parts(all);
@@ -313,16 +323,11 @@ class Drawing {
 
   void put_events(nb::dict& all) const {
     std::string kinds;
-    std::vector<double> places;
     for (const DiagramEvent& event : diagram_.events) {
       kinds += "cjsrm"[static_cast<std::size_t>(event.kind)];
-      const Equidistant<RootNumber> exact =
-          equidistant_places<RootNumber>(diagram_.curves, event.of)[event.branch];
-      places.push_back(unit_ * nearest_double(exact.at.x));
-      places.push_back(unit_ * nearest_double(exact.at.y));
     }
     all["kinds"] = kinds;
-    all["places"] = places;
+    all["places"] = places_;
     all["near"] = lists(near_);
     Rows<2> gaps;
     for (const HullGap& gap : diagram_.gaps) gaps.push_back({gap.from, gap.to});
@@ -375,6 +380,7 @@ class Drawing {
   const DiscIndex& index_;
   const DiagramEvents& diagram_;
   double unit_;                                                    ///< a power of two
+  std::vector<double> radii_, places_;                             ///< of events
   std::vector<Numbers> near_;                                      ///< features of events
   std::vector<std::pair<VertexId, std::uint32_t>> further_edges_;  ///< and their lines
 };
@@ -389,7 +395,7 @@ void bind_index_radii(nb::class_<BoundIndex>& bound) {
           "parts", [](const BoundIndex& self) { return self.index.graph().halves.size() / 2; },
           "Of the outer Voronoi diagram, on each of which the radius grows or shrinks.")
       .def(
-          "radii", [](const BoundIndex& self) { return self.radii(); },
+          "radii", [](const BoundIndex& self) { return self.radii(); }, Released(),
           "Bounds of the radii of events, ascending, each once.")
       .def(
           "counts",
@@ -397,7 +403,7 @@ void bind_index_radii(nb::class_<BoundIndex>& bound) {
             const auto place = self.index.place(self.square(squared_radius));
             return std::pair(self.history.components(place), self.history.holes(place));
           },
-          "squared_radius"_a, "(components, holes) at a radius, exact, events too.")
+          "squared_radius"_a, Released(), "(components, holes) at a radius, exact, events too.")
       .def(
           "measures",
           [](const BoundIndex& self, const std::string& squared_radius) {
@@ -413,14 +419,14 @@ void bind_index_radii(nb::class_<BoundIndex>& bound) {
           [](const BoundIndex& self, const std::string& squared_radius) {
             return self.index.place(self.square(squared_radius)).at_event;
           },
-          "squared_radius"_a, "Whether a radius is that of an event. Exact.")
+          "squared_radius"_a, Released(), "Whether a radius is that of an event. Exact.")
       .def(
           "place",
           [](const BoundIndex& self, const std::string& squared_radius) {
             const auto place = self.index.place(self.square(squared_radius));
             return std::pair(place.gap, place.at_event);
           },
-          "squared_radius"_a,
+          "squared_radius"_a, Released(),
           "How many radii of events are not above a radius; whether the last is this one. Exact.")
       .def(
           "canonical_json",
@@ -436,8 +442,11 @@ void bind_index_radii(nb::class_<BoundIndex>& bound) {
           "vertices",
           [](const BoundIndex& self, double radius) {
             auto found = std::make_unique<Vertices>();
-            find_vertices(self, radius, *found);
-            refuse_beyond_doubles(*found);
+            {
+              const Computing computing;
+              find_vertices(self, radius, *found);
+              refuse_beyond_doubles(*found);
+            }
             return as_arrays(std::move(found));
           },
           "radius"_a, nb::sig("def vertices(self, radius: float) -> tuple[typing.Any, typing.Any]"),
@@ -463,23 +472,24 @@ void bind_index_events(nb::class_<BoundIndex>& bound) {
             }
             return kinds;
           },
-          "Of all events, in order.")
+          Released(), "Of all events, in order.")
       .def(
           "graph", &graph_parts, Released(),
           "Parts of the outer Voronoi diagram: their ends, (\"event\", [number]), (\"vertex\", [x, "
           "y]) of a reflex vertex, or (\"infinity\", [x, y, x, y]) between two vertices of the "
           "hull; and the two features that are nearest.")
       .def(
-          "places", &place_rows,
+          "places", &place_rows, Released(),
           "Three features, by number, and a branch, for each event of three features or more: what "
           "disc_index proves again.")
-      .def("changes", &changes,
+      .def("changes", &changes, Released(),
            "(event, number of its radius from 1 on, holes that are born and the hole that each was "
            "a part of, holes that end, polygons whose components join), of events at which there "
            "are any.")
-      .def("holes", &holes,
+      .def("holes", &holes, Released(),
            "(birth or None, end, place of the end, hole that it was a part of), numbered from 1.")
-      .def("joins", &joins, "(radius or None, polygon, polygon): from where on components are one.")
+      .def("joins", &joins, Released(),
+           "(radius or None, polygon, polygon): from where on components are one.")
       .def(
           "drawing", [](const BoundIndex& self) { return Drawing(self).fields(); },
           nb::sig("def drawing(self) -> dict[str, typing.Any]"),

@@ -44,7 +44,7 @@ class Dynamic {
   Fields move_to(const std::string& scale) {
     const Rational s = parse_rational(scale);
     const Stopwatch watch;
-    const StepReport report = sum_->move_to(s);
+    const StepReport report = computed([&] { return sum_->move_to(s); });
     const double taken = watch.seconds();
     at_ = s;
     Fields fields;

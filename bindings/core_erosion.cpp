@@ -78,10 +78,11 @@ void bind_outside(nb::module_& module) {
                                  "outside of P as an operand, ring 0 being the box."))
       .def(
           "__init__", [](Outside* self, const Set& P) { new (self) Outside(outside_of(P.value)); },
-          "P"_a,
+          "P"_a, Released(),
           "The box is wider than P by three widths on either side, and higher by three heights. P "
           "is valid.")
-      .def_prop_ro("set", [](const Outside& outside) { return Set{outside.set}; })
+      .def_prop_ro(
+          "set", [](const Outside& outside) { return Set{outside.set}; }, Released())
       .def("in_operands", row_in_operands, "row"_a,
            "A row of a convolution of the set, with the edge or the vertex of P in it.")
       .def(
@@ -111,7 +112,7 @@ void bind_erosion(nb::module_& module) {
              "The erosion of sP by Q, plus Q; what lies beside the region are tight passages.");
   module.def("closing", closed, "P"_a, "Q"_a, "scale"_a, Released(), "sP + Q, eroded by Q.");
   module.def(
-      "negated", [](const Set& Q) { return Set{negated(Q.value)}; }, "Q"_a,
+      "negated", [](const Set& Q) { return Set{negated(Q.value)}; }, "Q"_a, Released(),
       "-Q; rings and vertices keep their numbers.");
   module.def(
       "inside_out",
@@ -127,7 +128,7 @@ void bind_erosion(nb::module_& module) {
         const auto least = least_scale_with_room(P.value, Q.value);
         return least ? std::optional(to_string(*least)) : std::nullopt;
       },
-      "P"_a, "Q"_a,
+      "P"_a, "Q"_a, Released(),
       "The least scale at which the box of Q fits into that of sP; None if it does at no scale.");
 }
 

@@ -41,7 +41,7 @@ std::vector<std::string> decide_many(const Set& P, const Set& Q, const std::stri
 }
 
 Fields trial_of_filter(std::uint64_t seed, std::uint64_t count) {
-  const FilterTrial trial = filter_trial(seed, count);
+  const FilterTrial trial = computed([&] { return filter_trial(seed, count); });
   Fields fields;
   MINKREF_PUT(trial, trials, by_filter, filter_wrong, handed_on, doubles_wrong);
   return fields;

@@ -273,7 +273,10 @@ nb::object near_arrays(const BoundFeatures& self, double alpha) {
   auto* all = new std::vector<NearBridge>;
   const nb::capsule owner(
       all, [](void* p) noexcept { delete static_cast<std::vector<NearBridge>*>(p); });
-  self.near.at(alpha / 2, *all);
+  {
+    const Computing computing;
+    self.near.at(alpha / 2, *all);
+  }
   const double* places = all->empty() ? nullptr : &all->front().from_x;
   const std::uint32_t* owners = all->empty() ? nullptr : &all->front().feature;
   using Places = nb::ndarray<nb::numpy, const double>;
@@ -308,10 +311,10 @@ void bind_tree(nb::class_<BoundFeatures>& bound) {
           },
           "event"_a, Released(), "As DiagramEvents.rows has it.")
       .def_prop_ro(
-          "feature_of", [](const BoundFeatures& self) { return self.tree.feature_of; },
+          "feature_of", [](const BoundFeatures& self) { return self.tree.feature_of; }, Released(),
           "By node of the diagram, as DiscIndex.drawing numbers them: the tree node just above the "
           "node's radius.")
-      .def("bars", &bar_rows,
+      .def("bars", &bar_rows, Released(),
            "(leaf, birth, death or None, node at which it ends, essential, tie), in the order of "
            "the leaves; radii by number.")
       .def_prop_ro("track_count", [](const BoundFeatures& self) { return self.tracks.size(); })

@@ -330,6 +330,7 @@ void bind_rings(nb::module_& module) {
             }
             return rows;
           },
+          Released(),
           "Of each ring: whether it is a hole's, its component, the hole on its other side.")
       .def_prop_ro(
           "x",
@@ -383,14 +384,16 @@ void bind_index(nb::module_& module) {
           Released())
       .def_ro("seconds", &Index::seconds, "Of building or opening it.")
       .def_prop_ro("window", &Index::window, "Begin and end; none where it is open.")
-      .def_prop_ro("P", [](const Index& i) { return Set{i.index().P()}; })
-      .def_prop_ro("Q", [](const Index& i) { return Set{i.index().Q()}; })
+      .def_prop_ro(
+          "P", [](const Index& i) { return Set{i.index().P()}; }, Released())
+      .def_prop_ro(
+          "Q", [](const Index& i) { return Set{i.index().Q()}; }, Released())
       .def(
           "is_of",
           [](const Index& i, const Set& P, const Set& Q) {
             return i.index().P() == P.value && i.index().Q() == Q.value;
           },
-          "P"_a, "Q"_a, "Whether it was built of these operands.")
+          "P"_a, "Q"_a, Released(), "Whether it was built of these operands.")
       .def("counts", &Index::counts)
       .def("edges", &Index::edges, Released(), "Rows as reduced_convolution's.")
       .def(

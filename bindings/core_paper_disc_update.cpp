@@ -199,7 +199,7 @@ void bind_paper_disc_update(nb::module_& module) {
           [](const AppendixAnswer& answer, const AppendixAnswer& other) {
             return corner_distance(answer.found, other.found);
           },
-          "other"_a,
+          "other"_a, Released(),
           "The largest distance of corresponding corners, rounded; None unless all curves of all "
           "rings agree.")
       .def_ro("seconds", &AppendixAnswer::seconds);
@@ -236,7 +236,7 @@ void bind_paper_disc_update(nb::module_& module) {
            "program: right are those within 2^-bits of the scale.")
       .def("counts", &AppendixUpdate::counts,
            "Segments, arcs, pairs looked at, meetings, pairs left out for NaN.")
-      .def("features", &AppendixUpdate::features,
+      .def("features", &AppendixUpdate::features, Released(),
            "By number: an edge, its ring and the index of its first vertex, or a vertex and its "
            "coordinates.")
       .def_ro("seconds", &AppendixUpdate::seconds, "That finding the meetings took.");

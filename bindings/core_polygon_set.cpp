@@ -79,7 +79,7 @@ Location location(const Set& set, const nb::object& point) {
   if (!read.value.is_point()) {
     throw BadInput("no-point", "this is not a point", "give a point (x, y)");
   }
-  return locate(set.value, read.value.polygons[0].outer[0]);
+  return computed([&] { return locate(set.value, read.value.polygons[0].outer[0]); });
 }
 
 /// The result of a function of Python for two sets.
@@ -113,16 +113,16 @@ Set from_state(const std::pair<std::string, bool>& state) {
 void bind_kinds(nb::class_<Set>&& bound) {
   bound
       .def_prop_ro(
-          "is_region", [](const Set& set) { return has_area(set.value); },
+          "is_region", [](const Set& set) { return has_area(set.value); }, Released(),
           "A set with an area: not empty, no points and segments.")
       .def_prop_ro(
-          "is_convex", [](const Set& set) { return is_convex(set.value); },
+          "is_convex", [](const Set& set) { return is_convex(set.value); }, Released(),
           "One convex polygon without holes; straight vertices may be there.")
       .def_prop_ro("is_empty", [](const Set& set) { return set.value.empty(); })
       .def_prop_ro("is_point", [](const Set& set) { return set.value.is_point(); })
       .def_prop_ro("is_segment", [](const Set& set) { return set.value.is_segment(); })
       .def_prop_ro(
-          "is_lines", [](const Set& set) { return is_lines(set.value); },
+          "is_lines", [](const Set& set) { return is_lines(set.value); }, Released(),
           "Several points and segments.");
 }
 
@@ -174,11 +174,12 @@ std::string word_of(Location location) {
 /// Sizes, kinds, and the set under a scaling or a translation.
 static void bind_measures(nb::class_<Set>&& bound) {
   bound
-      .def("bounding_box", bounding_box,
+      .def("bounding_box", bounding_box, Released(),
            "xmin, ymin, xmax, ymax: the nearest doubles. Raises as arrays(); ValueError for the "
            "empty set.")
       .def_prop_ro(
-          "area", [](const Set& set) { return quantity(area(set.value)); },
+          "area",
+          [](const Set& set) { return quantity(computed([&] { return area(set.value); })); },
           nb::sig("def area(self) -> fractions.Fraction"), "The exact area. Linear.")
       .def(
           "scaled",
@@ -229,25 +230,33 @@ void bind_polygon_set(nb::module_& module) {
           [](const Set& a, const Set& b) {
             return a.value == b.value || compared_text(a) == compared_text(b);
           },
-          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__hash__",
-           [](const Set& set) { return std::hash<std::string>()(compared_text(set)) >> 1; })
+          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"), Released())
+      .def(
+          "__hash__",
+          [](const Set& set) { return std::hash<std::string>()(compared_text(set)) >> 1; },
+          Released())
       .def("__repr__", [](const Set& set) { return shown(set); })
-      .def("_repr_svg_", [](const Set& set) { return write(set.value, Format::svg); })
+      .def(
+          "_repr_svg_", [](const Set& set) { return write(set.value, Format::svg); }, Released())
       .def_prop_ro(
           "__geo_interface__",
           [](const Set& set) {
-            return nb::module_::import_("json").attr("loads")(write(set.value, Format::geojson));
+            const std::string text = computed([&] { return write(set.value, Format::geojson); });
+            return nb::module_::import_("json").attr("loads")(text);
           },
           "GeoJSON's geometry in doubles, as Shapely and others take it.")
       .def_static("from_json", from_json, "text"_a, Released(),
                   "From {\"polygons\":[{\"outer\":ring,\"holes\":[...]}]}; nothing is validated.")
       .def("to_json", to_json, Released(), "The rings as they are stored.")
-      .def("__getstate__", [](const Set& set) { return std::pair(to_json(set), set.canonical); })
-      .def("__setstate__",
-           [](Set& self, const std::pair<std::string, bool>& state) {
-             new (&self) Set(from_state(state));
-           })
+      .def(
+          "__getstate__", [](const Set& set) { return std::pair(to_json(set), set.canonical); },
+          Released())
+      .def(
+          "__setstate__",
+          [](Set& self, const std::pair<std::string, bool>& state) {
+            new (&self) Set(from_state(state));
+          },
+          Released())
       .def("canonical_json", canonical_text, Released(), "Canonical JSON of the canonical form.")
       .def(
           "validate",
@@ -267,7 +276,7 @@ void bind_polygon_set(nb::module_& module) {
       .def("arrays", arrays_of_doubles, nb::sig("def arrays(self) -> list[list[typing.Any]]"),
            "As rings(), each an array of NumPy of shape (n, 2), of the nearest doubles. Raises "
            "LimitExceeded for a coordinate beyond their range.")
-      .def("approximate_rings", drawn_rings,
+      .def("approximate_rings", drawn_rings, Released(),
            "As rings(), points as pairs of the nearest doubles. Raises as arrays().");
   bind_kinds(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));
   bind_measures(nb::borrow<nb::class_<Set>>(module.attr("PolygonSet")));

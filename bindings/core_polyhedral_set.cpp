@@ -63,16 +63,20 @@ void bind_set(nb::class_<PolyhedralSet>& bound) {
           "The set that a polyhedron bounds. Refuses (BadInput) what is not valid. Exact.")
       .def(
           "__eq__", [](const PolyhedralSet& a, const PolyhedralSet& b) { return a == b; },
-          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__getstate__", &state_of)
-      .def("__setstate__",
-           [](PolyhedralSet& self, const std::vector<PlaneRow>& state) {
-             new (&self) PolyhedralSet(set_of_state(state));
-           })
-      .def("__hash__",
-           [](const PolyhedralSet& set) {
-             return std::hash<std::string>()(canonical_json(set)) >> 1;
-           })
+          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"), Released())
+      .def("__getstate__", &state_of, Released())
+      .def(
+          "__setstate__",
+          [](PolyhedralSet& self, const std::vector<PlaneRow>& state) {
+            new (&self) PolyhedralSet(set_of_state(state));
+          },
+          Released())
+      .def(
+          "__hash__",
+          [](const PolyhedralSet& set) {
+            return std::hash<std::string>()(canonical_json(set)) >> 1;
+          },
+          Released())
       .def("__repr__",
            [](const PolyhedralSet& set) {
              return "<PolyhedralSet: faces in " + std::to_string(set.faces.size()) + " planes>";
@@ -102,7 +106,8 @@ void bind_set(nb::class_<PolyhedralSet>& bound) {
           },
           "point"_a, "Where a point (x, y, z) lies: inside, boundary or outside. Exact. O(n).")
       .def_prop_ro(
-          "volume", [](const PolyhedralSet& set) { return quantity(volume(set)); },
+          "volume",
+          [](const PolyhedralSet& set) { return quantity(computed([&] { return volume(set); })); },
           nb::sig("def volume(self) -> fractions.Fraction"), "The exact volume. Linear.")
       .def_prop_ro(
           "planes", [](const PolyhedralSet& set) { return set.faces.size(); },

@@ -37,6 +37,7 @@ Ring ring_of(const std::vector<ExactPoint>& texts) {
 std::vector<PlaneRow> state_of(const PolyhedralSet& set) {
   std::vector<PlaneRow> rows;
   for (const auto& [plane, region] : set.faces) {
+    look_for_interrupt();
     std::vector<std::vector<std::vector<ExactPoint>>> polygons;
     for (const Polygon& polygon : region.polygons) {
       auto& rings = polygons.emplace_back();
@@ -53,6 +54,7 @@ std::vector<PlaneRow> state_of(const PolyhedralSet& set) {
 PolyhedralSet set_of_state(const std::vector<PlaneRow>& state) {
   PolyhedralSet set;
   for (const auto& [normal, offset, polygons] : state) {
+    look_for_interrupt();
     const auto& [x, y, z] = normal;
     const IntegerVector n{integer_of(x), integer_of(y), integer_of(z)};
     if (is_zero(n) || primitive(n) != n || polygons.empty()) refuse();

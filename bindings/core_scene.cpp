@@ -177,7 +177,7 @@ void bind_scene(nb::module_& module) {
       .def("added", added, "shape"_a, "scale"_a, "x"_a, "y"_a, Released(),
            "With one copy more, the last.")
       .def("removed", removed, "copy"_a, Released(), "Without a copy: later copies move up by one.")
-      .def_prop_ro("copies", copies_of, "Rows (shape, scale, x, y).")
+      .def_prop_ro("copies", copies_of, Released(), "Rows (shape, scale, x, y).")
       .def(
           "region", [](const BoundScene& self) { return Set{self.scene.region().region, true}; },
           Released(), "The union in canonical form; found when first asked for, and kept.")

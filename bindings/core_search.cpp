@@ -30,7 +30,7 @@ void bind_search_class(nb::module_& module, const char* name, const char* text) 
       .def(
           "__init__",
           [](Search* self, const Set& P, const Set& Q) { new (self) Search(P.value, Q.value); },
-          "P"_a, "Q"_a)
+          "P"_a, "Q"_a, Released())
       .def("run", timed_run<Search>, "scale"_a, Released(),
            "How many intersections there are at a scale, and the seconds that it took.");
 }

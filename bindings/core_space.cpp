@@ -30,7 +30,10 @@ namespace {
 Polyhedron polyhedron_of(const std::vector<ExactSpacePoint>& vertices,
                          const std::vector<Face>& faces) {
   Polyhedron result;
-  for (const ExactSpacePoint& vertex : vertices) result.vertices.push_back(to_point(vertex));
+  for (const ExactSpacePoint& vertex : vertices) {
+    look_for_interrupt();
+    result.vertices.push_back(to_point(vertex));
+  }
   result.faces = faces;
   validate_faces(result);
   return result;
@@ -49,7 +52,10 @@ template <class Row>
 std::vector<Row> points(const Polyhedron& polyhedron, Row (*row)(const SpacePoint&)) {
   std::vector<Row> result;
   result.reserve(polyhedron.vertices.size());
-  for (const SpacePoint& vertex : polyhedron.vertices) result.push_back(row(vertex));
+  for (const SpacePoint& vertex : polyhedron.vertices) {
+    look_for_interrupt();
+    result.push_back(row(vertex));
+  }
   return result;
 }
 
@@ -99,7 +105,7 @@ void bind_changed_surfaces(nb::class_<Surface>& bound) {
           [](const Surface& self, const ExactSpacePoint& by) {
             return Surface(scaled(self.value(), to_scaling(by)));
           },
-          "by"_a,
+          "by"_a, Released(),
           nb::sig("def scaled(self, by: " MINKREF_NUMBER
                   " | collections.abc.Sequence[" MINKREF_NUMBER "]) -> Polyhedron"),
           "About the origin, by one factor or one for each axis.")
@@ -108,16 +114,16 @@ void bind_changed_surfaces(nb::class_<Surface>& bound) {
           [](const Surface& self, const ExactSpacePoint& by) {
             return Surface(translated(self.value(), to_point(by)));
           },
-          "by"_a,
+          "by"_a, Released(),
           nb::sig("def translated(self, by: collections.abc.Sequence[" MINKREF_NUMBER
                   "]) -> Polyhedron"))
       .def(
           "with_shared_vertices",
           [](const Surface& self) { return Surface(with_shared_vertices(self.value())); },
-          "One vertex for all that have the same coordinates.")
+          Released(), "One vertex for all that have the same coordinates.")
       .def(
           "canonical_json", [](const Surface& self) { return canonical_json(self.value()); },
-          "The text of which the digest is taken; of a surface in canonical form.");
+          Released(), "The text of which the digest is taken; of a surface in canonical form.");
 }
 
 }  // namespace
@@ -153,16 +159,19 @@ void bind_space(nb::module_& module) {
           "From points (x, y, z), whose numbers count by their exact value as those of PolygonSet, "
           "and for each face the numbers of its vertices. Refuses (BadInput) a face that names no "
           "vertex, or has fewer than three.")
-      .def("__getstate__",
-           [](const Surface& self) {
-             return std::pair(points<ExactSpacePoint>(self.value(), to_strings),
-                              self.value().faces);
-           })
-      .def("__setstate__",
-           [](Surface& self,
-              const std::pair<std::vector<ExactSpacePoint>, std::vector<Face>>& state) {
-             new (&self) Surface(polyhedron_of(state.first, state.second));
-           })
+      .def(
+          "__getstate__",
+          [](const Surface& self) {
+            return std::pair(points<ExactSpacePoint>(self.value(), to_strings), self.value().faces);
+          },
+          Released())
+      .def(
+          "__setstate__",
+          [](Surface& self,
+             const std::pair<std::vector<ExactSpacePoint>, std::vector<Face>>& state) {
+            new (&self) Surface(polyhedron_of(state.first, state.second));
+          },
+          Released())
       .def("__repr__",
            [](const Surface& self) {
              return "<Polyhedron: " + std::to_string(self.value().vertices.size()) + " vertices, " +
@@ -170,17 +179,17 @@ void bind_space(nb::module_& module) {
            })
       .def(
           "points", [](const Surface& self) { return points(self.value(), exact_point); },
-          "The vertices, exact: triples of Fractions.")
+          Released(), "The vertices, exact: triples of Fractions.")
       .def(
           "written_points",
           [](const Surface& self) { return points<ExactSpacePoint>(self.value(), to_strings); },
-          "The vertices as documents have them: texts of exact numbers.")
+          Released(), "The vertices as documents have them: texts of exact numbers.")
       .def(
           "approximate_points",
-          [](const Surface& self) { return approximate_points(self.value()); },
+          [](const Surface& self) { return approximate_points(self.value()); }, Released(),
           "The nearest doubles, for drawing.")
       .def(
-          "rings", [](const Surface& self) { return self.value().faces; },
+          "rings", [](const Surface& self) { return self.value().faces; }, Released(),
           "For each face the numbers of its vertices.")
       .def(
           "triangles", [](const Surface& self) { return triangles(self.value()); }, Released(),
@@ -211,7 +220,7 @@ void bind_space(nb::module_& module) {
       .def(
           "sextuple_volume",
           [](const Surface& self) { return ExactNumber{sextuple_volume(self.value())}; },
-          "Six times the volume. Exact.")
+          Released(), "Six times the volume. Exact.")
       .def(
           "projected_areas", [](const Surface& self) { return projected_areas(self.value()); },
           Released(),

@@ -95,7 +95,10 @@ void bind_sum(nb::module_& module) {
            })
       .def_ro("region", &TimedSum::region)
       .def_prop_ro(
-          "area", [](const TimedSum& sum) { return quantity(area(sum.region.value)); },
+          "area",
+          [](const TimedSum& sum) {
+            return quantity(computed([&] { return area(sum.region.value); }));
+          },
           nb::sig("def area(self) -> fractions.Fraction"), "The exact area. Linear.")
       .def_ro("components", &TimedSum::components)
       .def_ro("holes", &TimedSum::holes)

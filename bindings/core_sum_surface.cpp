@@ -83,19 +83,20 @@ void bind_sum_surface(nb::module_& module) {
                     std::to_string(self.value->faces.size()) + " facets>";
            })
       .def_prop_ro("vertices", [](const SumSurface& self) { return self.value->points.size(); })
-      .def_prop_ro("edges", [](const SumSurface& self) { return edges_of(*self.value); })
+      .def_prop_ro(
+          "edges", [](const SumSurface& self) { return edges_of(*self.value); }, Released())
       .def_prop_ro("facets", [](const SumSurface& self) { return self.value->faces.size(); })
       .def(
           "points", [](const SumSurface& self) { return points_of(*self.value, exact_point); },
-          "The vertices, exact, in lexicographic order: triples of Fractions.")
+          Released(), "The vertices, exact, in lexicographic order: triples of Fractions.")
       .def(
           "written_points",
           [](const SumSurface& self) {
             return points_of<ExactSpacePoint>(*self.value, to_strings);
           },
-          "The same as documents have them: texts of exact numbers.")
+          Released(), "The same as documents have them: texts of exact numbers.")
       .def(
-          "rings", [](const SumSurface& self) { return facets_of(*self.value); },
+          "rings", [](const SumSurface& self) { return facets_of(*self.value); }, Released(),
           "Of each facet the number of its plane in the canonical form; its rings of vertices, "
           "counter-clockwise seen from outside, the outer one first, then those around holes, and "
           "those there and back along edges in its inside; the vertices at which tips touch it.")

@@ -103,6 +103,7 @@ SpacePoint lifted(const Point& point, const OrientedPlane& plane) {
 std::string canonical_json(const PolyhedralSet& set) {
   std::string text = R"({"planes":[)";
   for (const PlaneRegion& face : set.faces) {
+    look_for_interrupt();
     text += text.back() == '[' ? "{" : ",{";
     text += text_of(face.plane) + R"(,"region":)" + canonical_json(face.region) + '}';
   }
@@ -112,6 +113,7 @@ std::string canonical_json(const PolyhedralSet& set) {
 Rational volume(const PolyhedralSet& set) {
   Rational triple = 0;
   for (const PlaneRegion& face : set.faces) {
+    look_for_interrupt();
     const Integer& height = face.plane.normal[viewing_axis(face.plane.normal)];
     triple += face.plane.offset * area(face.region) / Rational(abs(height));
   }

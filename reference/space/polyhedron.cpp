@@ -56,13 +56,19 @@ void require_positive(const Scaling& scaling) {
 Polyhedron scaled(const Polyhedron& polyhedron, const Scaling& by) {
   require_positive(by);
   Polyhedron result = polyhedron;
-  for (SpacePoint& v : result.vertices) v = {v.x * by[0], v.y * by[1], v.z * by[2]};
+  for (SpacePoint& v : result.vertices) {
+    look_for_interrupt();
+    v = {v.x * by[0], v.y * by[1], v.z * by[2]};
+  }
   return result;
 }
 
 Polyhedron translated(const Polyhedron& polyhedron, const SpacePoint& by) {
   Polyhedron result = polyhedron;
-  for (SpacePoint& v : result.vertices) v = {v.x + by.x, v.y + by.y, v.z + by.z};
+  for (SpacePoint& v : result.vertices) {
+    look_for_interrupt();
+    v = {v.x + by.x, v.y + by.y, v.z + by.z};
+  }
   return result;
 }
 

@@ -170,7 +170,7 @@ def prepare(name: str) -> None:
         written()
     elif name.startswith("reading "):
         mesh_text(name.removeprefix("reading "))
-    elif name in ("validation, slivers", "certified as convex"):
+    elif name in ("validation, slivers", "certified as convex", "a solid"):
         double_cone(SIXTY)
     elif name in ("validation, large faces", "cut into triangles"):
         star_prism(SIXTY)
@@ -215,6 +215,7 @@ def works() -> dict[str, Callable[[], object]]:
         "validation, spikes": lambda: star(SIXTY, 10**9).validate(),
         "validation, slivers": lambda: double_cone(SIXTY).validate(),
         "validation, large faces": lambda: star_prism(SIXTY).validate(),
+        "a solid": lambda: _core.PolyhedralSet(double_cone(SIXTY)),
         "certified as convex": lambda: _core.ConvexPolyhedron(double_cone(SIXTY)),
         "a set of points": lambda: _core.PolygonSet(points(SIXTY)),
         **{
