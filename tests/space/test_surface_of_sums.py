@@ -55,9 +55,7 @@ def test_the_hole_of_a_frame_closes(scale: str, tunnels: int) -> None:
     assert volume == found.volume
     assert characteristic == 2 - 2 * tunnels
     s = Fraction(scale)
-    assert found.projected_areas()[2] == 2 * (
-        (5 * s + 1) ** 2 - max(3 * s - 1, Fraction(0)) ** 2
-    )
+    assert found.projected_areas()[2] == 2 * ((5 * s + 1) ** 2 - max(3 * s - 1, Fraction(0)) ** 2)
 
 
 def test_the_cavity_of_a_shell() -> None:
