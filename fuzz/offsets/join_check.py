@@ -1,9 +1,9 @@
 """Checks the witness of an offset with joins and caps in plain fractions. No code from the finder.
 
 A missing point lies in the union of the set, the sides' rectangles, and the joins and caps, also at
-a radius smaller by the tolerance, and so does a square around it, half as wide as the tolerance:
-between all heights at which something begins, ends or crosses, one line through the square is
-covered. A point too much is farther than the tolerance from all of these.
+a radius smaller by the tolerance, and so does the square around it: between all heights at which
+something begins, ends or crosses, also a side of the square, one line through it is covered. A
+point too much is farther than the tolerance from all of these.
 
 A sharp join is a whole kite, and only sets whose moved sides stay simple come here: this is checked
 first. To erode, the pieces lie inside, and are taken away together with all that is outside.
@@ -239,6 +239,7 @@ def _covered(x: Pair, half: Fraction, bodies: list[Body]) -> bool:
         and min(a[1], b[1]) <= high and max(a[1], b[1]) >= low
     ]  # fmt: skip
     heights = {low, high, *(p[1] for side in sides for p in side if low < p[1] < high)}
+    sides += [((x, low), (x, high)) for x in (left, right)]
     heights |= {y for k, one in enumerate(sides) for other in sides[:k]
                 if (y := _crossing(one, other)) is not None and low < y < high}  # fmt: skip
     ordered = sorted(heights)

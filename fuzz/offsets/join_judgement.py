@@ -48,12 +48,11 @@ def _sharp_breaches(
         low, high = abs(case.radius) - half, abs(case.radius) + half
         found = Sandwich(case.near, low, high, result, case.inward).breaches(())
         return [one for one in found if one.missing]
-    front = front_of(case)
-    least, most = abs(case.radius), abs(case.radius) + half
+    least, most = (abs(case.radius), DEEP * half + little), (abs(case.radius) + half, half + little)
     if case.inward:
         least, most = most, least
-    both = (_beyond(front.at(most), half + little, result),
-            _lacking(front.at(least), DEEP * half + little, result))  # fmt: skip
+    (low, inside), (high, outside), front = least, most, front_of(case)
+    both = _beyond(front.at(high), outside, result), _lacking(front.at(low), inside, result)
     return [replace(one, missing=one.missing != case.inward) for one in both if one is not None]
 
 

@@ -123,6 +123,18 @@ def test_a_slit_is_missing_however_thin(name: str) -> None:
     assert outcome(Slit(), case(name)).verdict is Verdict.WRONG
 
 
+def test_a_square_that_lacks_a_corner_is_no_witness() -> None:
+    """The side x + y = 10 moves to 10 + sqrt 2, and has to leave out no corner."""
+    triangle = {"polygons": [{"outer": [["0", "0"], ["10", "0"], ["0", "10"]], "holes": []}]}
+    text = json.dumps({"offset": triangle, "radius": "1", "join": "bevel"})
+    for tolerance, holds in (("7/10", True), ("3/4", False)):
+        witness = Witness(("5", "5"), True, tolerance=tolerance)
+        assert shows(text, witness) == holds
+        assert ALONE["answers"](json.loads(text), witness.document()) == (
+            {True} if holds else {True, False}
+        )
+
+
 def test_a_witness_with_joins_that_says_too_much_is_refused() -> None:
     """A corner without its mitre: the square around the witness has to lie within it."""
     asked, said = next(
