@@ -14,6 +14,7 @@ from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.verdicts.verdict import Reason
 from minkref.oracle.checker import check as checker
 from minkref.output.documents import scratch_folder
+from minkref.output.terminal import escaped
 
 MOST_VERTICES = 5000  # of both operands: a few seconds to make, and to check in Python
 LIMITS = 60.0, 1e9, 2.0**28  # of seconds, of tests, of bytes
@@ -55,7 +56,8 @@ def certificate_of(finding: Finding, name: str) -> WitnessCertificate | None:
         return None
     try:
         claimed = _claimed(finding)
-        title = f"{finding.outcome.target}, {', '.join(finding.outcome.kinds)}: {claimed.words}"
+        said = f"{finding.outcome.target}, {', '.join(finding.outcome.kinds)}: {claimed.words}"
+        title = escaped(cut(said))
         certificate = claimed.certificate
         text, beside = certificate.text(f"{name}.case.json", title), certificate.case()
         _check(text, beside, name)

@@ -8,6 +8,7 @@ import json
 import random
 from collections.abc import Callable
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -16,9 +17,12 @@ from minkref.certify.plane.certificate import NoProof
 from minkref.certify.space.solid_point_certificate import SolidPointCertificate
 from minkref.errors import Refusal
 from minkref.fuzz.geometry.polyhedron import Polyhedron
+from minkref.fuzz.judges.witness_certificate import is_true
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Witness
+from replacing import sample, verdicts_on
+from test_convex_changes import changes
 from thoroughness import draws
 
 SEED = 88
@@ -138,6 +142,19 @@ def test_what_breaks_a_rule_is_refused(
     spoil(value)
     got, said = check_value(value, case)
     assert got == code and why in said, said
+
+
+def test_every_change_is_refused_or_true(tmp_path: Path) -> None:
+    """Both checkers agree; a judge without proofs confirms what they accept."""
+    value, case = values_of(CERTIFICATE)
+    value = {name: value[name] for name in ("certificate", "case", "proof", "claims")}
+    given = sample(changes(value, case), 700)
+    codes = verdicts_on(tmp_path, [(value, case), *given])
+    assert codes[0] == 0
+    held = [one for one, code in zip(given, codes[1:], strict=True) if code == 0]
+    assert 0 < len(held) < len(given) / 4
+    for certificate, of in held:
+        assert all(is_true(of, claim) for claim in certificate["claims"]), (certificate, of)
 
 
 def test_another_case_is_refused(check_value: Any) -> None:

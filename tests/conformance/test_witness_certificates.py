@@ -108,6 +108,13 @@ def test_invalid_operands_have_no_certificate() -> None:
     assert made is not None and "invalid" in made.why_none
 
 
+def test_a_hostile_name_of_a_target_stays_in_the_title() -> None:
+    finding = shown(summed("1"), Witness(("5", "1"), True))
+    named = Finding(replace(finding.outcome, target='x\x00\udcff"<b>\x1b[31m'), finding.case)
+    made = certificate_of(named, "it")
+    assert made is not None and made.file and "\x1b" not in json.loads(made.text)["title"]
+
+
 def test_a_crash_has_no_witness_and_no_certificate(finding: Callable[..., Finding]) -> None:
     crashed = finding(summed("1"), "target", verdict=Verdict.CRASHED)
     assert certificate_of(crashed, "it") is None

@@ -41,8 +41,8 @@ MINUTES = Minutes(0.2, 0.6, 6)
 
 SEED = 2026
 WITNESSES, MUTANTS = Counts(30, 100, 500), Counts(100, 500, 2000)
-EVERY = Counts(12, 6, 1)  # one seeded fault of so many
-CASES = Counts(4, 8, 24)  # of each family
+EVERY = Counts(12, 4, 1)  # one seeded fault of so many
+CASES = Counts(4, 20, 60)  # of each family
 FAMILIES = ("union", "offsets", "path", "space-slot", "space-ring", "space-cup")
 SHOWN_BY = SEEDED / "shown_by.json"  # a case for each seeded fault
 SOLIDS = "py:faulty_solids:fills_all"
