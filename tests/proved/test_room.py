@@ -77,7 +77,7 @@ def test_all_files_are_compiled() -> None:
     assert set(programs.split()) == written | {"checker"}
 
 
-@pytest.mark.parametrize(("file", "least"), [("theory/Paper.v", 10), ("uniqueness/OneForm.v", 4)])
+@pytest.mark.parametrize(("file", "least"), [("theory/Paper.v", 10), ("uniqueness/OneForm.v", 7)])
 def test_each_statement_of_a_page_is_proved_or_refuted(file: str, least: int) -> None:
     """And `make proofs` prints what each rests on."""
     page = without_comments(ROOM / file)
@@ -86,7 +86,7 @@ def test_each_statement_of_a_page_is_proved_or_refuted(file: str, least: int) ->
     assert f"`oracle/proved/{file}`, of {lines} lines" in PAGE.read_text(encoding="utf-8")
     stated = re.findall(r"^Definition (\w+) : Prop :=", page, re.MULTILINE)
     assert len(stated) >= least
-    proofs = "".join(without_comments(path) for path in (ROOM / file).parent.glob("*.v"))
+    proofs = "".join(without_comments(path) for path in ROOM.glob("*/*.v"))
     printed = without_comments(ROOM / "claims" / "Axioms.v")
     for name in stated:
         signs = {f"{name}_holds": "", f"{name}_fails": "~ "}

@@ -7,10 +7,10 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 rooms=(Order Definitions Form Predicates Moving Space Sums Crossings Fans Curves Unions Local
   Numbers Checker Figures Rational Values Corners Cancellation Bodies Scaling Trees Theorems
-  Components Classes Counting Holes Across Sides Overlaps Differing Canonical Signs Passages Touching
-  Moves Events Outside Cones Means Meshes Hulls OneForm Paths Decomposed Gaps Unique Boundaries
-  Beside Leaving Rounds Next Shared Under Alike Segments Legal Points Member Decided Paper Lines Wedges
-  Boundary Walls Facets Axioms Extract)
+  Components Classes Counting Holes Across Sides Overlaps Differing Canonical Cones Means Meshes
+  Hulls OneForm Paths Decomposed Gaps Unique Boundaries Beside Leaving Rounds Next Shared Under
+  Turned Rearranged Alike Segments Legal Points Member Decided Paper Lines Wedges Boundary Walls
+  Facets Signs Passages Touching Moves Events Changes Outside Axioms Extract)
 programs=(failure json text sha256 reading rings checker checked classes pieces elaborate moving
   faces bodies theorem point_theorem intervals claims main)
 # The classical real numbers of Coq's library, and functional extensionality.

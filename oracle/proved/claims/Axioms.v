@@ -1,6 +1,7 @@
 (** The axioms that the theorems rest on. *)
 From Proved Require Import Theorems Counting Holes Canonical Signs Passages Moves Events Outside
-  Hulls Decomposed Gaps Boundaries Alike Decided Lines Boundary Walls Facets.
+  Changes Hulls Decomposed Gaps Boundaries Rearranged Alike
+  Decided Lines Boundary Walls Facets.
 Print Assumptions form_is_right.
 Print Assumptions one_point_is_right.
 Print Assumptions outside_is_right.
@@ -18,6 +19,9 @@ Print Assumptions one_canonical_form_holds.
 Print Assumptions rings_give_closed_sets_holds.
 Print Assumptions another_form_is_another_set_holds.
 Print Assumptions one_form_of_a_sum_holds.
+Print Assumptions one_form_but_for_order_holds.
+Print Assumptions one_figure_of_an_interval_holds.
+Print Assumptions boundary_events_are_events_holds.
 (* The paper's theory *)
 Print Assumptions observation_1_holds.
 Print Assumptions observation_1_printed_fails.

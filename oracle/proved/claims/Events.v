@@ -2,7 +2,7 @@
     *)
 From Coq Require Import Lra Lia Psatz Bool Permutation.
 From Proved Require Import Definitions Form Moving Numbers Rational Values Figures Corners
-  Canonical Touching Moves.
+  Canonical Turned Touching Moves.
 
 (** ** The checker *)
 Open Scope Q_scope.
@@ -104,20 +104,6 @@ Proof.
 Qed.
 
 (** ** The turns of figures that are the same but for order *)
-Lemma path_split {A} (l : list A) : forall f p y r,
-  path f p (l ++ y :: r) = path y p l ++ path f y r.
-Proof. induction l as [|a l IH]; intros f p y r; simpl; [reflexivity|]. rewrite IH. reflexivity.
-Qed.
-Lemma turned_edges {A} (l k : list A) : turned l k -> turned (ring_edges l) (ring_edges k).
-Proof.
-  intros (a & b & -> & ->). destruct a as [|x a].
-  - exists [], (ring_edges b). rewrite !app_nil_r. auto.
-  - destruct b as [|y b].
-    + exists [], (ring_edges (x :: a)). rewrite !app_nil_r. auto.
-    + exists (path y x a), (path x y b). simpl. rewrite !path_split. auto.
-Qed.
-Lemma turned_permuted {A} (l k : list A) : turned l k -> Permutation l k.
-Proof. intros (a & b & -> & ->). apply Permutation_app_comm. Qed.
 Lemma same_polygons_rings {A} (ps qs : list (polygon A)) : Forall2 same_polygon ps qs ->
   exists rs, Permutation (rings_of ps) rs /\ Forall2 turned rs (rings_of qs).
 Proof.

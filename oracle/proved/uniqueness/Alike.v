@@ -52,30 +52,12 @@ Lemma rings_in ps qs C D i j outer holes outer' holes' ring : is_form S ps -> is
   (forall x, C i x <-> D j x) -> In ring (outer :: holes) -> In ring (outer' :: holes').
 Proof.
   intros FP FQ OP OQ PC PD N N' Same I.
-  pose proof (proj1 OP ring (ring_of_form _ _ _ _ _ N I)) as Least.
-  assert (E : exists e, In e (ring_edges ring)).
-  { destruct ring as [|a ring]; [destruct Least|]. pose proof (ring_starts (a :: ring)) as Q.
-    destruct (ring_edges (a :: ring)) as [|e E]; [discriminate|]. exists e. simpl. auto. }
-  destruct E as (e & Ie).
-  destruct (runs S ps qs C D i outer holes ring e is_closed_set FP FQ PC PD N I Ie) as
-    (k & o & h & ring' & f & Nk & Ik & If & T & x & Cx & Dx).
-  assert (Lj : (j < length qs)%nat) by (apply nth_error_Some; congruence).
-  assert (Lk : (k < length qs)%nat) by (apply nth_error_Some; congruence).
-  assert (Li : (i < length ps)%nat) by (apply nth_error_Some; congruence).
-  assert (j = k).
-  { destruct PD as ((_ & Dj) & _ & _). destruct (Dj j Lj) as (_ & _ & _ & Dis).
-    apply (Dis k x); auto. apply Same, Cx. }
-  subst k. rewrite N' in Nk. injection Nk; intros; subst o h.
-  assert (B : bounds S (C i) ring) by (destruct PC as (_ & _ & H); apply (H i _ _ N); auto).
-  assert (B' : bounds S (C i) ring').
-  { apply (bounds_same S (D j)); [intros y; symmetry; apply Same|].
-    destruct PD as (_ & _ & H). apply (H j _ _ N'); auto. }
-  assert (ring = ring'); [|congruence].
-  apply least_first; auto.
-  - apply ring_vertices, B'.
-  - exact (proj1 OQ ring' (ring_of_form _ _ _ _ _ N' Ik)).
-  - destruct PC as (_ & Pt & _).
-    exact (edges_shared S (C i) (form_edges ps) ring ring' e f (Pt i Li) B B' Ie If T).
+  destruct (ring_meets S ps qs C D i j outer holes outer' holes' ring is_closed_set FP FQ PC PD N
+    N' Same I) as (ring' & I' & H).
+  assert (ring = ring'); [|congruence]. apply least_first; auto.
+  - destruct PD as (_ & _ & B). apply ring_vertices, (B j _ _ N'). auto.
+  - exact (proj1 OP ring (ring_of_form _ _ _ _ _ N I)).
+  - exact (proj1 OQ ring' (ring_of_form _ _ _ _ _ N' I')).
 Qed.
 
 Lemma polygon_in ps qs p : is_canonical S ps -> is_canonical S qs -> In p ps -> In p qs.
@@ -135,9 +117,9 @@ Proof.
 Qed.
 
 (** What is said of a set is said of the same set in other words. *)
-Lemma canonical_same S T ps : same_set S T -> is_canonical S ps -> is_canonical T ps.
+Lemma form_same S T ps : same_set S T -> is_form S ps -> is_form T ps.
 Proof.
-  intros H ((C & (U & K) & In2 & P & D) & O). split; auto.
+  intros H (C & (U & K) & In2 & P & D).
   assert (In : forall x, interior S x <-> interior T x)
     by (intros x; split; intros (e & He & G); exists e; split; auto; intros y Y; apply H, G, Y).
   exists C. split; [|split; [|split; auto]].
@@ -154,7 +136,7 @@ Proof.
   intros ps qs P Q. split; [intros ->; split; auto|]. intros H.
   apply (one_canonical_form_holds (set_of (rings_of qs))); auto.
   - apply rings_give_closed_sets_holds.
-  - apply (canonical_same (set_of (rings_of ps))); auto.
+  - destruct P as (F & O). split; auto. apply (form_same (set_of (rings_of ps))); auto.
 Qed.
 Theorem one_form_of_a_sum_holds : one_form_of_a_sum.
 Proof.

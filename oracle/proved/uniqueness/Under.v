@@ -3,7 +3,7 @@ From Coq Require Import Lra Lia Psatz Permutation Classical.
 From Proved Require Import Definitions Form Sums Crossings Fans Curves Unions Local Across Overlaps
   Components.
 From Proved Require Import OneForm Paths Decomposed Gaps Unique Boundaries Beside Rounds
-  Next.
+  Next Shared.
 Open Scope R_scope.
 
 Lemma many_under a b (F : edges_t) : forall l h, l < h ->
@@ -139,4 +139,34 @@ Proof.
   - exfalso. apply Right; [nra|]. destruct (PC i Len) as (_ & _ & Sub & _). auto.
   - exists j, outer', holes', ring', (c, d). do 3 (split; auto). split; [apply Tog; auto; lra|].
     exists y. split; auto. apply Left. nra.
+Qed.
+
+(** Each ring of a polygon has the edges of a ring of the polygon of the same component. *)
+Lemma ring_meets S ps qs C D i j outer holes outer' holes' ring : is_closed S -> is_form S ps ->
+  is_form S qs -> parts S ps C -> parts S qs D -> nth_error ps i = Some (outer, holes) ->
+  nth_error qs j = Some (outer', holes') -> (forall x, C i x <-> D j x) ->
+  In ring (outer :: holes) -> exists ring', In ring' (outer' :: holes') /\
+    forall e, In e (ring_edges ring) <-> In e (ring_edges ring').
+Proof.
+  intros Cl FP FQ PC PD N N' Same I.
+  assert (E : exists e, In e (ring_edges ring)).
+  { assert (A : area ring <> 0).
+    { destruct PC as (_ & _ & H). destruct (H i _ _ N) as (A & B & _).
+      destruct I as [<-|I]; [lra|]. specialize (B ring I). lra. }
+    destruct (ring_edges ring) as [|e E] eqn:Q; [|exists e; simpl; auto].
+    destruct A. unfold area. rewrite Q. reflexivity. }
+  destruct E as (e & Ie).
+  destruct (runs S ps qs C D i outer holes ring e Cl FP FQ PC PD N I Ie) as
+    (k & o & h & ring' & f & Nk & Ik & If & T & x & Cx & Dx).
+  assert (Lj : (j < length qs)%nat) by (apply nth_error_Some; congruence).
+  assert (Lk : (k < length qs)%nat) by (apply nth_error_Some; congruence).
+  assert (Li : (i < length ps)%nat) by (apply nth_error_Some; congruence).
+  assert (j = k).
+  { destruct PD as ((_ & Dj) & _ & _). destruct (Dj j Lj) as (_ & _ & _ & Dis).
+    apply (Dis k x); auto. apply Same, Cx. }
+  subst k. rewrite N' in Nk. injection Nk; intros; subst o h. exists ring'. split; auto.
+  destruct PC as (_ & Pt & HC). destruct PD as (_ & _ & HD).
+  apply (edges_shared S (C i) (form_edges ps) ring ring' e f); auto.
+  - apply (HC i _ _ N); auto.
+  - apply (bounds_same S (D j)); [intros y; symmetry; apply Same|]. apply (HD j _ _ N'); auto.
 Qed.
