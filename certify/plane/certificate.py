@@ -221,9 +221,9 @@ class Certificate:
         for k, piece in enumerate(value["pieces"]):
             corners = [vertices[i] for i in piece]
             sides = zip(corners, corners[1:] + corners[:1], strict=True)
-            if len(piece) > 2 and all(_turn(a, b, place) >= 0 for a, b in sides):
-                return k
-        raise NoProof("a point or a segment has no pieces for a claim about a point")
+            if len(piece) < 3 or all(_turn(a, b, place) >= 0 for a, b in sides):
+                return k  # a point or a segment is a piece itself
+        raise RuntimeError("no piece of the operand has the point")
 
     def _beside(self, of: Predicate, s: Fraction, end: Fraction | int) -> tuple[Fraction, Fraction]:
         """Scales from s towards an end, in order, between which a predicate's sign is seen. Halving

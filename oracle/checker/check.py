@@ -699,11 +699,13 @@ def add_point(proof: Proof, claim: Json) -> tuple[str, None]:
     at = zip("PQ", parts, items(steps, 2), items(nodes, 2), strict=True)
     for name, part, step, node in at:
         pieces = proof.step(step, Pieces)
-        require(pieces.operand.name == name and not pieces.operand.thin, f"no pieces of {name}")
+        require(pieces.operand.name == name, f"no pieces of {name}")
         ring = pieces.hulls[index(node, pieces.children.count([]))]
         p = part[0] * proof.unit, part[1] * proof.unit, 1
         turns = (cross(direction(a, b), direction(a, p)) for a, b in edges_of(ring))
-        demand(all(turn >= 0 for turn in turns), f"{part} is not in piece {node} of {name}")
+        # A piece may be a segment, or a point: the box bounds it.
+        good = all(min(c) <= x <= max(c) for x, *c in zip(p, *ring, strict=True))
+        demand(good and min(turns) >= 0, f"{part} is not in piece {node} of {name}")
     return f"{point} at {scale}", None
 
 

@@ -52,11 +52,15 @@ BOX = (
 )
 SOLIDS = f'{{"P":{BOX},"Q":{BOX},"scale":"1,2,1"}}'
 POINT = '{"vertices":[["1","1","1"]],"faces":[]}'
+WITH_POINT = f'{{"P":{{"polygons":[{{"outer":[[1,1]]}}]}},"Q":{FAR},"scale":"1"}}'
+WITH_SEGMENT = f'{{"P":{{"polygons":[{{"outer":[[0,0],[1,2]]}}]}},"Q":{FAR},"scale":"1"}}'
 TRUE = {
     "sum, inside": (summed("1"), Witness(("5", "1"), True)),
     "sum, outside": (summed("1/2"), Witness(("7/2", "1"), False)),
     "sum at another scale": (summed("1"), Witness(("7", "1"), True, scale="2")),
     "a factor for each axis": (summed("1,2"), Witness(("5", "3"), True)),
+    "sum with a point": (WITH_POINT, Witness(("5", "3/2"), True)),
+    "sum with a segment": (WITH_SEGMENT, Witness(("9/2", "3/2"), True)),
     "sum in space, inside": (SOLIDS, Witness(("2", "5/2", "1"), True)),
     "sum in space, outside": (SOLIDS, Witness(("3/2", "7/2", "1"), False)),
     "union, in a set": (UNION, Witness(("9/2", "1/2"), True, sets=2, of_set=2)),
@@ -74,11 +78,6 @@ NONE = {
         f'{{"P":{BOX},"Q":{POINT},"scale":"1"}}',
         Witness(("9", "9", "9"), False),
         "no volume",
-    ),
-    "a point as an operand": (
-        f'{{"P":{{"polygons":[{{"outer":[[1,1]]}}]}},"Q":{FAR},"scale":"1"}}',
-        Witness(("5", "1"), True),
-        "a point or a segment",
     ),
 }
 

@@ -15,7 +15,7 @@ from named_cases import named
 from points_beside import certified, changed, is_true
 
 SEED = 67
-VERIFIED = 0
+VERIFIED, DECLINED = 0, 5
 FRAME = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
 
 
@@ -24,7 +24,7 @@ def test_points_in_the_sum_and_points_that_are_not(check_value: Any, family: str
     case = named(f"{family}:{SEED}:0")
     if not any(o.is_region or o.is_empty for o in (case.P, case.Q)):
         return
-    certificate = certified(case, 5, random.Random(SEED))
+    certificate = certified(case, 5, random.Random(SEED), thin=False)
     value, of = json.loads(certificate.text("case.json")), json.loads(certificate.case())
     code, said = check_value(value, of)
     assert code == VERIFIED, (SEED, case.name.text, said)
@@ -35,7 +35,7 @@ def test_points_in_the_sum_and_points_that_are_not(check_value: Any, family: str
 def test_no_change_makes_a_falsehood_accepted(check_value: Any, family: str) -> None:
     dice = random.Random(SEED)
     case = named(f"{family}:{SEED}:1")
-    certificate = certified(case, 2, dice)
+    certificate = certified(case, 2, dice, thin=False)
     value, of = json.loads(certificate.text("case.json")), json.loads(certificate.case())
     for other in changed(case, value, dice):
         if check_value(other, of)[0] == VERIFIED:
@@ -57,3 +57,11 @@ def test_points_outside_of_sums_with_a_thin_operand(
     value["claims"][0]["code"].append(0)
     value["claims"][0]["normals"] = [[1, 0]]
     assert check_value(value, of)[0] != VERIFIED
+
+
+@pytest.mark.parametrize("thin", ["POINT(1 1)", "LINESTRING(0 0, 1 1)"])
+def test_points_in_sums_with_a_thin_operand_are_declined(check_value: Any, thin: str) -> None:
+    certificate = Certificate(*(_core.read_text(text, "wkt", "a test") for text in (thin, FRAME)))
+    certificate.point("1", (1, 1))
+    value, of = json.loads(certificate.text("case.json")), json.loads(certificate.case())
+    assert check_value(value, of)[0] == DECLINED

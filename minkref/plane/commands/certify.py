@@ -36,9 +36,19 @@ def _proof(request: CertifyInPlane) -> Proof:
                 mend = "`minkref certify P Q --scale S` proves the whole sum"
             where = f"{first.name} and {second.name}"
             raise Refusal(str(error), where, mend, "no-proof") from error
+        if request.theorem is not None:
+            _refuse_without_theorem(certificate)
         return certificate
 
     return Proof([first.file, second.file], make)
+
+
+def _refuse_without_theorem(certificate: Certificate) -> None:
+    """Refuses a point of a sum with a point or a segment: pieces of regions have a theorem."""
+    thin = not all(operand.is_region for operand in (certificate.P, certificate.Q))
+    if thin and any(claim["claim"] == "point" for claim in certificate.claims):
+        what = "there is no theorem about points of a sum with a point or a segment"
+        raise Refusal(what, "--theorem", "leave it out: the certificate needs none", "no-proof")
 
 
 def _check(request: CertifyInPlane) -> None:

@@ -1,5 +1,6 @@
 #include "oracle/checker/plane/claims.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include "oracle/checker/following.hpp"
@@ -187,6 +188,15 @@ class Certificate {
     return ": " + kind + " at " + s.get_str();
   }
 
+  static bool is_in_box(const Point& at, const std::vector<Vector>& ring) {
+    Vector low = ring[0], high = ring[0];
+    for (const Vector& v : ring) {
+      low = {std::min(low.x, v.x), std::min(low.y, v.y)};
+      high = {std::max(high.x, v.x), std::max(high.y, v.y)};
+    }
+    return at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y;
+  }
+
   /// point: x = s p + q; a piece of P holds p, a piece of Q holds q.
   std::string point_of_sum(const Value& claim) {
     const auto m = members(claim, "claim scale point p q by pieces");
@@ -196,7 +206,7 @@ class Certificate {
     const auto &by = items(*m[5], 2), &numbers = items(*m[6], 2);
     for (std::size_t i = 0; i < 2; ++i) {
       const Pieces& set = pieces(by[i]);
-      require(set.operand.name == (i ? "Q" : "P") && !set.operand.thin, "no pieces of it");
+      require(set.operand.name == (i ? "Q" : "P"), "no pieces of it");
       const auto& ring = set.hulls[index(numbers[i], set.count)];
       const Point &given = i ? q : p, at{given.x * unit_, given.y * unit_};
       for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -204,6 +214,7 @@ class Certificate {
         demand(d.x * (at.y - ring[k].y) - d.y * (at.x - ring[k].x) >= 0,
                "a point is not in its piece");
       }
+      demand(is_in_box(at, ring), "a point is not in its piece");  // of a segment, or a point
     }
     return ": at " + s.get_str();
   }

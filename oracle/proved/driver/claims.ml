@@ -108,7 +108,8 @@ let check_claim budget p q step claim_of claim =
       let first, second = pair by and i, j = pair nodes in
       let side name at node =
         let pieces = pieces_of name at in
-        require (not (Reading.is_thin pieces.operand)) "a point or a segment has no pieces";
+        if Reading.is_thin pieces.operand then
+          fail Declined "there is no theorem about points of a segment yet, nor of a point";
         let side = Pieces.side pieces budget [ Q.one ] in
         let n = index node (Array.length pieces.hulls) in
         require (pieces.children.(n) = []) "this is no piece";
