@@ -11,6 +11,7 @@ from typing import Any
 Point = tuple[float, float]
 Ring = list[Point]
 How = dict[str, Any]
+STRAIGHT = 1e-12  # turns that doubles may take for others: a join leaves no slit there
 
 
 class PlainOffset:
@@ -97,7 +98,7 @@ class PlainOffset:
         if join == "round":
             return self.disc(v, r)
         turned, along = n[0] * m[1] - n[1] * m[0], n[0] * m[0] + n[1] * m[1]
-        if turned <= 0:
+        if turned < -STRAIGHT:
             return []
         ratio = math.sqrt(2 / (1 + along))
         if join == "bevel" or (join == "mitre" and ratio > self.limit(how, r)):

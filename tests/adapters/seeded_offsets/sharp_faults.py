@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 from typing import ClassVar
 
-from plain_offset import How, PlainOffset, Point, Ring, ccw, go
+from plain_offset import STRAIGHT, How, PlainOffset, Point, Ring, ccw, go
 
 
 class PlainSharp(PlainOffset):
@@ -24,7 +24,7 @@ class PlainSharp(PlainOffset):
 
     def opens(self, n: Point, m: Point, r: float) -> bool:
         """Whether there is a gap between the rectangles of two sides."""
-        return (n[0] * m[1] - n[1] * m[0]) * r > 0
+        return (n[0] * m[1] - n[1] * m[0]) * math.copysign(1, r) > -STRAIGHT
 
     def kite(self, v: Point, n: Point, m: Point, r: float) -> Ring:
         return [v, go(v, n, r), self.tip(v, n, m, r), go(v, m, r)]
