@@ -24,11 +24,11 @@ from minkref.fuzz.geometry.plane import mapped
 FAMILIES = Families()
 
 WORDS = (
-    "MULTIPOINT", "MULTILINESTRING", "CIRCULARSTRING", "CURVEPOLYGON", "TRIANGLE", "TIN", "CIRCLE",
-    "POLYHEDRALSURFACE", "POLYGONE", "LINEARRING", "BOX", "MULTISURFACE", "COMPOUNDCURVE", "RASTER",
+    "CIRCULARSTRING", "CURVEPOLYGON", "TRIANGLE", "TIN", "CIRCLE", "POLYHEDRALSURFACE", "POLYGONE",
+    "LINEARRING", "BOX", "MULTISURFACE", "COMPOUNDCURVE", "RASTER",
 )  # fmt: skip
 MIXED = (*JSON_FORMS, *CLOSED)
-TYPES = ("MultiPoint", "MultiLineString", "polygon", "POLYGON", "Topology", "LinearRing", "Circle")
+TYPES = ("polygon", "POLYGON", "Topology", "LinearRing", "Circle", "MultiCurve", "Triangle")
 
 
 @FAMILIES.add("a geometry that is no operand")
