@@ -9,6 +9,7 @@ namespace minkref::inline space {
 
 void CarrierCutting::begin(CarrierLine line) {
   line_.emplace(std::move(line));
+  whole_side_ = nullptr;
   start_covered_ = end_covered_ = false;
   cuts_.clear();
   covers_.clear();
@@ -114,6 +115,7 @@ const std::vector<CarrierPiece>& CarrierCutting::cut_side(std::uint32_t number) 
   if (side.uses.empty()) return pieces_;
   const FacetSide::Use& use = side.uses.front();
   begin(CarrierLine(facets_[use.facet], use.side));
+  whole_side_ = &side;
   from_ = {{}, 0, BoundedDouble(0)};
   to_ = {{}, 1, BoundedDouble(1)};
   if (is_covered()) return pieces_;
@@ -229,8 +231,20 @@ int CarrierCutting::within(const ConvolutionFacet& facet, int slope) {
   return result;
 }
 
+/// Whether the line, across a facet, meets the facet's border at an end of the carrier, by name: an
+/// end of a side in a common corner, an end of a crossing on a common side.
+bool CarrierCutting::ends_at_border(const ConvolutionFacet& facet) const {
+  if (whole_side_ != nullptr) {
+    return facet.has_corner(whole_side_->from) || facet.has_corner(whole_side_->to);
+  }
+  const auto *first = facet.sides.begin(), *last = first + facet.size;
+  return std::find(first, last, side_of(from_)) != last ||
+         std::find(first, last, side_of(to_)) != last;
+}
+
 void CarrierCutting::add_transversal(std::uint32_t number, int slope) {
   const ConvolutionFacet& facet = facets_[number];
+  if (ends_at_border(facet)) return;  // no cut within, and nothing next to an end is below it
   const Cut cut = cut_at(facet, CutterPlane::own);
   const int after_start = compare(cut, from_);
   if (after_start < 0) return;

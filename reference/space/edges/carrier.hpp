@@ -69,6 +69,7 @@ class CarrierCutting {
   bool lies_in_one_plane(const FacetSide& side, const std::vector<std::uint32_t>& candidates);
   bool clip(const ConvolutionFacet& facet, Cut& from, Cut& to, int& border);
   bool spans_crossing(std::uint32_t a, std::uint32_t b);
+  bool ends_at_border(const ConvolutionFacet& facet) const;
   void add_transversal(std::uint32_t facet, int slope);
   void add_flat(std::uint32_t facet);
   void look_at(std::uint32_t facet);
@@ -84,7 +85,8 @@ class CarrierCutting {
   const std::vector<ConvolutionFacet>& facets_;
   const std::vector<std::vector<std::uint32_t>>& near_;
   std::optional<CarrierLine> line_;
-  Cut from_, to_;  ///< the ends of the carrier
+  const FacetSide* whole_side_ = nullptr;  ///< null for a crossing
+  Cut from_, to_;                          ///< the ends of the carrier
   bool start_covered_ = false, end_covered_ = false;
   std::vector<MarkedCut> cuts_;
   std::vector<Cover> covers_;

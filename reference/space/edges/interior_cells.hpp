@@ -1,7 +1,6 @@
 // Grid cells that certainly lie within a sum's interior (docs/space-sums.md).
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include "reference/space/edges/cell_grid.hpp"

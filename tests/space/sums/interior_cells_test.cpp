@@ -122,6 +122,14 @@ Pair pair_of(std::mt19937& dice) {
   }
 }
 
+TEST(InteriorCells, AreThoseOfACubeWhoseFirstCellLiesBelowADiagonal) {
+  const Polyhedron cube = bodies::box(96, 96, 96);
+  const SpaceOperands operands = space_operands(cube, cube, unit);
+  const InteriorCells cells(operands.P, operands.Q, 100000);
+  const BoundedVector middle = FilteredVector({96, 96, 96}, 0).rounded;
+  EXPECT_TRUE(cells.contain({&middle, 1}));
+}
+
 TEST(InteriorCells, WhatTheyContainIsInTheInterior) {
   std::size_t contained = 0;
   for_each_seed(24, [&](std::mt19937& dice) {
