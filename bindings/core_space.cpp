@@ -129,6 +129,9 @@ void bind_changed_surfaces(nb::class_<Surface>& bound) {
 }  // namespace
 
 ExactSpacePoint space_point_of(nb::handle row, const std::string& where) {
+  if (nb::isinstance<nb::str>(row)) {  // else its characters were the coordinates
+    throw BadInput("not-a-point", where + " is a text", "give x, y and z");
+  }
   std::array<std::string, 3> texts;
   std::size_t count = 0;
   for (const nb::handle number : row) {

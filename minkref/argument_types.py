@@ -138,6 +138,7 @@ def _checked(
 ) -> Any:
     """Wrap a method so that `readers` convert arguments that the method itself does not take."""
     is_static = name == "from_json"
+    takes_triples = not {factors, place}.isdisjoint(readers.values())
     names = [*([] if is_static else ["self"]), *readers]
     either = inspect.Parameter.POSITIONAL_OR_KEYWORD
     none = inspect.Parameter.empty
@@ -148,7 +149,8 @@ def _checked(
     @wraps(original)
     def method(*given: Any, **named: Any) -> Any:
         try:
-            return original(*given, **named)
+            if not takes_triples:  # to the method a text is a sequence of its characters
+                return original(*given, **named)
         except TypeError as error:
             if "incompatible function arguments" not in str(error):
                 raise

@@ -286,6 +286,20 @@ def test_a_vertex_that_is_no_point_is_refused() -> None:
         Polyhedron([(float("nan"), 0, 0)], [])
 
 
+def test_a_text_of_three_characters_is_no_point_in_space() -> None:
+    """Its characters were taken for coordinates, or for the factors of the axes."""
+    solid = Polyhedron([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
+                       [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])  # fmt: skip
+    assert solid.scaled("123").points() == solid.scaled(123).points()
+    assert solid.scaled("123").points()[1] == (123, 0, 0)
+    with pytest.raises(TypeError, match="by has to be three numbers"):
+        solid.translated("123")
+    held = minkref.PolyhedralSet(solid)
+    for ask in (lambda: Polyhedron(["123"], []), lambda: "111" in held, lambda: held.locate("111")):
+        with pytest.raises(minkref.BadInput, match="is a text"):
+            ask()
+
+
 @pytest.mark.parametrize("scaling", ["2", 2, Fraction(2), (2, "2", Fraction(2))], ids=repr)
 def test_a_sum_of_boxes_by_the_public_functions(scaling: Any, tmp_path: Path) -> None:
     corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
