@@ -342,7 +342,7 @@ def _(shown: Shown) -> None:
                     "valid scales of the path upwards", _listed(found), wanted)  # fmt: skip
     lives = _core.DynamicSum(reflected(robot), assembly).lives("hole")
     shown.equal("scales of birth and death of holes of the sum",
-                [(birth, death) for _, birth, death in lives], [("4", "6")])  # fmt: skip
+                [(birth, death) for _, birth, death in lives], [(4, 6)])  # fmt: skip
     for scale in ("3", "5"):
         contact = overlaps(robot, assembly, Fraction(scale), HERE)
         shown.equal(f"the part in the middle of the cavity, scale {scale}", contact, "empty")

@@ -157,7 +157,8 @@ def _arrays(tally: Tally, pair: Pair) -> None:
     index = minkref.build_index(P, Q, Fraction(pair.scale) / 2, pair.scale)
     value, error = index.area(pair.scale)
     true = sum(
-        exact(a) * exact(pair.scale) ** k for k, a in enumerate(index.area_polynomial(pair.scale))
+        exact(str(a)) * exact(pair.scale) ** k
+        for k, a in enumerate(index.area_polynomial(pair.scale))
     )
     _bounded(tally, "ScaleIndex.area", value, error, true)
     rings, rational = (
