@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from fractions import Fraction
 from functools import wraps
 from numbers import Rational
 from typing import Any
@@ -16,6 +17,7 @@ from minkref.scaling import joined
 
 SET = "a PolygonSet; minkref.PolygonSet(...) makes one"
 TEXT = "a str"
+NUMBERS = "exact numbers: strs as '7/5' or '0.1', ints or Fractions"
 NUMBER = "an exact number: a str as '7/5' or '0.1', an int or a Fraction"
 BODY = "a ConvexPolyhedron; minkref.ConvexPolyhedron(minkref.read_mesh(...)) makes one"
 SURFACE = "a Polyhedron, as minkref.read_mesh gives"
@@ -77,11 +79,29 @@ def factors(name: str, value: Any) -> tuple[str, str, str]:
     return x, y, z
 
 
+def coordinates(name: str, value: Any, count: int) -> list[str]:
+    """Write the coordinates of a place as texts. Refuses a text, whose characters are none."""
+    if isinstance(value, str) or not isinstance(value, Sequence) or len(value) != count:
+        told = f"{'a pair of' if count == 2 else 'three'} {NUMBERS}"
+        raise _wrong(name, told, value)
+    return [number(name, one) for one in value]
+
+
 def place(name: str, value: Any) -> tuple[str, str, str]:
-    """Read a vector of three numbers."""
-    if not isinstance(value, tuple | list) or len(value) != 3:
-        raise _wrong(name, "three numbers", value)
-    return factors(name, value)
+    x, y, z = coordinates(name, value, 3)
+    return x, y, z
+
+
+def three_exact(name: str, value: Any) -> tuple[str, str, str]:
+    """Write three numbers in lowest terms."""
+    x, y, z = (str(Fraction(axis)) for axis in place(name, value))
+    return x, y, z
+
+
+def two_exact(name: str, value: Any) -> tuple[Fraction, Fraction]:
+    """Read a point of the plane."""
+    x, y = map(Fraction, coordinates(name, value, 2))
+    return x, y
 
 
 def whole(name: str, value: Any) -> int:

@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
+from minkref.argument_types import two_exact
 from minkref.certify.case_text import disc_head
 from minkref.certify.claims_text import shown
 from minkref.certify.disc.boundary_rings import components
@@ -66,7 +67,7 @@ class DiscSumCertificate:
 
     def point(self, at: tuple[str, str]) -> None:
         """Claims whether a point is nearer to P than the radius (-1), at it (0) or farther (1)."""
-        p, edges = (Fraction(at[0]), Fraction(at[1])), list(self._set.edges.values())
+        p, edges = two_exact("at", at), list(self._set.edges.values())
         far = min(squared_distance(p, edge) for edge in edges)
         side = (far > self.square) - (far < self.square)
         if far > 0 and winds(p, edges) > 0:

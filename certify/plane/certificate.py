@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.argument_types import expect_sets, number
+from minkref.argument_types import expect_sets, number, two_exact
 from minkref.certify.case_text import case_digest, case_text, places
 from minkref.certify.claims_text import shown
 from minkref.certify.plane.coincidence import coincidences
@@ -129,22 +129,22 @@ class Certificate:
     def point(self, scale: Number, point: tuple[Number, Number]) -> int:
         """Claims that a point belongs to the sum."""
         s = _exact("scale", scale)
-        point = (number("x", point[0]), number("y", point[1]))
-        answer = _core.decide(self.P, self.Q, str(s), *point)
+        x, y = map(str, two_exact("point", point))
+        answer = _core.decide(self.P, self.Q, str(s), x, y)
         if answer["contact"] == "empty":
-            raise NoProof(f"the point ({cut(point[0])}, {cut(point[1])}) is not in the sum at {s}")
+            raise NoProof(f"the point ({cut(x)}, {cut(y)}) is not in the sum at {s}")
         parts = [(Fraction(x), Fraction(y)) for x, y in (answer["p"], answer["q"])]
         by = self._pieces()
         pieces = [self._piece(step, part) for step, part in zip(by, parts, strict=True)]
         p, q = ([str(x) for x in part] for part in parts)
         return self._claim(
-            "point", scale=str(s), point=list(point), p=p, q=q, by=list(by), pieces=pieces
+            "point", scale=str(s), point=[x, y], p=p, q=q, by=list(by), pieces=pieces
         )
 
     def outside(self, scale: Number, point: tuple[Number, Number]) -> int:
         """Claims a point outside the sum. Raises NoProof if the sum has it."""
         s = _exact("scale", scale)
-        x, y = (_exact(name, given) for name, given in zip("xy", point, strict=True))
+        x, y = two_exact("point", point)
         by = self._pieces()
         apart = PointApart([self._steps[step] for step in by], self._vertices, s, (x, y))
         code = apart.code()

@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import Any
 
 from minkref import _core
-from minkref.argument_types import number
+from minkref.argument_types import two_exact
 from minkref.certify.case_text import plain_polygons
 from minkref.certify.plane.union_degeneracies import Edges
 from minkref.errors import Refusal
@@ -41,7 +41,7 @@ class UnionCertificate:
 
     def point(self, point: Sequence[str | int | Fraction]) -> None:
         """Claims which sets have a point inside, and which edges pass."""
-        x, y = (Fraction(number(name, value)) for name, value in zip("xy", point, strict=True))
+        x, y = two_exact("point", point)
         at = str(x), str(y)
         origin = _core.PolygonSet.from_json('{"polygons":[{"outer":[["0","0"]],"holes":[]}]}')
         told: dict[str, list[int]] = {"overlapping": [], "touching": [], "empty": []}

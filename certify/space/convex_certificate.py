@@ -10,7 +10,7 @@ from math import gcd, lcm
 from typing import Any, NamedTuple
 
 from minkref import _core
-from minkref.argument_types import expect_surfaces
+from minkref.argument_types import expect_surfaces, three_exact
 from minkref.certify.claims_text import shown
 from minkref.exact import digest
 from minkref.version import version
@@ -57,14 +57,14 @@ class ConvexCertificate:
     def sum(self, scaling: Scaling) -> int:
         """Claims the sum at a scaling. Returns the claim's number: an earlier number if the scaling
         repeats."""
-        at = _lowest_terms(scaling)
+        at = three_exact("scaling", scaling)
         if at in self._numbers:
             return self._numbers[at]
         return self.add(at, _core.convex_sum(self.P.convex, self.Q.convex, at))
 
     def add(self, scaling: Scaling, found: _core.ConvexSum) -> int:
         """Claims a result that exists already, for these operands at this scaling."""
-        at = _lowest_terms(scaling)
+        at = three_exact("scaling", scaling)
         if at in self._numbers:
             return self._numbers[at]
         vertices = [[self.P.given[p], self.Q.given[q]] for p, q in found.vertex_parents]
@@ -162,11 +162,6 @@ def _normal(ring: list[tuple[int, ...]]) -> tuple[int, ...]:
             area[k] += a[u] * b[v] - a[v] * b[u]
     divisor = gcd(*area)
     return tuple(c // divisor for c in area)
-
-
-def _lowest_terms(scaling: Scaling) -> Scaling:
-    x, y, z = (str(Fraction(factor)) for factor in scaling)
-    return x, y, z
 
 
 def _compact(value: Any) -> str:

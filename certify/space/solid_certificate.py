@@ -9,6 +9,7 @@ from math import lcm
 from typing import Any
 
 from minkref import _core
+from minkref.argument_types import three_exact
 from minkref.certify.space.solid_pieces import Row, ScaledTiling
 from minkref.certify.space.solid_planes import planes
 from minkref.certify.space.solid_tree import TooLarge, Trees
@@ -36,8 +37,7 @@ class SolidCertificate(TiledSolids):
         """Claims the sum at a scaling. Returns the claim's number: an earlier number if the scaling
         repeats. The cost grows with the sum's planes times the pairs of convex pieces that meet
         each. Raises Refusal if the proof has too many entries."""
-        x, y, z = (str(Fraction(factor)) for factor in scaling)
-        at = (x, y, z)
+        at = three_exact("scaling", scaling)
         if at in self._numbers:
             return self._numbers[at]
         found = _core.edge_sum_in_space(self.P, self.Q, at)

@@ -9,18 +9,9 @@ from itertools import chain, product
 from math import lcm
 from typing import Any
 
-from minkref.argument_types import number
+from minkref.argument_types import three_exact
 from minkref.certify.plane.certificate import NoProof
-from minkref.certify.space.solid_pieces import (
-    Hull,
-    Row,
-    Whole,
-    hulls_at,
-    inner,
-    minus,
-    outer,
-    primitive,
-)
+from minkref.certify.space.solid_pieces import Hull, Whole, hulls_at, inner, minus, outer, primitive
 from minkref.certify.space.tiled_solids import TiledSolids
 from minkref.errors import Refusal
 
@@ -71,7 +62,7 @@ class _Asked:
     """A point and both operands' pieces at a scaling, times a unit: all numbers become whole."""
 
     def __init__(self, of: SolidPointCertificate, scaling: Three, point: Three) -> None:
-        self.scaling, self.point = _texts(scaling), _texts(point)
+        self.scaling, self.point = three_exact("scaling", scaling), three_exact("point", point)
         if min(map(Fraction, self.scaling)) <= 0:
             raise Refusal(
                 "a factor of the scaling is not positive", "scaling", "give three above 0"
@@ -140,8 +131,3 @@ def _below(polygon: Sequence[Place], half: tuple[Whole, int]) -> list[Place]:
 
 def _place(p: Whole) -> Place:
     return Fraction(p[0]), Fraction(p[1]), Fraction(p[2])
-
-
-def _texts(three: Three) -> Row:
-    x, y, z = (str(Fraction(number(n, c))) for n, c in zip("xyz", three, strict=True))
-    return x, y, z

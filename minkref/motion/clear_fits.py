@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from minkref import _core
-from minkref.argument_types import expect_sets, number, whole
+from minkref.argument_types import coordinates, expect_sets, number, whole
 from minkref.disc.disc import read_clearance, read_tolerance
 from minkref.exact import exact_scale, text_of_bounds
 from minkref.motion.clear_rooms import (
@@ -21,7 +21,7 @@ from minkref.motion.clear_rooms import (
 )
 from minkref.motion.clear_values import ClearScales, clear_scales_of
 from minkref.motion.scale_bracket import BracketSearch, ScaleBracket, Told
-from minkref.motion.scale_ranges import CONTACTS, Number, coordinates, window_of, word_of
+from minkref.motion.scale_ranges import CONTACTS, Number, window_of, word_of
 
 BILLIONTH = "1/1000000000"
 DOUBLINGS = 40  # of the scale of a part that nothing stops

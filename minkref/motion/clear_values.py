@@ -8,9 +8,9 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.argument_types import expect_sets, number
+from minkref.argument_types import coordinates, expect_sets, number
 from minkref.motion.path_values import Feature
-from minkref.motion.scale_ranges import CONTACTS, Number, coordinates, path_of, window_of, word_of
+from minkref.motion.scale_ranges import CONTACTS, Number, path_of, window_of, word_of
 
 Bounds = tuple[float, float]
 

@@ -8,13 +8,13 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.argument_types import expect_sets, number, whole
+from minkref.argument_types import coordinates, expect_sets, number, whole
 from minkref.disc.disc_index import Bounds, OffsetEvent, event_of
 from minkref.disc.eroded import eroded_by_disc
 from minkref.errors import Refusal
 from minkref.exact import read_number
 from minkref.motion.path_values import Feature, Place
-from minkref.motion.scale_ranges import CONTACTS, Number, coordinates, path_of, word_of
+from minkref.motion.scale_ranges import CONTACTS, Number, path_of, word_of
 
 BOX = 0  # the ring of an outside that is none of the container's
 NamedFeature = Callable[[bool, int, int], Feature]

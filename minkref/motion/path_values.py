@@ -8,14 +8,13 @@ from fractions import Fraction
 from typing import Any, overload
 
 from minkref import _core
-from minkref.argument_types import expect_sets, number
+from minkref.argument_types import coordinates, expect_sets, number
 from minkref.errors import Refusal
 from minkref.motion.scale_ranges import CONTACTS as CONTACTS
 from minkref.motion.scale_ranges import PATH_ROUTES as PATH_ROUTES
 from minkref.motion.scale_ranges import (
     Number,
     ScalesInRanges,
-    coordinates,
     path_of,
     range_values,
     window_of,

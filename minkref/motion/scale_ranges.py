@@ -8,13 +8,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from minkref.argument_types import number, text_of
+from minkref.argument_types import coordinates, number, text_of
 from minkref.errors import Refusal, choice
 
 CONTACTS = ("allowed", "forbidden")
 PATH_ROUTES = ("pieces", "contacts", "index")
 Number = str | int | Fraction
-NUMBERS = "exact numbers: strs as '7/5' or '0.1', ints or Fractions"
 
 
 @dataclass(frozen=True)
@@ -98,14 +97,6 @@ def window_of(from_scale: Any, to_scale: Any) -> tuple[str | None, str | None]:
         for name, bound in (("from_scale", from_scale), ("to_scale", to_scale))
     )
     return low, high
-
-
-def coordinates(name: str, value: Any, count: int) -> list[str]:
-    """Write the coordinates of a place as texts."""
-    if isinstance(value, str) or not isinstance(value, Sequence) or len(value) != count:
-        told = f"{'a pair of' if count == 2 else 'three'} {NUMBERS}"
-        raise TypeError(f"{name} has to be {told}, and is of type {type(value).__name__}")
-    return [number(name, one) for one in value]
 
 
 def path_of(path: Any, count: int, name: str = "path") -> list[list[str]]:

@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.argument_types import surface_of
-from minkref.motion.scale_ranges import ScalesInRanges, coordinates, path_of, range_values
+from minkref.argument_types import coordinates, surface_of
+from minkref.motion.scale_ranges import ScalesInRanges, path_of, range_values
 
 Surface = _core.Polyhedron | _core.ConvexPolyhedron
 SpacePlace = tuple[Fraction, Fraction, Fraction]

@@ -292,11 +292,28 @@ def test_a_text_of_three_characters_is_no_point_in_space() -> None:
                        [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])  # fmt: skip
     assert solid.scaled("123").points() == solid.scaled(123).points()
     assert solid.scaled("123").points()[1] == (123, 0, 0)
-    with pytest.raises(TypeError, match="by has to be three numbers"):
+    with pytest.raises(TypeError, match="by has to be three exact numbers"):
         solid.translated("123")
     held = minkref.PolyhedralSet(solid)
     for ask in (lambda: Polyhedron(["123"], []), lambda: "111" in held, lambda: held.locate("111")):
         with pytest.raises(minkref.BadInput, match="is a text"):
+            ask()
+
+
+def test_a_text_is_no_point_of_a_certificate() -> None:
+    solid = Polyhedron([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
+                       [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])  # fmt: skip
+    square = minkref.PolygonSet([(0, 0), (9, 0), (9, 9), (0, 9)])
+    points, one = minkref.SolidPointCertificate(solid, solid), (1, 1, 1)
+    plane: Any = minkref.Certificate(square, square)
+    text: Any = "111"
+    for ask in (
+        lambda: points.point(text, one), lambda: points.point(one, text),
+        lambda: points.outside(one, text), lambda: plane.point(1, "12"),
+        lambda: plane.outside(1, "99"), lambda: minkref.SolidCertificate(solid, solid).sum(text),
+        lambda: minkref.ConvexCertificate(solid, solid).sum(text),
+    ):  # fmt: skip
+        with pytest.raises(TypeError, match="exact numbers"):
             ask()
 
 
