@@ -15,6 +15,7 @@ SHORT = (
     ("Form.v", 65),
     ("Predicates.v", 60),
     ("Moving.v", 65),
+    ("Legality.v", 50),
     ("Space.v", 115),
 )
 PAGE = ROOT / "docs" / "proved.md"

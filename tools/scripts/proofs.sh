@@ -5,7 +5,7 @@
 # those below. What has not changed is not done again.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-rooms=(Order Definitions Form Predicates Moving Space Sums Crossings Fans Curves Unions Local
+rooms=(Order Definitions Form Legality Predicates Moving Space Sums Crossings Fans Curves Unions Local
   Numbers Checker Figures Rational Values Corners Cancellation Bodies Scaling Trees Theorems
   Components Classes Counting Holes Across Sides Overlaps Differing Canonical Cones Means Meshes
   Hulls OneForm Paths Decomposed Gaps Unique Boundaries Beside Leaving Rounds Next Shared Under

@@ -21,9 +21,11 @@ def rows() -> list[tuple[str, list[Path]]]:
     plane = ("Definitions", "Form", "Predicates", "Moving")
     definitions = {path.stem: path for path in (ROOM / "definitions").glob("*.v")}
     first = [definitions.pop(name) for name in plane]
+    operands = [definitions.pop("Legality")]
     driver = [path for path in (ROOM / "driver").iterdir() if path.stem not in DOUBTED]
     return [
         ("theorems in the plane", first),
+        ("and of points without a witness", operands),
         ("and of convex polyhedra", sorted(definitions.values())),
         ("and `minkref-check-proved`", [ROOM / "claims" / "Extract.v", *sorted(driver)]),
     ]

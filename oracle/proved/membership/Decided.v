@@ -1,7 +1,8 @@
 (** The program of Points.v decides whether a point is in s P + Q: for legal sets it says yes
     exactly where it is. *)
 From Coq Require Import Lra Permutation.
-From Proved Require Import Definitions Corners Scaling Decomposed Legal Points Member.
+From Proved Require Import Definitions Form Legality Sums Corners Scaling Decomposed Gaps Legal
+  Points Member.
 Open Scope R_scope.
 
 Lemma all_edges_map {A B} (f : A -> B) r :
@@ -31,26 +32,46 @@ Proof.
     by (rewrite map_map; reflexivity).
   apply Permutation_map, C.
 Qed.
-Lemma has_edges_scaled s E : 0 < s -> has_edges E -> has_edges (map (both (scale s)) E).
+Lemma drawn_scaled s E S : 0 < s -> drawn E S ->
+  drawn (map (both (scale s)) E) (fun p => S (scale (/ s) p)).
 Proof.
-  intros S H p (a & b & I & O). apply in_map_iff in I. destruct I as ([c d] & Q & I).
-  unfold both in Q; cbn [fst snd] in Q. injection Q; intros <- <-.
-  rewrite <- (scale_forth s p S) in *. apply on_segment_scale in O; auto.
-  apply region_scale_iff; auto. apply H. exists c, d. auto.
+  intros L (C & K). split; [apply closed_scaled, C|].
+  assert (On : forall p, on_some (map (both (scale s)) E) p <-> on_some E (scale (/ s) p)).
+  { intros p. split.
+    - intros (a & b & I & O). apply in_map_iff in I. destruct I as ([c d] & Q & I).
+      unfold both in Q; cbn [fst snd] in Q. injection Q; intros <- <-. exists c, d. split; auto.
+      apply (on_segment_scale s); auto. rewrite scale_forth; auto.
+    - intros (c & d & I & O). exists (scale s c), (scale s d).
+      split; [apply (in_map (both (scale s))) in I; exact I|].
+      rewrite <- (scale_forth s p L). apply on_segment_scale; auto. }
+  assert (In_ : forall p, region (map (both (scale s)) E) p <-> region E (scale (/ s) p)).
+  { intros p. rewrite <- (scale_forth s p L) at 1. apply region_scale_iff, L. }
+  destruct K as [(K & H)|(K & W)]; [left|right]; (split; [intros p|]).
+  - rewrite K, In_. tauto.
+  - intros p O. apply In_, H, On, O.
+  - rewrite K, On. tauto.
+  - intros y. rewrite <- (scale_forth s y L). generalize (scale (/ s) y). intros z.
+    rewrite <- (W z). clear - L. induction E as [|[a b] E IH]; [reflexivity|]. cbn [map].
+    unfold both at 1; cbn [fst snd]. rewrite !winding_cons, IH, crossing_scale; auto.
+Qed.
+Lemma rings_of_figure ps : points (rings_of ps) = rings_of (figure ps).
+Proof.
+  unfold points, rings_of, figure, each_vertex. induction ps as [|[o h] ps IH]; [reflexivity|].
+  simpl. rewrite map_app, IH. reflexivity.
 Qed.
 
-Theorem membership_is_decided : forall (s : Q) (P Q : rings vertex) (x : vertex),
-  0 < Q2R s -> is_legal (points P) -> is_legal (points Q) ->
-  decide_membership s P Q x = true <-> in_sum (Q2R s) (points P) (points Q) (point_of x).
+Theorem membership_is_decided : forall (s : Q) (P Q : list (polygon vertex)) (x : vertex),
+  0 < Q2R s -> is_legal (figure P) -> is_legal (figure Q) ->
+  decide_membership s (rings_of P) (rings_of Q) x = true <->
+  in_sum (Q2R s) (points (rings_of P)) (points (rings_of Q)) (point_of x).
 Proof.
   intros s P Q x S LP LQ. unfold decide_membership.
-  rewrite decide_point_is_right; rewrite ?scaled_edges_real, ?edges_of_points;
-    auto using closed_scaled, has_edges_scaled, legal_closed, legal_edges_in.
-  unfold in_sum. split.
+  apply legal_is_drawn in LP. apply legal_is_drawn in LQ. rewrite <- rings_of_figure in LP, LQ.
+  apply (drawn_scaled _ _ _ S) in LP. rewrite decide_point_is_right;
+    rewrite ?scaled_edges_real, ?edges_of_points; [|apply LP|apply LQ].
+  rewrite <- (drawn_sum_is_union _ _ _ _ _ LP LQ). unfold in_sum. split.
   - intros (p & q & Hp & Hq & X). exists (scale (/ Q2R s) p), q.
-    rewrite !legal_region, scale_forth by auto. split; [|split; auto].
-    apply (region_scale_iff (Q2R s)); auto. rewrite scale_forth by auto. exact Hp.
+    rewrite scale_forth by auto. auto.
   - intros (p & q & Hp & Hq & X). exists (scale (Q2R s) p), q.
-    rewrite legal_region in Hp by auto. rewrite legal_region in Hq by auto.
-    split; [|split; auto]. apply region_scale_iff; auto.
+    rewrite scale_back by auto. auto.
 Qed.

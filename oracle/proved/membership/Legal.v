@@ -1,18 +1,10 @@
-(** The edges of a legal polygon set are in it: so its sums are unions (sum_is_union). *)
+(** The edges of a legal polygon set are in it: so its sums are unions (sum_is_union). Points and
+    segments are their edges. *)
 From Coq Require Import Lra Lia Psatz Permutation Classical.
-From Proved Require Import Definitions Form Sums Crossings Fans Curves Unions Local Across Overlaps
-  Components Canonical.
+From Proved Require Import Definitions Form Legality Sums Crossings Fans Curves Unions Local
+  Across Overlaps Components Canonical.
 From Proved Require Import Paths Decomposed Gaps Unique Rounds.
 Open Scope R_scope.
-
-(** Rings may touch in points: no two edges have more than a point in common. *)
-Definition share_points_only (E : list (point * point)) : Prop :=
-  ForallOrdPairs (fun e f => forall x y, on_segment (fst e) (snd e) x ->
-    on_segment (fst e) (snd e) y -> on_segment (fst f) (snd f) x ->
-    on_segment (fst f) (snd f) y -> x = y) E.
-(** What is wound around, is wound around once. *)
-Definition once (E : list (point * point)) : Prop :=
-  forall y, ~ on_some E y -> winding E y = 0%Z \/ winding E y = 1%Z.
 
 Lemma held_only x e l r : (forall f, In f (l ++ r) -> ~ on_segment (fst f) (snd f) x) ->
   inner (fst e) (snd e) x -> held x (l ++ e :: r) [e].
@@ -102,37 +94,119 @@ Proof.
   - apply off_all, Fy.
   - unfold is_left_of in Wy, Wz. destruct (Rlt_dec 0 (orient a b y)); [|lra].
     destruct (Rlt_dec 0 (orient a b z)); [lra|].
-    destruct (On y Fy) as [V|V], (On z Fz) as [V'|V']; lia.
+    destruct (On y (off_all _ _ Fy)) as [V|V], (On z (off_all _ _ Fz)) as [V'|V']; lia.
 Qed.
 
-(** Two polygon sets: their sum at the scale 1 is a union. *)
-Theorem legal_sum_is_union (P Q : rings point) :
-  (forall e, In e (all_edges P) -> fst e <> snd e) ->
-  (forall e, In e (all_edges Q) -> fst e <> snd e) ->
-  share_points_only (all_edges P) -> once (all_edges P) ->
-  share_points_only (all_edges Q) -> once (all_edges Q) -> forall x,
-  (exists p q, region (all_edges P) p /\ region (all_edges Q) q /\ x = add p q) <->
-  by_vertex_of_E (all_edges P) (all_edges Q) x \/ by_vertex_of_F (all_edges P) (all_edges Q) x \/
-  by_edges (all_edges P) (all_edges Q) x.
-Proof.
-  intros NP NQ SP OP SQ OQ x. apply sum_is_union; try apply legal_has_edges; auto;
-    unfold closed, all_edges; apply rings_closed.
-Qed.
-
-(** Rings of three vertices or more, no edge of length zero, no two edges with more than a point in
-    common, and nothing wound around but once *)
-Definition is_legal (r : rings point) : Prop :=
+(** Enough of it: rings of three vertices or more, no edge of length zero, no two edges with more
+    than a point in common, and nothing wound around but once. Rings may run either way. *)
+Definition winds_once (r : rings point) : Prop :=
   (forall ring, In ring r -> (3 <= length ring)%nat) /\
   (forall e, In e (all_edges r) -> fst e <> snd e) /\
   share_points_only (all_edges r) /\ once (all_edges r).
-Lemma legal_region r x : is_legal r -> set_of r x <-> region (all_edges r) x.
+Lemma set_is_region r x : winds_once r -> set_of r x <-> region (all_edges r) x.
 Proof.
   intros (L & _). unfold set_of. destruct r as [|[|a [|b [|c l]]] [|k r]]; try tauto;
     specialize (L _ (or_introl eq_refl)); simpl in L; lia.
 Qed.
-Lemma legal_closed r : closed (all_edges r).
+Lemma rings_are_closed r : closed (all_edges r).
 Proof. apply rings_closed. Qed.
-Lemma legal_edges_in r : is_legal r -> has_edges (all_edges r).
+Lemma polygon_set_winds_once ps : is_polygon_set ps -> winds_once (rings_of ps).
 Proof.
-  intros (_ & N & S & O). apply legal_has_edges; auto. apply legal_closed.
+  intros (H & S & O).
+  assert (R : forall ring, In ring (rings_of ps) -> is_simple ring).
+  { intros ring I. apply in_flat_map in I. destruct I as ([outer holes] & I & J).
+    destruct (H outer holes I) as (K & _ & L & _). destruct J as [<-|J]; [exact K|apply L, J]. }
+  split; [|split; auto].
+  - intros ring I. apply (R ring I).
+  - intros e I. apply in_flat_map in I. destruct I as (ring & I & J).
+    destruct (R ring I) as (_ & N & _). apply N, J.
+Qed.
+
+(** What a sum has to know of an operand: it is what its edges wind around, with them in it; or it
+    is its edges, which wind around nothing. *)
+Definition drawn (E : edges_t) (S : point -> Prop) : Prop := closed E /\
+  ((forall p, S p <-> region E p) /\ has_edges E \/
+   (forall p, S p <-> on_some E p) /\ forall y, winding E y = 0%Z).
+Lemma back_and_forth a b y : (crossing a b y + (crossing b a y + 0) = 0)%Z.
+Proof.
+  unfold crossing. assert (O : orient b a y = - orient a b y + 0) by (unfold orient; ring).
+  rewrite O. split_decisions; try reflexivity; exfalso; lra.
+Qed.
+Lemma no_crossing a y : crossing a a y = 0%Z.
+Proof. unfold crossing. split_decisions; auto; exfalso; lra. Qed.
+Lemma on_segment_back a b p : on_segment a b p -> on_segment b a p.
+Proof.
+  intros (t & T & ->). exists (1 - t). split; [lra|]. f_equal; ring.
+Qed.
+Lemma legal_is_drawn ps : is_legal ps -> drawn (all_edges (rings_of ps)) (set_of (rings_of ps)).
+Proof.
+  intros L. split; [apply rings_are_closed|]. destruct L as [(a & ->)|[(a & b & _ & ->)|L]].
+  - right. split.
+    + intros p. simpl. split.
+      * intros ->. exists a, a. split; [left; auto|apply on_segment_start].
+      * intros (c & d & [Q|[]] & t & T & X). injection Q; intros; subst c d.
+        rewrite X. destruct a. simpl. f_equal; ring.
+    + intros y. simpl. rewrite no_crossing. reflexivity.
+  - right. split.
+    + intros p. simpl. split.
+      * intros O. exists a, b. split; [left; auto|exact O].
+      * intros (c & d & [Q|[Q|[]]] & O); injection Q; intros; subst c d;
+          auto using on_segment_back.
+    + intros y. simpl. apply back_and_forth.
+  - left. apply polygon_set_winds_once in L. split; [intros p; apply set_is_region, L|].
+    destruct L as (_ & N & S & O). apply legal_has_edges; auto. apply rings_are_closed.
+Qed.
+
+(** The sum of two such sets is a union, thin ones or not. *)
+Lemma by_edges_back E F x : by_edges E F x <-> by_edges F E x.
+Proof.
+  split; intros (p & q & P & Q & ->); exists q, p; repeat split; auto;
+    unfold add; f_equal; ring.
+Qed.
+Lemma lines_and_region E F x : closed F -> has_edges F ->
+  (exists p q, on_some E p /\ region F q /\ x = add p q) <->
+  by_vertex_of_E E F x \/ by_edges E F x.
+Proof.
+  intros C H. split.
+  - intros (p & q & (a & b & I & O) & R & X). destruct (classic (by_edges E F x)) as [B|B]; auto.
+    left. exists a, b. split; auto. apply (along_edge F a b x p); auto.
+    + intros z Z N. apply B. exists z, (minus_ x z). split; [exists a, b; auto|split; auto].
+      apply add_minus.
+    + rewrite X. replace (minus_ (add p q) p) with q; auto.
+      unfold minus_, add; destruct q; simpl; f_equal; ring.
+  - intros [(a & b & I & R)|(p & q & P & Q & X)].
+    + exists a, (minus_ x a). split; [|split; [exact R|apply add_minus]].
+      exists a, b. split; auto. apply on_segment_start.
+    + exists p, q. auto.
+Qed.
+Lemma nothing_within E y : (forall z, winding E z = 0%Z) -> ~ region E y.
+Proof. intros W R. destruct (R 1 ltac:(lra)) as (z & _ & _ & K). rewrite W in K. lia. Qed.
+Theorem drawn_sum_is_union E F S T x : drawn E S -> drawn F T ->
+  (exists p q, S p /\ T q /\ x = add p q) <->
+  by_vertex_of_E E F x \/ by_vertex_of_F E F x \/ by_edges E F x.
+Proof.
+  assert (Swap : forall (A B C D : point -> Prop), (forall p, A p <-> B p) ->
+    (forall q, C q <-> D q) ->
+    (exists p q, A p /\ C q /\ x = add p q) <-> exists p q, B p /\ D q /\ x = add p q).
+  { intros A B C D K L. split; intros (p & q & H1 & H2 & H3); exists p, q; split;
+      try (apply K; auto); split; auto; apply L; auto. }
+  intros (CE & [(SE & HE)|(SE & WE)]) (CF & [(SF & HF)|(SF & WF)]); rewrite (Swap _ _ _ _ SE SF).
+  - apply sum_is_union; auto.
+  - assert (N : ~ by_vertex_of_E E F x).
+    { intros (a & b & _ & R). exact (nothing_within _ _ WF R). }
+    transitivity (by_vertex_of_E F E x \/ by_edges F E x).
+    + rewrite <- lines_and_region by auto.
+      split; intros (p & q & H1 & H2 & ->); exists q, p; repeat split; auto;
+        unfold add; f_equal; ring.
+    + rewrite (by_edges_back F E). change (by_vertex_of_E F E x) with (by_vertex_of_F E F x).
+      tauto.
+  - rewrite lines_and_region by auto.
+    assert (N : ~ by_vertex_of_F E F x).
+    { intros (a & b & _ & R). exact (nothing_within _ _ WE R). }
+    tauto.
+  - assert (N : ~ by_vertex_of_F E F x).
+    { intros (a & b & _ & R). exact (nothing_within _ _ WE R). }
+    assert (M : ~ by_vertex_of_E E F x).
+    { intros (a & b & _ & R). exact (nothing_within _ _ WF R). }
+    unfold by_edges in *. tauto.
 Qed.

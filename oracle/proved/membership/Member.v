@@ -98,10 +98,10 @@ Qed.
 
 (** ** Points *)
 Theorem decide_point_is_right E F c : let P := map R2e E in let Q := map R2e F in
-  closed P -> closed Q -> has_edges P -> has_edges Q ->
-  decide_point E F c = true <-> exists p q, region P p /\ region Q q /\ R2 c = add p q.
+  closed P -> closed Q -> decide_point E F c = true <->
+    by_vertex_of_E P Q (R2 c) \/ by_vertex_of_F P Q (R2 c) \/ by_edges P Q (R2 c).
 Proof.
-  intros P Q CP CQ HP HQ. rewrite (sum_is_union P Q CP CQ HP HQ).
+  intros P Q CP CQ.
   unfold decide_point. rewrite !orb_true_iff, !existsb_exists.
   (* edges that have a point in common *)
   assert (Edges : (exists f, In f F /\ (let g := (sub c (fst f), sub c (snd f)) in
