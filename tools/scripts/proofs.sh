@@ -9,9 +9,9 @@ rooms=(Order Definitions Form Legality Predicates Moving Space Sums Crossings Fa
   Local Numbers Checker Figures Rational Values Corners Cancellation Bodies Scaling Trees Theorems
   Components Classes Counting Holes Across Sides Overlaps Differing Canonical Cones Means Meshes
   Hulls OneForm Paths Decomposed Gaps Unique Boundaries Beside Leaving Rounds Next Shared Under
-  Turned Rearranged Alike Segments Legal Points Member Decided Pieces Slabs Sorting Along Cuts
-  Lone Paper Lines Wedges Boundary Walls Facets Signs Passages Touching Moves Events Changes
-  Outside Axioms Extract)
+  Turned Rearranged Alike Segments Legal Points Member Decided Convolution Pieces Slabs Sorting
+  Along Cuts Lone Flanks Kept Frontier Stacks Slabbed Cells Bounds Arranged Paper Lines Wedges
+  Boundary Walls Facets Signs Passages Touching Moves Events Changes Outside Axioms Extract)
 programs=(failure json text sha256 reading rings checker checked classes pieces elaborate moving
   faces bodies theorem point_theorem intervals claims main)
 # The classical real numbers of Coq's library, and functional extensionality.
