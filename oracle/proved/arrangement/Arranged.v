@@ -3,7 +3,7 @@ From Coq Require Import Lra Lia Psatz Permutation Bool QArith Qreals Qreduction 
 From Proved Require Import Definitions Form Legality Sums Crossings Local Across Overlaps Components
   OneForm Paths Decomposed Gaps Unique Convolution.
 From Proved Require Import Points Legal Member Decided Pieces Slabs Sorting Along Cuts Lone Flanks
-  Kept Frontier Stacks Slabbed Cells Bounds.
+  Kept Frontier Stacks Slabbed Cells Extent.
 Open Scope R_scope.
 
 (** ** The program's convolution *)
