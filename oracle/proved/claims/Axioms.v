@@ -1,7 +1,11 @@
 (** The axioms that the theorems rest on. *)
 From Proved Require Import Theorems Counting Holes Canonical Signs Passages Moves Events Outside
   Changes Hulls Decomposed Gaps Boundaries Rearranged Alike
+<<<<<<< HEAD
   Decided Arranged Lines Boundary Walls Facets.
+=======
+  Decided Lines Boundary Walls Facets Free Valid.
+>>>>>>> e29ea83c (proved: free, hit and valid scales of paths)
 Print Assumptions form_is_right.
 Print Assumptions one_point_is_right.
 Print Assumptions outside_is_right.
@@ -10,6 +14,9 @@ Print Assumptions passage_is_right.
 Print Assumptions interval_is_right.
 Print Assumptions event_is_right.
 Print Assumptions body_is_right.
+Print Assumptions free_is_right.
+Print Assumptions hit_is_right.
+Print Assumptions valid_is_right.
 (* What sets determine *)
 Print Assumptions sum_is_union.
 Print Assumptions membership_is_decided.

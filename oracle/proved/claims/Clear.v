@@ -1,5 +1,5 @@
-(** Claim `free` of docs/certificates-paths.md: at none of the scales a place of the path collides.
-    A cell is a list of bounds, linear functions of t and s, at the places p(s) + t d. *)
+(** Step `clear` of docs/certificates-paths.md: at none of the scales a place of a path collides. A
+    cell is a list of bounds, linear functions of t and s, at the places p(s) + t d. *)
 From Coq Require Import Lra Lia Psatz Bool.
 From Proved Require Import Definitions Predicates Ways Sums Crossings Fans Curves Unions Local
   Numbers Rational Values Checker Corners Cancellation Bodies Scaling Trees Theorems Components.

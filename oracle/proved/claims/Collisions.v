@@ -3,8 +3,9 @@
 From Coq Require Import Lra Lia Psatz Bool.
 From Proved Require Import Definitions Predicates Ways Sums Crossings Fans Curves Unions Local
   Numbers Rational Values Checker Corners Cancellation Bodies Scaling Trees Theorems Components
-  Clear.
+  Clear Bounds Free.
 Open Scope R_scope.
+#[local] Existing Instance Clear.anywhere.
 
 (** ** The programs *)
 (** A body as half-planes: the points p with n p + h not negative *)
@@ -24,6 +25,7 @@ Definition half_planes (l : list corner) : list half_plane :=
 (** At all of the scales i, the place x and the shared point y move: y is in b, y - x in s a. *)
 Definition shares (c : touch) (i : scales) (a b : list corner) (x y : moving_place) : bool :=
   let z := (qminus (fst y) (fst x), qminus (snd y) (snd x)) in
+  (negb (is_allowed c) || is_polygon a && is_polygon b) &&
   forallb (fun l => is_positive_on i (is_allowed c) (qdot (fst l) (snd y))
     (nplus (qdot (fst l) (fst y)) (snd l))) (half_planes b) &&
   forallb (fun l => is_positive_on i (is_allowed c) (nplus (qdot (fst l) (snd z)) (snd l))
@@ -82,7 +84,8 @@ Definition check_hit (c : touch) (i : scales) (r o : rings vertex) (path : list 
   forallb (is_one_hit c (map fixed path) of_r of_o) hits.
 
 (** Claims whose scales follow each other: the scales of those that say yes are those of a list. *)
-Definition follow_each_other (i : scales) (l : list scales) (claims : list (scales * bool)) : bool :=
+Definition follow_each_other (i : scales) (l : list scales) (claims : list (scales * bool))
+    : bool :=
   let yes := map fst (filter snd claims) in
   covers i (map fst claims) &&
   forallb (fun v => covers v [i] && covers v yes) l && forallb (fun v => covers v l) yes.

@@ -2,8 +2,9 @@
 From Coq Require Import Lra Lia Psatz Bool.
 From Proved Require Import Definitions Predicates Ways Moving Sums Crossings Fans Curves Unions
   Local Numbers Rational Values Checker Corners Cancellation Bodies Scaling Trees Theorems
-  Components Paths Points Member Clear Collisions.
+  Components Paths Points Member Clear Bounds Free Collisions.
 Open Scope R_scope.
+#[local] Existing Instance Clear.anywhere.
 
 (** ** The programs *)
 (** A way that moves, from the place to where f of the last nodes is positive across the normal *)
