@@ -1,11 +1,7 @@
 (** The axioms that the theorems rest on. *)
 From Proved Require Import Theorems Counting Holes Canonical Signs Passages Moves Events Outside
   Changes Hulls Decomposed Gaps Boundaries Rearranged Alike
-<<<<<<< HEAD
-  Decided Arranged Lines Boundary Walls Facets.
-=======
-  Decided Lines Boundary Walls Facets Free Valid.
->>>>>>> e29ea83c (proved: free, hit and valid scales of paths)
+  Decided Arranged Lines Boundary Walls Facets Free Valid Trapped.
 Print Assumptions form_is_right.
 Print Assumptions one_point_is_right.
 Print Assumptions outside_is_right.
@@ -17,6 +13,9 @@ Print Assumptions body_is_right.
 Print Assumptions free_is_right.
 Print Assumptions hit_is_right.
 Print Assumptions valid_is_right.
+Print Assumptions escapes_is_right.
+Print Assumptions trapped_is_right.
+Print Assumptions trap_is_right.
 (* What sets determine *)
 Print Assumptions sum_is_union.
 Print Assumptions membership_is_decided.

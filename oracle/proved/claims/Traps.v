@@ -1,10 +1,8 @@
 (** Claims `escapes`, `trapped` and `trap` of docs/certificates-paths.md. *)
-From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Predicates Ways Moving Sums Crossings Fans Curves Unions
-  Local Numbers Rational Values Checker Corners Cancellation Bodies Scaling Trees Theorems
-  Components Paths Points Member Clear Bounds Free Collisions.
+From Coq Require Import Bool.
+From Proved Require Import Definitions Predicates Ways Moving Points Numbers Checker Clear
+  Collisions.
 Open Scope R_scope.
-#[local] Existing Instance Clear.anywhere.
 
 (** ** The programs *)
 (** A way that moves, from the place to where f of the last nodes is positive across the normal *)
