@@ -43,6 +43,7 @@ class SolidCertificate(TiledSolids):
         found = _core.edge_sum_in_space(self.P, self.Q, at)
         self._sums.append({"scaling": at, "planes": self._planes(at)})
         convex = found.convex()
+        components, cavities, tunnels = found.surface().topology()
         self.claims.append(
             {
                 "claim": "sum",
@@ -51,6 +52,9 @@ class SolidCertificate(TiledSolids):
                 "planes": found.planes,
                 "polygons": _polygons(found),
                 "volume": found.volume(),
+                "components": components,
+                "cavities": cavities,
+                "tunnels": tunnels,
                 "digest": digest(convex.surface().canonical_json() if convex else
                                  found.canonical_json()),
             }

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import hashlib
 import json
+import random
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -56,6 +58,68 @@ def test_a_hole_that_is_filled_leaves_a_box(check: Any, tmp_path: Path) -> None:
     assert found is not None
     digest = hashlib.sha256(found.surface().canonical_json().encode()).hexdigest()
     assert certificate.claims[0]["digest"] == digest
+
+
+Cells = set[tuple[int, ...]]
+
+
+def voxel_numbers(cells: Cells) -> list[int]:
+    """Components, cavities and tunnels of a set of unit cells, by the Euler characteristic of its
+    inside: of cells, and of squares, edges and points around which all cells are in the set. Where
+    the outside is pinched to a point, with the inside around it, the inside goes on through it."""
+    size = range(-1, max(c for cell in cells for c in cell) + 2)
+    rest = set(product(size, repeat=3)) - cells
+    ways = list(product((-1, 0, 1), repeat=3))
+    beside, around = ([w for w in ways if 0 < sum(map(abs, w)) <= n] for n in (1, 2))
+    characteristic = 0
+    for spread in product((0, 1), repeat=3):
+        block = list(product(*(range(n + 1) for n in spread)))
+        inner = sum({moved(cell, w) for w in block} <= cells for cell in cells)
+        characteristic += (-1) ** sum(spread) * inner
+    for corner in product(size, repeat=3):
+        block = {moved(corner, w) for w in product((0, 1), repeat=3)}
+        for part in parts(block & cells, beside):
+            characteristic += len(parts(block - part, around)) - 1 if part != block else 0
+    components = len(parts(cells, beside))
+    shells = components + len(parts(rest, around)) - 1
+    return [components, len(parts(rest, beside)) - 1, shells - characteristic]
+
+
+def moved(cell: tuple[int, ...], way: tuple[int, ...]) -> tuple[int, ...]:
+    return tuple(map(sum, zip(cell, way, strict=True)))
+
+
+def parts(cells: Cells, ways: list[tuple[int, ...]]) -> list[Cells]:
+    """The cells that hang together along these ways."""
+    left, found = set(cells), []
+    while left:
+        stack = [left.pop()]
+        found.append(set(stack))
+        while stack:
+            near = {moved(stack[-1], way) for way in ways} & left
+            stack[-1:] = near
+            left -= near
+            found[-1] |= near
+    return found
+
+
+def test_components_cavities_and_tunnels_of_cells(check: Any, tmp_path: Path) -> None:
+    """Cells apart grow until they touch: sides, edges and corners that meet by chance."""
+    print(f"seed {SEED}")
+    dice, found = random.Random(SEED), set()
+    every = list(product((0, 2, 4), repeat=3))
+    for count in range(3, 27) if THOROUGH else (7, 14, 23):
+        P = dice.sample(every, count)
+        certificate = solid_pairs.certified(
+            solid_pairs.apart(*P), solid_pairs.brick(1, 1, 1), [solid_pairs.ONE]
+        )
+        claim = certificate.claims[0]
+        numbers = [claim[name] for name in ("components", "cavities", "tunnels")]
+        assert numbers == voxel_numbers({moved(p, e) for p in P for e in product((0, 1), repeat=3)})
+        code, said = check(solid_pairs.written(certificate, tmp_path))
+        assert code == 0, said
+        found.add(tuple(numbers))
+    assert len(found) > 2, found
 
 
 @pytest.mark.parametrize("family", sorted(set(FAMILIES) - {"knot", "thin"}))

@@ -76,10 +76,14 @@ def test_the_worst_of_several_counts(folder: Path) -> None:
 
 
 def test_it_is_short_enough_to_be_read() -> None:
-    """Fewer than 1700 lines of code for all forms but points in space and sums with a disc, 45 and
-    325 for these; blank lines, comments and docstrings apart."""
+    """Fewer than 1700 lines of code for all forms without parts that add further claims, each with
+    its own limit; blank lines, comments and docstrings apart."""
     parts = CHECKER.parent / "parts"
-    most = {"05b_solid_points.py": 45, "08b_disc_sums.py": 325}
+    most = {
+        "05b_solid_points.py": 45,
+        "05c_shells.py": 170,
+        "08b_disc_sums.py": 325,
+    }
     rest = CHECKER.read_text(encoding="utf-8")
     for name, lines in most.items():
         part = (parts / name).read_text(encoding="utf-8")

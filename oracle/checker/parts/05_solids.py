@@ -7,6 +7,8 @@ AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 Homogeneous = tuple[int, int, int, int]  # the point (x / w, y / w, z / w), w > 0
 HalfSpace = tuple[SpaceVector, int]  # normal * x <= height
 Feature = tuple[SpaceVector, ...]  # the corners of a corner, an edge or a facet of a piece
+Tiles = dict[HalfSpace, list[list[Homogeneous]]]  # convex parts of faces, by oriented planes
+MORE: dict[str, Callable[[Tiles, list[Json], Budget], str]] = {}  # checks of members in part 5c
 
 
 def minus(a: SpaceVector, b: SpaceVector) -> SpaceVector:
@@ -179,7 +181,7 @@ class SolidSum:
             for at, of in zip(scaled, hulls, strict=True)
         )
         self._bounds: dict[tuple[int, int], list[HalfSpace]] = {}
-        self.faces: dict[tuple[SpaceVector, int], list[list[Homogeneous]]] = {}
+        self.faces: Tiles = {}
         found = self.find_planes()
         entries = [items(entry, 3) for entry in items(planes)]
         demand(len(entries) == len(found), "there are more planes, or fewer")
@@ -284,24 +286,22 @@ class SolidSum:
 
     def check_claim(self, claim: list[Json]) -> str:
         """Checks a claim and returns its text."""
-        scaling, planes, polygons, volume, digest = claim
+        scaling, planes, polygons, volume, digest, *numbers = claim
         demand(space_vector(scaling) == self.scaling, "the sum is at another scaling")
         form = CanonicalForm(self.faces, self.unit, self.budget)
         counts = [integer(planes), integer(polygons)] == [len(form.planes), form.polygons]
         demand(counts, "planes or polygons are not so many")
         demand(number(volume) == form.volume, "the volume is another")
         demand(digest_of(form.value()) == digest, "the digest is another")
+        told = "".join(checked(self.faces, numbers, self.budget) for checked in MORE.values())
         at = ", ".join(map(str, self.scaling))
-        return f"sum: at ({at}), {planes} planes, volume {form.volume}, {digest}"
+        return f"sum: at ({at}), {planes} planes, {told}volume {form.volume}, {digest}"
 
 
 class CanonicalForm:
     """The form of a set whose boundary is tiled by convex polygons, by their oriented planes."""
 
-    def __init__(
-        self, faces: dict[tuple[SpaceVector, int], list[list[Homogeneous]]], unit: int,
-        budget: Budget,
-    ) -> None:  # fmt: skip
+    def __init__(self, faces: Tiles, unit: int, budget: Budget) -> None:
         self.budget = budget
         self.planes: list[tuple[SpaceVector, Fraction, list[Rings]]] = []
         triple = Fraction(0)
@@ -494,7 +494,7 @@ def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budge
     for entry in items(entries):
         with within(f"sum {len(sums)}"):
             sums.append(SolidSum(entry, unit, points, hulls, budget))
-    return said_of(sums, claims, "planes polygons volume digest", budget)
+    return said_of(sums, claims, " ".join(["planes polygons volume digest", *MORE]), budget)
 
 
 FORMS["solid-certificate-v1"] = "proof", of_solids

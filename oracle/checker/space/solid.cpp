@@ -24,7 +24,8 @@ std::vector<std::string> check_solids(const Value& certificate,
     within("sum " + std::to_string(sums.size()),
            [&] { sums.emplace_back(entry, tiling.lists, tiling.unit, budget); });
   }
-  return check_claims(*opened.claims, sums, "planes polygons volume digest", budget);
+  return check_claims(*opened.claims, sums,
+                      "planes polygons volume digest components? cavities? tunnels?", budget);
 }
 
 }  // namespace minkref::checker

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oracle/checker/sha256.hpp"
+#include "oracle/checker/space/solid_shells.hpp"
 
 namespace minkref::checker {
 namespace {
@@ -216,6 +217,19 @@ bool SolidSum::is_free(const ConvexPolygon& polygon, const std::vector<PiecePair
   });
 }
 
+std::string SolidSum::check_numbers(const std::array<const Value*, 3>& claimed) const {
+  if (std::all_of(claimed.begin(), claimed.end(), [](auto* value) { return value->is_null(); })) {
+    return "";
+  }
+  const SolidNumbers found = solid_numbers(faces_, *budget_);
+  std::array<mpz_class, 3> given;
+  for (std::size_t k = 0; k < 3; ++k) given[k] = integer(*claimed[k]);
+  demand(given[0] == found.components && given[1] == found.cavities && given[2] == found.tunnels,
+         "components, cavities or tunnels are not so many");
+  return given[0].get_str() + " components, " + given[1].get_str() + " cavities, " +
+         given[2].get_str() + " tunnels, ";
+}
+
 std::string SolidSum::check_claim(const std::vector<const Value*>& claim) const {
   demand(triple(*claim[2]) == scaling_, "the sum is at another scaling");
   const CanonicalForm form = canonical_form(faces_, unit_, *budget_);
@@ -224,8 +238,9 @@ std::string SolidSum::check_claim(const std::vector<const Value*>& claim) const 
   demand(number(*claim[5]) == form.volume, "the volume is another");
   const std::string digest = sha256(form.text);
   demand(claim[6]->kind == Value::Kind::text && claim[6]->text == digest, "the digest is another");
-  return "sum: at (" + to_text(scaling_) + "), " + planes.get_str() + " planes, volume " +
-         form.volume.get_str() + ", " + digest;
+  return "sum: at (" + to_text(scaling_) + "), " + planes.get_str() + " planes, " +
+         check_numbers({claim[7], claim[8], claim[9]}) + "volume " + form.volume.get_str() + ", " +
+         digest;
 }
 
 }  // namespace minkref::checker

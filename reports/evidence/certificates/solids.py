@@ -6,6 +6,7 @@ import json
 import statistics
 import tempfile
 import time
+from collections import Counter
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -35,6 +36,8 @@ def run(findings: Findings, size: Size) -> None:
     findings.figures["claims that the slow engine confirms"] = sum(
         row["confirmed"] is True for row in rows
     )
+    numbers = Counter(row["numbers"] for row in rows)
+    findings.figures["components, cavities, tunnels"] = dict(sorted(numbers.items()))
     for what in ("pieces", "plates", "entries", "bytes"):
         findings.figures[f"{what}, median and most"] = _spread(rows, what, 0)
     for what in ("made", "Python", "C++"):
@@ -72,6 +75,9 @@ def _one(numbered: tuple[int, GeneralPair]) -> dict[str, Any]:
         "family": pair.name.split(":")[0],
         "why": "; ".join(v.why for v in (python, cpp) if v.code),
         "confirmed": confirmed,
+        "numbers": ", ".join(
+            str(certificate.claims[0][name]) for name in ("components", "cavities", "tunnels")
+        ),
         "planes": certificate.claims[0]["planes"],
         "pieces": pieces,
         "plates": len(planes),
