@@ -48,6 +48,16 @@ PolygonSet row(int count) {
   return set;
 }
 
+/// Rooms with walls, beside each other.
+PolygonSet rooms(int count) {
+  PolygonSet set;
+  for (int k = 0; k < count; ++k) {
+    const int x = 99 * k;
+    set = together(set, region(rectangle(x, 0, x + 80, 80), {rectangle(x + 5, 5, x + 75, 75)}));
+  }
+  return set;
+}
+
 /// A comb, whose edges fall into few directions.
 PolygonSet comb(int teeth) {
   Ring ring{{-20, -100}, {20 * teeth, -100}, {20 * teeth, 0}};
@@ -79,6 +89,12 @@ TEST(Growth, CanonicalFormsFindThePlaceOfEachHoleByATree) {
 
 TEST(Growth, SumsAskWhetherAPointIsHeldByATree) {
   const PolygonSet small = plate(16), large = plate(32);
+  const auto sum = [](const PolygonSet& P) { (void)minkowski_sum(P, octagon, 1); };
+  expect_growth([&] { sum(small); }, [&] { sum(large); });
+}
+
+TEST(Growth, SumsAskOnlyRingsThatAreNearAPoint) {
+  const PolygonSet small = rooms(100), large = rooms(400);
   const auto sum = [](const PolygonSet& P) { (void)minkowski_sum(P, octagon, 1); };
   expect_growth([&] { sum(small); }, [&] { sum(large); });
 }

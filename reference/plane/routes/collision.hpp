@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "reference/plane/arrangement/box_tree.hpp"
@@ -19,15 +20,15 @@ class Collision {
 
   Collision(const K& kernel, const Operand<Vector>& P, const Operand<Vector>& Q)
       : kernel_(kernel),
-        P_(P),
-        Q_(Q),
         edges_p_(edges(P)),
         edges_q_(edges(Q)),
         tree_p_(boxes(edges_p_)),
-        tree_q_(boxes(edges_q_)) {}
+        tree_q_(boxes(edges_q_)),
+        heads_p_(heads(P)),
+        heads_q_(heads(Q)) {}
 
-  /// Whether x belongs to the closed set P + Q. As exact as the kernel's `side`. O(m + n + k) for k
-  /// pairs of overlapping boxes.
+  /// Whether x belongs to the closed set P + Q. As exact as the kernel's `side`. O(log(m + n) + k)
+  /// for k pairs of overlapping boxes, and a ray's crossings for each ring that is near.
   bool meets(const Query& x) const {
     const Box at = kernel_.box(x);
     const auto overlap = [&at](const Box& p, const Box& q) { return p.overlaps(reflected(q, at)); };
@@ -37,13 +38,8 @@ class Collision {
       return true;
     }
     // The boundaries do not meet: each polygon of one side lies wholly inside or outside the other.
-    for (std::size_t r = 0; r < P_.rings.size(); ++r) {
-      if (P_.is_outer[r] && holds(edges_q_, tree_q_, P_.rings[r][0], x)) return true;
-    }
-    for (std::size_t r = 0; r < Q_.rings.size(); ++r) {
-      if (Q_.is_outer[r] && holds(edges_p_, tree_p_, Q_.rings[r][0], x)) return true;
-    }
-    return false;
+    return one_inside(heads_p_, edges_q_, tree_q_, heads_q_.about, x) ||
+           one_inside(heads_q_, edges_p_, tree_p_, heads_p_.about, x);
   }
 
  private:
@@ -68,6 +64,33 @@ class Collision {
     result.reserve(edges.size());
     for (const Edge& edge : edges) result.push_back(kernel_.box(edge.start, edge.end));
     return result;
+  }
+
+  /// The first vertex of each outer ring, a tree over these vertices, and the box about all rings.
+  struct Heads {
+    std::vector<Vector> vertices;
+    BoxTree tree;
+    Box about;
+  };
+  Heads heads(const Operand<Vector>& operand) const {
+    Heads result;
+    std::vector<Box> boxes;
+    for (std::size_t r = 0; r < operand.rings.size(); ++r) {
+      if (!operand.is_outer[r]) continue;
+      const Vector& head = result.vertices.emplace_back(operand.rings[r][0]);
+      boxes.push_back(kernel_.box(head, head));
+      for (const Vector& vertex : operand.rings[r]) result.about.add(kernel_.box(vertex, vertex));
+    }
+    result.tree = BoxTree(std::move(boxes));
+    return result;
+  }
+  /// Whether x - v lies inside the region with these edges, in the box `about`, for one of the
+  /// heads v. Only those that the box reaches are looked at.
+  bool one_inside(const Heads& heads, const std::vector<Edge>& edges, const BoxTree& tree,
+                  const Box& about, const Query& x) const {
+    return heads.tree.query(reflected(about, kernel_.box(x)), [&](std::uint32_t i) {
+      return holds(edges, tree, heads.vertices[i], x);
+    });
   }
 
   /// Whether the closed edges p and x - q meet: x against the parallelogram p + q.
@@ -120,10 +143,9 @@ class Collision {
   static Vector unit_x() { return Vector(typename K::Coordinate(1), typename K::Coordinate(0)); }
 
   const K& kernel_;
-  const Operand<Vector>& P_;
-  const Operand<Vector>& Q_;
   std::vector<Edge> edges_p_, edges_q_;
   BoxTree tree_p_, tree_q_;
+  Heads heads_p_, heads_q_;
 };
 
 }  // namespace minkref::inline plane
