@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -119,3 +122,14 @@ def test_no_command_calls_a_lack_of_memory_a_fault_of_ours(
 def many_edges() -> _core.PolygonSet:
     ring = [f"{x} {x * x}" for x in range(2000)]
     return _core.read_text(f"POLYGON(({', '.join([*ring, ring[0]])}))", "wkt")
+
+
+def test_peak_bytes_are_of_the_command_and_not_of_who_starts_it() -> None:
+    """getrusage begins at the size of the process that started this one."""
+    started = f"""
+import subprocess, sys
+held = b"x" * {400 << 20}
+subprocess.run([sys.executable, "-m", "minkref", "models", "--json"], check=True)
+"""
+    ran = subprocess.run([sys.executable, "-c", started], capture_output=True, check=True)
+    assert json.loads(ran.stdout)["peak_bytes"] < 300 << 20

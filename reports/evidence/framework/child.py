@@ -21,6 +21,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from minkref.output.documents import peak_bytes
 from minkref.reports.evidence.framework import places, recorded, store
 from minkref.reports.evidence.framework.part import Findings, Size, Status
 from minkref.reports.evidence.framework.steps import Step, declared, module
@@ -122,7 +123,7 @@ def document_of(
         "seed": None,
         "seconds": round(seconds, 2),
         "processor_seconds": round(sum(each.ru_utime + each.ru_stime for each in used), 1),
-        "peak_bytes": max(each.ru_maxrss for each in used) * 1024,
+        "peak_bytes": peak_bytes(),
         "expected_minutes": step.minutes[size],
         "version": version(),
         "machine": machine(),

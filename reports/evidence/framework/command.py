@@ -6,6 +6,9 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +18,31 @@ from minkref.reports.evidence.framework.places import ROOT
 COMMAND = (sys.executable, "-m", "minkref")
 GRACE = 900.0  # seconds beyond a run's limit
 Document = dict[str, Any]
+# A child's largest size begins at that of the process that starts it: a small one starts it.
+METER = """
+import os, sys
+_, status, used = os.wait4(os.spawnvp(os.P_NOWAIT, sys.argv[2], sys.argv[2:]), 0)
+with open(sys.argv[1], "w") as told:
+    print(used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, file=told)
+sys.exit(os.waitstatus_to_exitcode(status) & 255)
+"""
+
+
+@dataclass(frozen=True)
+class Cost:
+    seconds: float  # of the processor, user and system
+    mib: float  # at most resident
+
+
+def cost(command: Sequence[str], cwd: Path | None = None) -> Cost:
+    """What the command takes; its output is discarded. Raises RuntimeError where it ends badly."""
+    with tempfile.NamedTemporaryFile("r") as told, tempfile.TemporaryFile("w+") as said:
+        metered = [sys.executable, "-I", "-S", "-c", METER, told.name, *command]
+        code = subprocess.call(metered, cwd=cwd, stdout=subprocess.DEVNULL, stderr=said)
+        if code:
+            said.seek(0)
+            raise RuntimeError(f"{' '.join(command)}: exit code {code}: {said.read()[-500:]}")
+        return Cost(*map(float, told.read().split()))
 
 
 def minkref(*words: object, seconds: float | None = None, **variables: str) -> tuple[int, Document]:

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
 
 import pyarrow.parquet
+from minkref.reports.evidence.framework.command import COMMAND, Cost, cost
 from minkref.reports.evidence.framework.operands import operand
 from minkref.reports.evidence.framework.part import Findings, Minutes, Size
 
@@ -30,12 +27,6 @@ STEPS = (200, 5000)
 MOST_SWEEP_MIB = 16  # how much more a sweep with many steps may need
 
 
-@dataclass(frozen=True)
-class Cost:
-    seconds: float  # of the processor, user and system
-    mib: float  # at most resident
-
-
 def run(findings: Findings, size: Size) -> None:
     P, Q = (operand(name) for name in PAIR)
     with tempfile.TemporaryDirectory() as folder:
@@ -50,20 +41,20 @@ def _events(findings: Findings, P: str, Q: str, folder: Path) -> None:
     findings.figures[f"events of {P} + {Q} found"] = _told(found)
     for form, most in MOST_SECONDS.items():
         to = [str(table)] if form == "parquet" else ["/dev/null", "--format", form]
-        cost = _cost("events", P, Q, "-o", *to)
-        more = cost.seconds - found.seconds
+        took = _cost("events", P, Q, "-o", *to)
+        more = took.seconds - found.seconds
         title = f"processor seconds of writing {form}, beyond finding"
         findings.target(title, more <= most, most, f"{more:.2f}")
         title = f"MiB of writing {form}, beyond finding"
         findings.target(
-            title, cost.mib - found.mib <= MOST_MIB, MOST_MIB, f"{cost.mib - found.mib:.0f}"
+            title, took.mib - found.mib <= MOST_MIB, MOST_MIB, f"{took.mib - found.mib:.0f}"
         )
     count = pyarrow.parquet.read_metadata(table).num_rows
     findings.figures["events in the list"] = f"{count:,}"
     for name, condition in CONDITIONS.items():
         options = ("--where", condition, "-o", "/dev/null", "--format", "jsonl")
-        cost = _cost("events", P, Q, *options)
-        more = cost.seconds - found.seconds
+        took = _cost("events", P, Q, *options)
+        more = took.seconds - found.seconds
         title = f"processor seconds of searching for {name}, beyond finding all"
         findings.target(title, more <= MOST_SEARCH, MOST_SEARCH, f"{more:.2f}")
 
@@ -73,8 +64,8 @@ def _arrangement(findings: Findings) -> None:
     found = _cost(*common, "--limit", "0", "-o", "/dev/null")
     written = _cost(*common, "-o", "/dev/null")
     few = _cost(*common, "-o", "/dev/null", "--where", "kind = triple and x in [0, 1]")
-    for title, cost in (("found", found), ("written", written), ("searched", few)):
-        findings.figures[f"arrangement events of disc1 + cells1815 {title}"] = _told(cost)
+    for title, took in (("found", found), ("written", written), ("searched", few)):
+        findings.figures[f"arrangement events of disc1 + cells1815 {title}"] = _told(took)
     more = written.mib - found.mib
     title = "MiB of writing arrangement events, beyond finding"
     findings.target(title, more <= MOST_MIB, MOST_MIB, f"{more:.0f}")
@@ -92,15 +83,8 @@ def _sweeps(findings: Findings) -> None:
 
 
 def _cost(*arguments: str) -> Cost:
-    """The command's cost with these arguments; discards the output."""
-    command = [sys.executable, "-m", "minkref", *arguments]
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode != 0:
-        raise RuntimeError(f"{' '.join(arguments)}: exit code {process.returncode}")
-    return Cost(usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
+    return cost([*COMMAND, *arguments])
 
 
-def _told(cost: Cost) -> str:
-    return f"{cost.seconds:.2f} s of the processor, {cost.mib:.0f} MiB at most"
+def _told(took: Cost) -> str:
+    return f"{took.seconds:.2f} s of the processor, {took.mib:.0f} MiB at most"

@@ -3,7 +3,6 @@ right at single scales."""
 
 from __future__ import annotations
 
-import resource
 import time
 from fractions import Fraction
 from typing import Any
@@ -11,6 +10,7 @@ from typing import Any
 from minkref import _core
 from minkref.fuzz.geometry.plane import Vector, cross, fraction_rings, minus, plus, segments_meet
 from minkref.fuzz.geometry.space import denominator_of
+from minkref.output.documents import peak_bytes
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Findings, Minutes, Size
 
@@ -39,7 +39,7 @@ def _pair(findings: Findings, names: tuple[str, str], size: Size) -> None:
     began = time.perf_counter()
     found = _core.pair_events(P.set, Q.set)
     seconds = time.perf_counter() - began
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    peak = peak_bytes() / 2**20
     counts = dict(found.counts())
     tally = _tally(found)
     births_and_deaths = sum(tally["types"])

@@ -225,8 +225,9 @@ def _in_doubles(findings: Findings, count: int, totals: list[PolygonSet], second
 
 #: In a process of its own, whose memory is its own.
 ALONE_IN_A_PROCESS = """\
-import json, resource, sys, time
+import json, sys, time
 from minkref import Scene
+from minkref.output.documents import peak_bytes
 from minkref.reports.evidence.scenes.times import operands, placed
 robot, shapes = operands()
 copies = placed(int(sys.argv[1]))
@@ -234,8 +235,7 @@ began = time.perf_counter()
 scene = Scene(robot, shapes, copies, threads=2)
 vertices = scene.union().vertices
 seconds = time.perf_counter() - began
-peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
-print(json.dumps({"seconds": seconds, "bytes": peak, "vertices": vertices}))
+print(json.dumps({"seconds": seconds, "bytes": peak_bytes(), "vertices": vertices}))
 """
 
 

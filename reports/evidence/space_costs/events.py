@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import multiprocessing
-import resource
 import time
 from multiprocessing.connection import Connection
 from pathlib import Path
@@ -11,7 +10,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
-from minkref.output.documents import replacing
+from minkref.output.documents import peak_bytes, replacing
 from minkref.reports.bench.space_pairs import EVENT_PAIRS, Solids
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.space_event_plot import draw
@@ -103,13 +102,13 @@ def _timed(solids: Solids, concurrent: bool) -> dict[str, Any]:
 
 def _work(answer: Connection, solids: Solids, concurrent: bool) -> None:
     P, Q = map(core_polyhedron, solids)
-    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    before = peak_bytes()
     began, processor = time.perf_counter(), time.process_time()
     found = _core.space_events(P, Q, *WINDOW, threads=THREADS, concurrent=concurrent)
     seconds, spent = time.perf_counter() - began, time.process_time() - processor
-    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    most = peak_bytes()
     counts = dict(found.counts())
     answer.send({
         **counts, "events": len(found), "seconds": seconds, "processor": spent,
-        "bytes": 1024 * most, "bytes_before": 1024 * before,
+        "bytes": most, "bytes_before": before,
     })  # fmt: skip
