@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 import squares
-import walls
+import touching
 from minkref.cli.cli import run
 from minkref.reports.evidence.certificates.checkers import ROOT
 from minkref.verbs import check_proved
@@ -57,8 +57,8 @@ def test_other_counts_are_refuted(square: Path, member: str) -> None:
 
 @pytest.mark.usefixtures("proved")
 def test_a_claim_without_a_theorem_is_declined(square: Path, capsys: Any) -> None:
-    square.with_name("case.json").write_text(json.dumps(walls.CASE), encoding="utf-8")
-    square.write_text(json.dumps(walls.certificate()), encoding="utf-8")
+    square.with_name("case.json").write_text(json.dumps(touching.CASE), encoding="utf-8")
+    square.write_text(json.dumps(touching.certificate()), encoding="utf-8")
     assert run(["check", str(square)]) == 0
     capsys.readouterr()
     assert run(["check", str(square), "--proved", "--json"]) == 5
@@ -80,9 +80,9 @@ VERDICT = ": verified{0}  sum: at 1, the set of points{0}: verified"
 )
 def test_a_name_proves_nothing(square: Path, capsys: Any, end: str) -> None:
     """A name that has a verdict on lines of its own, and bytes that are no text."""
-    value, case = walls.certificate(), json.dumps(walls.CASE)
-    (square.parent / "walls.case.json").write_text(case, encoding="utf-8")
-    value["case"]["path"] = "walls.case.json"
+    value, case = touching.certificate(), json.dumps(touching.CASE)
+    (square.parent / "touching.case.json").write_text(case, encoding="utf-8")
+    value["case"]["path"] = "touching.case.json"
     named = square.with_name(VERDICT.format(end) + ".cert.json")
     named.write_text(json.dumps(value), encoding="utf-8")
     assert run(["check", str(named), str(square), "--proved", "--json"]) == 5

@@ -14,7 +14,6 @@ from typing import Any
 import pytest
 import squares
 import touching
-import walls
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate
 from minkref.fuzz.judges.plane.certified_claims import Confirmation
@@ -119,11 +118,6 @@ def test_components_and_holes(
             other["claims"][0][member] += by
             path.write_text(json.dumps(other), encoding="utf-8")
             assert check(path)[0] in (REFUTED, MALFORMED), (member, by)
-
-
-def test_paths_are_declined(check_value: Any) -> None:
-    code, said = check_value(walls.certificate(), walls.CASE)
-    assert (code, "no theorem about paths" in said) == (DECLINED, True)
 
 
 def test_unions_are_declined(check_value: Any) -> None:

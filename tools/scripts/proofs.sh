@@ -6,7 +6,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 programs=(failure json text sha256 reading rings checker checked classes pieces elaborate moving
-  faces bodies theorem point_theorem intervals claims main)
+  faces bodies theorem point_theorem intervals cells ways hits paths
+  claims main)
 # The classical real numbers of Coq's library, and functional extensionality.
 known="Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
 Coq.Reals.ClassicalDedekindReals.sig_not_dec

@@ -12,7 +12,10 @@ ROOT = Path(__file__).resolve().parents[2]
 ROOM = ROOT / "oracle" / "proved"
 PAGE = ROOT / "docs" / "proved.md"
 #: Files that are not believed: where they are wrong, the checker says no.
-DOUBTED = {"pieces", "elaborate", "moving", "classes", "rings", "faces", "theorem", "point_theorem"}
+DOUBTED = {
+    "pieces", "elaborate", "moving", "classes", "rings", "faces", "theorem", "point_theorem",
+    "cells", "ways", "hits",
+}  # fmt: skip
 START, END = "<!-- trusted_lines.py --write -->\n", "<!-- end -->\n"
 
 
@@ -21,11 +24,12 @@ def rows() -> list[tuple[str, list[Path]]]:
     plane = ("Definitions", "Form", "Predicates", "Moving")
     definitions = {path.stem: path for path in (ROOM / "definitions").glob("*.v")}
     first = [definitions.pop(name) for name in plane]
-    operands = [definitions.pop("Legality")]
+    operands, ways = [definitions.pop("Legality")], [definitions.pop("Ways")]
     driver = [path for path in (ROOM / "driver").iterdir() if path.stem not in DOUBTED]
     return [
         ("theorems in the plane", first),
         ("and of points without a witness", operands),
+        ("and of paths and traps", ways),
         ("and of convex polyhedra", sorted(definitions.values())),
         ("and `minkref-check-proved`", [ROOM / "claims" / "Extract.v", *sorted(driver)]),
     ]

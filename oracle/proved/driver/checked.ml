@@ -18,6 +18,13 @@ type contact = Checker.contact
 type difference = Checker.difference_of
 type change = Checker.change
 type predicate = Checker.predicate
+type code = Checker.step
+type way = Checker.leg * code list
+type hit = Checker.hit
+type edge = (int * int) * Checker.edge_hit list
+type trap = Checker.trapping
+type path_claim = Checker.way_claim
+type place_claim = Checker.trap_claim
 
 (* Zarith has 1/0, 0/0 and -1/0: before them every comparison would say yes. *)
 let fraction (q : Q.t) : Checker.q =
@@ -167,3 +174,88 @@ let holes_in { Checker.holes_of; _ } = List.length holes_of
 let shown derivation = derivation
 let pieces_shown pieces = pieces
 let code_shown code = code
+
+(* Paths and traps *)
+let nodes (i, j) = (natural i, natural j)
+
+let scales ({ low; high; low_in; high_in } : Reading.scales) : Checker.scales =
+  { low = fraction low; high = Option.map fraction high; low_in; high_in }
+
+let contact_of : Reading.contact -> Checker.touch = function
+  | Allowed -> Allowed
+  | Forbidden -> Forbidden
+
+let moving_place (m : Reading.mover) = (fixed (m.x0, m.y0), fixed (m.x1, m.y1))
+let open_part = Checker.OpenPart
+let open_obstacles = Checker.OpenObstacles
+let cut_at t = Checker.CutAt (fraction t)
+let across n = Checker.Across (fixed n)
+let nothing_left multiples = Checker.NothingLeft (List.map fraction multiples)
+let constant q = Checker.Fixed (fraction q)
+
+let way direction length growth code : way =
+  ({ direction = fixed direction; length_ = constant length; growth = constant growth }, code)
+
+let hit at segment (start, speed) shared_by point : hit =
+  {
+    hit_scales = scales at;
+    segment = natural segment;
+    along_start = constant start;
+    along_speed = constant speed;
+    nodes = nodes shared_by;
+    shared = moving_place point;
+  }
+
+let edge shared_by hits : edge =
+  let hit (at, first, last) : Checker.edge_hit =
+    { edge_scales = scales at; at_start = moving_place first; at_end = moving_place last }
+  in
+  (nodes shared_by, List.map hit hits)
+
+let trap some_scale ring edges here_free : trap =
+  { some_scale = fraction some_scale; ring = List.map mover ring; edges; here_free }
+
+type scene = { part : ring list; obstacles : ring list; path : ring; of_r : tiled; of_o : tiled }
+
+let free_holds contact at { part; obstacles; path; of_r; of_o } ways =
+  Checker.check_free (contact_of contact) (scales at) (rings part) (rings obstacles)
+    (vertices path) of_r of_o ways
+
+let hit_holds contact at { part; obstacles; path; of_r; of_o } hits =
+  Checker.check_hit (contact_of contact) (scales at) (rings part) (rings obstacles)
+    (vertices path) of_r of_o hits
+
+let is_free ways = Checker.Is_free ways
+let is_hit hits = Checker.Is_hit hits
+let each_at claims = List.map (fun (at, claim) -> (scales at, claim)) claims
+
+let valid_holds contact at found { part; obstacles; path; of_r; of_o } claims =
+  Checker.check_valid (contact_of contact) (scales at) (List.map scales found) (rings part)
+    (rings obstacles) (vertices path) of_r of_o (each_at claims)
+
+let escapes_holds contact at scene places ways normal =
+  match scene with
+  | { part; obstacles; path = [ x ]; of_r; of_o } ->
+    Checker.check_escapes (contact_of contact) (scales at) (rings part) (rings obstacles)
+      (vertex x) of_r of_o (List.map moving_place places) ways (vertex normal)
+  | _ -> false
+
+let trapped_holds contact at scene trap =
+  match scene with
+  | { part; obstacles; path = [ x ]; of_r; of_o } ->
+    Checker.check_trapped (contact_of contact) (scales at) (rings part) (rings obstacles)
+      (vertex x) of_r of_o trap
+  | _ -> false
+
+let gets_away places ways normal =
+  Checker.Gets_away (List.map moving_place places, ways, vertex normal)
+
+let is_kept trap = Checker.Kept trap
+let collides hits = Checker.Collides hits
+
+let trap_holds contact at found scene claims =
+  match scene with
+  | { part; obstacles; path = [ x ]; of_r; of_o } ->
+    Checker.check_trap (contact_of contact) (scales at) (List.map scales found) (rings part)
+      (rings obstacles) (vertex x) of_r of_o (each_at claims)
+  | _ -> false

@@ -15,6 +15,13 @@ type derivation
 type contact
 type difference
 type change
+type code
+type way
+type hit
+type edge
+type trap
+type path_claim
+type place_claim
 
 (* Corners: at one scale, or at both ends of a `move` *)
 val corner : (Q.t * Q.t) list -> corner
@@ -104,6 +111,43 @@ val event_holds :
   bool
 
 type mesh = (Q.t * Q.t * Q.t) list * int list list
+
+(* Step `clear`: codes, and segments of places with their code; points that move and are shared;
+   rings *)
+val open_part : code
+val open_obstacles : code
+val cut_at : Q.t -> code
+val across : Q.t * Q.t -> code
+val nothing_left : Q.t list -> code
+val way : rational -> Q.t -> Q.t -> code list -> way
+val hit : Reading.scales -> int -> Q.t * Q.t -> int * int -> Reading.mover -> hit
+val edge : int * int -> (Reading.scales * Reading.mover * Reading.mover) list -> edge
+val trap : Q.t -> Reading.mover list -> edge list -> way list -> trap
+
+(* R and O, a path, and the pieces of both *)
+type scene = { part : ring list; obstacles : ring list; path : ring; of_r : tiled; of_o : tiled }
+
+val free_holds : Reading.contact -> Reading.scales -> scene -> way list -> bool
+val hit_holds : Reading.contact -> Reading.scales -> scene -> hit list -> bool
+val is_free : way list -> path_claim
+val is_hit : hit list -> path_claim
+
+val valid_holds :
+  Reading.contact -> Reading.scales -> Reading.scales list -> scene ->
+  (Reading.scales * path_claim) list -> bool
+
+(* The same of a path of one place; false of another one *)
+val escapes_holds :
+  Reading.contact -> Reading.scales -> scene -> Reading.mover list -> way list -> rational -> bool
+
+val trapped_holds : Reading.contact -> Reading.scales -> scene -> trap -> bool
+val gets_away : Reading.mover list -> way list -> rational -> place_claim
+val is_kept : trap -> place_claim
+val collides : hit list -> place_claim
+
+val trap_holds :
+  Reading.contact -> Reading.scales -> Reading.scales list -> scene ->
+  (Reading.scales * place_claim) list -> bool
 
 val body_holds : Q.t * Q.t * Q.t -> mesh -> mesh -> mesh -> (int * int) list -> bool
 val volume : mesh -> Q.t

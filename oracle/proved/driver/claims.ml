@@ -330,16 +330,14 @@ let check certificate read_case budget =
       match List.assoc_opt "certificate" found with Some (Text form) -> form | _ -> "")
     | _ -> ""
   in
+  let told = List.map (fun said : proved -> { said; theorem = None }) in
   match form with
   | "certificate-v1" -> check_plane ~has_axes:false certificate read_case budget
   | "axes-certificate-v1" -> check_plane ~has_axes:true certificate read_case budget
-  | "convex-certificate-v1" ->
-    List.map
-      (fun said : proved -> { said; theorem = None })
-      (Bodies.check certificate read_case budget)
+  | "convex-certificate-v1" -> told (Bodies.check certificate read_case budget)
+  | "path-certificate-v1" -> told (Paths.check certificate read_case budget)
   | "solid-certificate-v1" | "solid-point-certificate-v1" ->
     fail Declined "there is no theorem about sums of any polyhedra yet"
-  | "path-certificate-v1" -> fail Declined "there is no theorem about paths yet"
   | "feature-certificate-v1" -> fail Declined "there is no theorem about bridges yet"
   | "union-certificate-v1" -> fail Declined "there is no theorem about unions yet"
   | "disc-sum-certificate-v1" -> fail Declined "there is no theorem about sums with a disc yet"

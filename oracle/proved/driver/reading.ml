@@ -12,6 +12,11 @@ type operand = { name : string; polygons : point polygon list; vertices : point 
 (* A vertex that moves: at the scale s it is (x0 + s x1, y0 + s y1). *)
 type mover = { x0 : Q.t; x1 : Q.t; y0 : Q.t; y1 : Q.t }
 
+(* Scales of a claim about a path: all from one to another, with or without the ends; None for no
+   end. 0 never belongs to them. *)
+type scales = { low : Q.t; high : Q.t option; low_in : bool; high_in : bool }
+type contact = Allowed | Forbidden
+
 let numbers_of m = [ m.x0; m.x1; m.y0; m.y1 ]
 let compare_movers m n = List.compare Q.compare (numbers_of m) (numbers_of n)
 
@@ -20,6 +25,30 @@ let rings_of polygons = List.concat_map (fun p -> p.outer :: p.holes) polygons
 let point value : point =
   let x, y = pair value in
   (number x, number y)
+
+let mover value =
+  match List.map number (items value) with
+  | [ x0; x1; y0; y1 ] -> { x0; x1; y0; y1 }
+  | _ -> fail Malformed "a place that moves has four numbers"
+
+let scales value =
+  match members value [ "from"; "to"; "from_in"; "to_in" ] with
+  | [ from; upto; Bool low_in; Bool high_in ] ->
+    let low = number from and high = match upto with Null -> None | found -> Some (number found) in
+    require (Q.sign low > 0 || (Q.sign low = 0 && not low_in)) "these are no scales";
+    (match high with
+     | None -> require (not high_in) "these are no scales"
+     | Some b ->
+       let order = Q.compare low b in
+       require (order < 0 || (order = 0 && low_in && high_in)) "these are no scales");
+    { low; high; low_in; high_in }
+  | _ -> fail Malformed "scales say whether their ends belong to them"
+
+let contact value =
+  match value with
+  | Text "allowed" -> Allowed
+  | Text "forbidden" -> Forbidden
+  | _ -> fail Malformed "there is no such contact"
 
 let same ((a, b) : point) ((c, d) : point) = Q.equal a c && Q.equal b d
 
