@@ -199,7 +199,7 @@ def _traps(findings: Findings, count: int) -> None:
 def judge_trap(index: int) -> dict[str, Any]:
     """Judges a place in a room with a door of random width."""
     dice = random.Random(f"{SEED}:trap:{index}")
-    part, obstacles, at = _trap(dice)
+    part, obstacles, at = trap_in_room(dice)
     found = minkref.trapped_scales(part, obstacles, at)
     free = minkref.valid_scales(part, obstacles, [at])
     tally: Counter[str] = Counter(cases=1)
@@ -276,7 +276,8 @@ def _trap_proof(index: int, part: Any, obstacles: Any, at: Any, contact: str) ->
     return made(name, (part, obstacles), [at], lambda proof: proof.trap(contact))
 
 
-def _trap(dice: random.Random) -> tuple[minkref.PolygonSet, minkref.PolygonSet, Any]:
+def trap_in_room(dice: random.Random) -> tuple[minkref.PolygonSet, minkref.PolygonSet, Any]:
+    """Draws a part, a room with a door of random width, and a place in the room."""
     low, high = sorted(dice.sample(range(1, 12), 2))
     bend = dice.randint(0, 2)
     room = minkref.PolygonSet(
