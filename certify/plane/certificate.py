@@ -3,6 +3,7 @@ is."""
 
 from __future__ import annotations
 
+import itertools
 import json
 from collections.abc import Sequence
 from fractions import Fraction
@@ -14,6 +15,7 @@ from minkref.argument_types import expect_sets, number, two_exact
 from minkref.certify.case_text import case_digest, case_text, places
 from minkref.certify.claims_text import shown
 from minkref.certify.plane.coincidence import coincidences
+from minkref.certify.plane.inner_places import InnerPlaces
 from minkref.certify.plane.moving_form import Figure, figure, moving_form
 from minkref.certify.plane.point_apart import PointApart
 from minkref.certify.plane.predicate import Place, Predicate, Vertices
@@ -62,12 +64,18 @@ class Certificate:
     def __repr__(self) -> str:
         return shown(self, self.claims)
 
-    def sum(self, scale: Number, passages: bool = False) -> int:
+    def sum(self, scale: Number, passages: bool = False, complete: bool = False) -> int:
         """Claims the sum at a scale; with `passages` also its tight passages, each by a claim of
         its own, after the sum's. Contacts prove no passages if an operand is a point or a segment:
-        then no such claims follow."""
+        then no such claims follow. With `complete`, a last claim says that there are no others;
+        raises NoProof if an operand is a point, a segment or empty."""
         text = str(_exact("scale", scale))
-        passages = passages and all(o.is_region for o in (self.P, self.Q))
+        regions = all(o.is_region for o in (self.P, self.Q))
+        if complete and not regions:
+            raise NoProof(
+                "passages are proven where both operands have an interior", "leave it out"
+            )
+        passages = (passages or complete) and regions
         step, here, found = self._prove(text, passages)
         at = self._step(step)
         claim = self._claim(
@@ -75,10 +83,21 @@ class Certificate:
             digest=here.digest,
         )  # fmt: skip
         self._figures[claim] = here
+        listed = []
         for points, path in found:
             places = [list(point) for point in points]
-            self._claim("passage", scale=text, step=at, points=places, path=path)
+            listed.append(self._claim("passage", scale=text, step=at, points=places, path=path))
+        if complete:
+            inner = self._inner(at, Fraction(text), [path for _, path in found])
+            self._claim("passages", scale=text, step=at, passages=listed, inner=inner)
         return claim
+
+    def _inner(self, at: int, scale: Fraction, paths: list[list[int]]) -> list[list[Any]]:
+        steps = [self._steps[step] for step in (*self._pieces(), at)]
+        inner = InnerPlaces(steps, self._vertices, scale).entries(paths)
+        if inner is None:
+            raise RuntimeError(f"a point inside the sum at {scale} is on no passage, and should be")
+        return inner
 
     def interval(self, from_scale: Number, to_scale: Number) -> int:
         """Claims that the boundary has no event between two scales. Raises NoProof if it has."""
@@ -112,6 +131,47 @@ class Certificate:
         before = self.interval(from_scale, s)
         at = self.sum(s, passages)
         step, end, above = self._move(s, 2 * s)
+        kind = self._kind(s, before, at, above, kind)
+        after = self._claim(
+            "interval", **{"from": str(s), "to": str(end)}, steps=[self._step(step)],
+            components=above.components, holes=above.holes, digest=above.digest,
+        )  # fmt: skip
+        return self._claim("event", scale=str(s), kind=kind, before=before, at=at, after=after)
+
+    def events(self, from_scale: Number, to_scale: Number) -> int:
+        """Claims all boundary events between two scales, without events at these two: intervals
+        from each event to the next, every event, and that the list is complete."""
+        a, b = _exact("from_scale", from_scale), _exact("to_scale", to_scale)
+        if not 0 < a < b:
+            raise NoProof(f"no scales are between {a} and {b}", "give positive scales that ascend")
+        rows = _core.DynamicSum(self.P, self.Q, str(a), str(b)).boundary_events()
+        scales = sorted({Fraction(row[0]) for row in rows} - {a, b})
+        try:
+            return self._all_events([a, *scales, b])
+        except NoProof as error:
+            raise RuntimeError(f"the events between {a} and {b} are not these: {error}") from error
+
+    def _all_events(self, stops: list[Fraction]) -> int:
+        intervals, events = [self.interval(*stops[:2])], []
+        for s, end in itertools.pairwise(stops[1:]):
+            at = self.sum(s)
+            intervals.append(self.interval(s, end))
+            before, after = intervals[-2:]
+            kind = self._kind(s, before, at, self._figures[after])
+            found = self._claim("event", scale=str(s), kind=kind, before=before, at=at, after=after)
+            events.append(found)
+        figures = [self._figures[claim] for claim in intervals]
+        return self._claim(
+            "events", **{"from": str(stops[0]), "to": str(stops[-1])},
+            intervals=intervals, events=events, scales=[str(s) for s in stops[1:-1]],
+            kinds=[self.claims[event]["kind"] for event in events],
+            components=[f.components for f in figures], holes=[f.holes for f in figures],
+        )  # fmt: skip
+
+    def _kind(
+        self, s: Fraction, before: int, at: int, above: Figure, kind: str | None = None
+    ) -> str:
+        """The kind of the event at a scale. Raises NoProof if there is none."""
         below, here = self._figures[before], self._figures[at]
         counts = {(f.components, f.holes) for f in (below, here, above)}
         kind = kind or ("topology" if len(counts) > 1 else "boundary")
@@ -120,11 +180,7 @@ class Certificate:
         if kind == "boundary" and below == above and below.at(s) == here:
             since = self.claims[before]["from"]
             raise NoProof(f"the boundary has no event at {s}, nor between {since} and {s}")
-        after = self._claim(
-            "interval", **{"from": str(s), "to": str(end)}, steps=[self._step(step)],
-            components=above.components, holes=above.holes, digest=above.digest,
-        )  # fmt: skip
-        return self._claim("event", scale=str(s), kind=kind, before=before, at=at, after=after)
+        return kind
 
     def point(self, scale: Number, point: tuple[Number, Number]) -> int:
         """Claims that a point belongs to the sum."""

@@ -28,6 +28,8 @@ minkref certify P.wkt Q.wkt --scale 2 --point 1/3,5 -o point.cert.json
 
 minkref certify g1 g2 --from 1 --to 11/10 -o interval.cert.json.gz
 
+minkref certify g1 g2 --events --from 1 --to 2 -o events.cert.json
+
 minkref certify g1 g2 --scale 7/5 -o sum.cert.json --theorem sum.v
 
 minkref certify g1 g2 --scale 2,1/3 -o sum.cert.json
@@ -73,6 +75,21 @@ Begin = Annotated[
     READ_SCALE,
 ]
 End = Annotated[Fraction | None, typer.Option("--to", metavar="B", help="See --from."), READ_SCALE]
+Events = Annotated[
+    bool,
+    typer.Option(
+        "--events",
+        help="Prove all boundary events between --from and --to, and that no other is between "
+        "them. Events at --from or --to themselves are not listed.",
+    ),
+]
+AllPassages = Annotated[
+    bool,
+    typer.Option(
+        "--all-passages",
+        help="Prove also that the sum at --scale has no other tight passages than those listed.",
+    ),
+]
 Degeneracy = Annotated[
     Fraction | None,
     typer.Option(
@@ -116,7 +133,9 @@ class CertifyInPlane:
     event: Event = None
     from_scale: Begin = None
     to_scale: End = None
+    events: Events = False
     degeneracy: Degeneracy = None
+    all_passages: AllPassages = False
     point: Point = None
     check: Check = True
     theorem: Theorem = None
@@ -136,7 +155,7 @@ class CertifyInSpace:
     json: Json = False
 
 
-OF_PLANE = ("--event", "--from", "--to", "--degeneracy")
+OF_PLANE = ("--event", "--events", "--from", "--to", "--degeneracy", "--all-passages")
 command = command_of(
     "certify",
     TOLD,

@@ -27,8 +27,11 @@ def operands(tmp_path: Path) -> tuple[str, str]:
     [
         ([], ["sum"]),
         (["--scale", "541/186"], ["sum"]),
+        (["--scale", "541/186", "--all-passages"], ["sum", "passage", "passages"]),
         (["--event", "541/186"], ["interval", "sum", "interval", "event"]),
         (["--from", "1", "--to", "541/186"], ["interval"]),
+        (["--events", "--from", "1", "--to", "541/186"], ["interval", "events"]),
+        (["--events", "--from", "2", "--to", "3"], ["interval", "sum", "interval", "event"]),
         (["--degeneracy", "541/186"], ["sign", "sign", "sign"]),
         (["--scale", "2", "--point", "45,1/3"], ["point"]),
         (["--point", "0,0"], ["outside"]),
@@ -42,7 +45,8 @@ def test_what_is_certified_is_verified(
     ran = minkref("certify", *operands, *options, "-o", str(file), "--json")
     assert ran.code == 0, ran.err
     made = [claim["claim"] for claim in ran.json["claims"]]
-    assert made[: len(claims)] == claims and set(made[len(claims) :]) <= {"passage"}
+    more = {"passage", "passages", "events"}
+    assert made[: len(claims)] == claims and set(made[len(claims) :]) <= more
     checked = minkref("check", str(tmp_path), "--json")
     assert checked.code == 0
     (row,) = checked.json["files"]
@@ -61,6 +65,10 @@ def test_what_is_certified_is_verified(
         (["--event", "2"], "has no event at 2"),
         (["--from", "2", "--to", "3"], "has an event at"),
         (["--from", "2"], "an interval has two ends"),
+        (["--all-passages", "--event", "2"], "passages are those of a sum"),
+        (["--all-passages", "--point", "2,3"], "passages are those of a sum"),
+        (["--events"], "events are those between two scales"),
+        (["--events", "--event", "3", "--from", "1"], "events are those between two scales"),
         (["--from", "2", "--to", "1"], "the interval is empty"),
         (["--event", "1", "--from", "2"], "not below the event"),
         (["--event", "1", "--scale", "2"], "do not go together"),

@@ -3,6 +3,7 @@ counted by computer algebra."""
 
 from __future__ import annotations
 
+import itertools
 import json
 from fractions import Fraction
 from typing import Any
@@ -37,6 +38,11 @@ class Confirmation:
         statement."""
         if claim["claim"] == "event":
             claim = {**claim, "before": claims[claim["before"]], "after": claims[claim["after"]]}
+        if claim["claim"] == "passages":
+            points = [claims[passage].get("points") for passage in claim["passages"]]
+            claim = {"claim": "passages", "scale": claim["scale"], "points": points}
+        if claim["claim"] == "events":
+            claim = {name: claim[name] for name in claim if name not in ("intervals", "events")}
         said = {name: claim[name] for name in claim if name not in ("step", "steps", "path", "at")}
         key = json.dumps(said, sort_keys=True)
         if key not in self._known:
@@ -69,10 +75,29 @@ class Confirmation:
         ends = claim["before"]["to"], claim["after"]["from"]
         if any(Fraction(end) != s for end in ends):
             return False
-        counts = {
-            (len(x.interior), len(x.complement)) for x in (found.below, found.at, found.above)
-        }
-        return len(counts) > 1 if claim["kind"] == "topology" else found.boundary_changes
+        return len(_counts(found)) > 1 if claim["kind"] == "topology" else found.boundary_changes
+
+    def _events(self, claim: Claim) -> bool:
+        """Whether these are events of these kinds, and the scales examined between two show one
+        moving form, no event, and these counts."""
+        listed = [Fraction(s) for s in claim["scales"]]
+        stops = [Fraction(claim["from"]), *listed, Fraction(claim["to"])]
+        found = [slow.topology(self.P, self.Q, s) for s in listed]
+        if not all(at.boundary_changes for at in found):
+            return False
+        kinds = ["topology" if len(_counts(at)) > 1 else "boundary" for at in found]
+        between: list[tuple[int, int]] = []
+        for low, high in itertools.pairwise(stops):
+            scales = [low + (high - low) * i / (SAMPLES + 1) for i in range(1, SAMPLES + 1)]
+            states = [(s, slow.topology(self.P, self.Q, s)) for s in scales]
+            forms = {_form(state.above, s) for s, state in states}
+            counts = {count for _, state in states for count in _counts(state)}
+            changes = any(state.boundary_changes for _, state in states)
+            if low >= high or changes or len(forms) + len(counts) != 2:
+                return False
+            between += counts
+        rows = [*zip(claim["components"], claim["holes"], strict=True)]
+        return kinds == claim["kinds"] and between == rows
 
     def _passage(self, claim: Claim) -> bool:
         """Whether the points form a part of a piece from the slow engine."""
@@ -81,6 +106,12 @@ class Confirmation:
         runs = [run for piece in pieces for run in (list(piece), list(piece)[::-1])]
         n = len(points)
         return any(run[i : i + n] == points for run in runs for i in range(len(run) - n + 1))
+
+    def _passages(self, claim: Claim) -> bool:
+        """Whether each piece from the slow engine is made of these segments and points."""
+        paths = [[(Fraction(x), Fraction(y)) for x, y in points] for points in claim["points"]]
+        pieces = slow.minkowski_sum(self.P, self.Q, Fraction(claim["scale"])).tight
+        return _steps(paths) >= _steps([list(piece) for piece in pieces])
 
     def _point(self, claim: Claim) -> bool:
         x, y = map(Fraction, claim["point"])
@@ -112,6 +143,24 @@ class Confirmation:
                 place = [sympy.Rational(c.numerator, c.denominator) for c in vertices[i]]
                 total = [x + factor * c for x, c in zip(total, place, strict=True)]
         return [*total, sympy.Integer(1)]
+
+
+def _steps(paths: list[list[tuple[Fraction, Fraction]]]) -> set[Any]:
+    """Points and segments of paths, without points where they go straight on."""
+    steps: set[Any] = {frozenset(path) for path in paths if len(path) == 1}
+    for path in paths:
+        corners = path[:1]
+        for a, b, c in zip(path, path[1:], path[2:], strict=False):
+            if (b[0] - a[0]) * (c[1] - b[1]) != (b[1] - a[1]) * (c[0] - b[0]):
+                corners.append(b)
+        corners += path[-1:]
+        steps |= {frozenset(side) for side in itertools.pairwise(corners)}
+    return steps
+
+
+def _counts(found: slow.Topology) -> set[tuple[int, int]]:
+    """Components and holes below, at and above a scale."""
+    return {(len(x.interior), len(x.complement)) for x in (found.below, found.at, found.above)}
 
 
 def _form(state: Any, s: Fraction) -> str:

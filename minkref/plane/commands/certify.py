@@ -32,7 +32,9 @@ def _proof(request: CertifyInPlane) -> Proof:
             _claim(certificate, request)
         except NoProof as error:
             mend = "`minkref events P Q --kind boundary` (or arrangement) lists the events"
-            if request.point is not None:
+            if error.mend is not None:
+                mend = error.mend
+            elif request.point is not None:
                 mend = "`minkref certify P Q --scale S` proves the whole sum"
             where = f"{first.name} and {second.name}"
             raise Refusal(str(error), where, mend, "no-proof") from error
@@ -57,11 +59,18 @@ def _check(request: CertifyInPlane) -> None:
     event, degeneracy = request.event is not None, request.degeneracy is not None
     if begins != ends and not event and not degeneracy:
         raise Refusal("an interval has two ends", "options", "give both --from and --to")
+    if request.events and not (begins and ends):
+        raise Refusal("events are those between two scales", "--events", "give --from and --to")
+    if request.all_passages and (request.point is not None or not _is_of_one_scale(request)):
+        raise Refusal("passages are those of a sum", "--all-passages", "give --scale, or leave it")
+    if request.all_passages and request.theorem is not None:
+        what = "there is no theorem about all passages of a sum"
+        raise Refusal(what, "--theorem", "leave one of both out", "no-proof")
     of_sum = request.scale is not None or request.point is not None
     alone = event + degeneracy + ends + of_sum <= 1
     if not alone or (begins and not (event or ends)):
-        mend = "choose --scale S [--point X,Y], --event S [--from A], --from A --to B, or "
-        raise Refusal("these options do not go together", "options", mend + "--degeneracy S")
+        mend = "choose --scale S [--point X,Y], --event S [--from A], [--events] --from A --to B, "
+        raise Refusal("these options do not go together", "options", mend + "or --degeneracy S")
 
 
 def _is_of_one_scale(request: CertifyInPlane) -> bool:
@@ -81,13 +90,14 @@ def _claim(certificate: Certificate, request: CertifyInPlane) -> None:
     elif a is not None and b is not None:
         if a >= b:
             raise Refusal("the interval is empty", "--to", "give a larger scale than --from")
-        certificate.interval(str(a), str(b))
+        claim = certificate.events if request.events else certificate.interval
+        claim(str(a), str(b))
     elif request.degeneracy is not None:
         certificate.degeneracy(str(request.degeneracy))
     elif request.point is not None:
         _claim_point(certificate, scale, request.point)
     else:
-        certificate.sum(scale, passages=True)
+        certificate.sum(scale, passages=True, complete=request.all_passages)
 
 
 def _claim_point(certificate: Certificate, scale: str, point: tuple[str, str]) -> None:

@@ -190,11 +190,11 @@ class Region:
             self.check_cell(cell)
         self.check_box()
         self.normals = [whole_normal(vector(normal)) for normal in normals]
-        self.inside = set()
+        self.inside: dict[int, list[Json]] = {}  # the covered cells, with their nodes
         for cell, (how, code) in enumerate(map(headed, items(proofs, len(self.cells)))):
             require(how in ("cov", "sep"), f"cell {cell} has no proof")
             (self.check_cover if how == "cov" else self.check_apart)(self.cells[cell], code)
-            self.inside |= {cell} if how == "cov" else set()
+            self.inside.update({cell: code} if how == "cov" else {})
         self.contacts = set()
         for ids, code in map(headed, contacts):
             contact = [self.point(i) for i in items(ids)]

@@ -44,7 +44,7 @@ def add_interval(proof: Proof, claim: Json) -> tuple[str, list[Region]]:
     return f"from {a} to {b}, {counts[0]} components, {counts[1]} holes, {digest}", regions
 
 
-def add_event(proof: Proof, claim: Json) -> tuple[str, None]:
+def add_event(proof: Proof, claim: Json) -> tuple[str, tuple[Fraction, str]]:
     """At a scale, and just below and above it, the boundary or the topology is not the same."""
     scale, kind, before, at, after = members(claim, "claim scale kind before at after")[1:]
     require(kind in ("boundary", "topology"), f"there is no event {kind!r}")
@@ -52,10 +52,10 @@ def add_event(proof: Proof, claim: Json) -> tuple[str, None]:
     s = scale_of(scale)
     demand(low[-1].scales[1] == here.scales[0] == high[0].scales[0] == s, "not at one scale")
     same = form_of(low[0]) == form_of(high[0]) and form_of(low[0], s) == form_of(here)
-    if kind == "topology":
-        same = low[0].counts == here.counts == high[0].counts
-    demand(not same, "nothing changes")
-    return f"{kind} at {scale}, no event of the boundary from {low[0].scales[0]} to it", None
+    as_many = low[0].counts == here.counts == high[0].counts
+    demand(not (as_many if kind == "topology" else same), "nothing changes")
+    said = f"{kind} at {scale}, no event of the boundary from {low[0].scales[0]} to it"
+    return said, (s, "boundary" if as_many else "topology")
 
 
 def add_point(proof: Proof, claim: Json) -> tuple[str, None]:
@@ -100,7 +100,7 @@ def add_outside(proof: Proof, claim: Json) -> tuple[str, None]:
     return f"{point} at {scale}", None
 
 
-def add_passage(proof: Proof, claim: Json) -> tuple[str, None]:
+def add_passage(proof: Proof, claim: Json) -> tuple[str, dict[tuple[int, ...], Region]]:
     """Points inside the sum, along edges of cells, that the sum of the interiors misses."""
     scale, step, points, path = members(claim, "claim scale step points path")[1:]
     region = proof.region(step, scale)
@@ -113,7 +113,7 @@ def add_passage(proof: Proof, claim: Json) -> tuple[str, None]:
     for contact in contacts:
         demand(contact in region.contacts, f"{contact} is no contact")
         demand(is_within(region, contact), f"{contact} is not inside the sum")
-    return f"{points} at {scale}", None
+    return f"{points} at {scale}", dict.fromkeys(contacts, region)
 
 
 def add_sign(proof: Proof, claim: Json) -> tuple[str, None]:

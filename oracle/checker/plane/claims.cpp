@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "oracle/checker/following.hpp"
 #include "oracle/checker/plane/predicate.hpp"
@@ -12,6 +13,17 @@ namespace {
 
 /// A claim's regions, for later claims: none, a sum's region, or an interval's regions.
 using Shown = std::vector<const Region*>;
+
+struct Event {
+  mpq_class scale;
+  const char* kind;  ///< topology where components or holes change
+};
+
+/// Contacts of a step, along a passage.
+struct Passage {
+  const Region* region;
+  std::vector<Region::Contact> contacts;
+};
 
 class Certificate {
  public:
@@ -62,12 +74,16 @@ class Certificate {
     const std::string kind = rule_of(claim, "claim");
     budget_.spend(64);
     shown_.emplace_back();
+    events_.emplace_back();
+    passages_.emplace_back();
     if (kind == "sum") return kind + sum(claim);
     if (kind == "interval") return kind + interval(claim);
     if (kind == "event") return kind + event(claim);
+    if (kind == "events") return kind + events(claim);
     if (kind == "point") return kind + point_of_sum(claim);
     if (kind == "outside") return kind + outside(claim);
     if (kind == "passage") return kind + passage(claim);
+    if (kind == "passages") return kind + passages(claim);
     if (kind == "sign") return kind + sign(claim);
     throw NotVerified(Code::malformed, "there is no claim " + kind);
   }
@@ -181,11 +197,40 @@ class Certificate {
     demand(low.back()->scales().back() == s && here.scales()[0] == s && high[0]->scales()[0] == s,
            "not at one scale");
     const auto counts = [](const Region& r) { return std::pair(r.components(), r.holes()); };
+    const bool as_many = counts(*low[0]) == counts(here) && counts(here) == counts(*high[0]);
     const bool same = kind == "boundary"
                           ? low[0]->form() == high[0]->form() && low[0]->at(s) == here.form()
-                          : counts(*low[0]) == counts(here) && counts(here) == counts(*high[0]);
+                          : as_many;
     demand(!same, "nothing changes");
+    events_.back() = Event{s, as_many ? "boundary" : "topology"};
     return ": " + kind + " at " + s.get_str();
+  }
+
+  /// events: all events of the boundary between two scales; intervals without any, and events where
+  /// they meet.
+  std::string events(const Value& claim) {
+    const auto m = members(claim, "claim from to intervals events scales kinds components holes");
+    const auto &through = items(*m[3]), &claims = items(*m[4]);
+    require(through.size() == claims.size() + 1, "intervals, and events between");
+    const std::size_t count = claims.size();
+    const auto &scales = items(*m[5], count), &kinds = items(*m[6], count);
+    const auto &components = items(*m[7], count + 1), &holes = items(*m[8], count + 1);
+    const mpq_class from = scale(*m[1]), to = scale(*m[2]);
+    mpq_class at = from;
+    for (std::size_t i = 0; i <= count; ++i) {
+      const Shown& interval = earlier(through[i], true);
+      demand(interval[0]->scales().front() == at, "the intervals do not reach from end to end");
+      same_counts(*interval[0], components[i], holes[i]);
+      at = interval.back()->scales().back();
+      if (i == count) break;
+      const std::optional<Event>& event = events_[index(claims[i], events_.size() - 1)];
+      require(event.has_value(), "a claim is of another kind");
+      demand(event->scale == at && scale(scales[i]) == at, "no event where intervals meet");
+      demand(kinds[i].kind == Value::Kind::text && kinds[i].text == event->kind,
+             "an event is of the other kind");
+    }
+    demand(at == to, "the intervals do not reach from end to end");
+    return ": from " + from.get_str() + " to " + to.get_str() + ", all " + std::to_string(count);
   }
 
   static bool is_in_box(const Point& at, const std::vector<Vector>& ring) {
@@ -255,12 +300,48 @@ class Certificate {
     for (const std::uint32_t id : ids) places.push_back(found.vertex(id));
     demand(points == places, "other points");
     require(!ids.empty(), "a passage has no point");
+    passages_.back() = Passage{&found, {}};
     for (std::size_t i = 0; i + 1 < ids.size() || i == 0; ++i) {
       const Region::Contact contact = ids.size() == 1 ? ids : Region::Contact{ids[i], ids[i + 1]};
       demand(found.is_contact(contact) && found.is_within(contact),
              "not inside the sum, or not apart from that of the interiors");
+      passages_.back()->contacts.push_back(contact);
     }
     return ": at " + found.scales()[0].get_str();
+  }
+
+  /// passages: all points inside the sum that the sum of the interiors misses are on these.
+  std::string passages(const Value& claim) {
+    const auto m = members(claim, "claim scale step passages inner");
+    const Region& found = region_at(*m[2], *m[1]);
+    require(!P_.thin && !Q_.thin, "passages of a point or a segment are not proven by contacts");
+    std::map<Region::Contact, std::set<Region::NodePair>> places = found.places_between();
+    std::set<std::uint32_t> listed;
+    for (const Value& value : items(*m[3])) {
+      const std::uint32_t n = index(value, passages_.size() - 1);
+      require(passages_[n] && passages_[n]->region == &found, "no passage of this step");
+      require(listed.insert(n).second, "a passage is listed twice");
+      for (Region::Contact contact : passages_[n]->contacts) {
+        for (const std::uint32_t point : contact) places.erase({point});
+        std::sort(contact.begin(), contact.end());
+        places.erase(contact);
+      }
+    }
+    std::erase_if(places, [&](const auto& place) {
+      return found.is_in_open_sums(place.first, place.second);
+    });
+    for (const Value& entry : items(*m[4])) {
+      const auto& parts = items(entry, 2);
+      Region::Contact place;
+      for (const Value& id : items(parts[0])) place.push_back(found.point_number(id));
+      std::sort(place.begin(), place.end());
+      require(places.erase(place) == 1, "it is between no cells, or shown already");
+      std::set<Region::NodePair> nodes;
+      for (const Value& pair : items(parts[1])) nodes.insert(found.solid_pair(pair));
+      demand(found.is_in_open_sums(place, nodes), "it is not inside these sums");
+    }
+    demand(places.empty(), "a point is on no passage that is listed");
+    return ": " + std::to_string(listed.size()) + " at " + found.scales()[0].get_str();
   }
 
   /// sign: a predicate's sign between two scales, or at one scale.
@@ -286,6 +367,8 @@ class Certificate {
   std::vector<std::unique_ptr<Region>> regions_;
   std::vector<bool> used_;
   std::vector<Shown> shown_;
+  std::vector<std::optional<Event>> events_;
+  std::vector<std::optional<Passage>> passages_;
 };
 
 bool is_axes_certificate(const Value& certificate) {

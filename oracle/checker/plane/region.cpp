@@ -86,7 +86,7 @@ Region::Region(const Value& step, const Pieces& P, const Pieces& Q, const mpz_cl
   check_box();
   own_normals_ = read_normals(*parts[6], normals_);
   const auto& proofs = items(*parts[7], cells_.size());
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+  for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
     const auto& proof = items(proofs[cell]);
     require(!proof.empty() && proof[0].kind == Value::Kind::text &&
                 (proof[0].text == "cov" || proof[0].text == "sep"),
@@ -94,7 +94,7 @@ Region::Region(const Value& step, const Pieces& P, const Pieces& Q, const mpz_cl
     inside_.push_back(proof[0].text == "cov");
     const Value *first = proof.data() + 1, *last = proof.data() + proof.size();
     if (inside_.back()) {
-      check_cover(cells_[cell], first, last);
+      check_cover(cell, first, last);
     } else {
       check_apart(cells_[cell], first, last);
     }
@@ -251,11 +251,12 @@ mpz_class Region::least(std::size_t end, const std::vector<std::uint32_t>& corne
   return side * least;
 }
 
-void Region::check_cover(const std::vector<std::uint32_t>& corners, const Value* first,
-                         const Value* last) {
+void Region::check_cover(std::uint32_t cell, const Value* first, const Value* last) {
+  const std::vector<std::uint32_t>& corners = cells_[cell];
   require(last - first == 2, "`cov` names two nodes");
   const std::uint32_t A = index(first[0], P_.hulls.size()), B = index(first[1], Q_.hulls.size());
   demand(P_.solid[A] && Q_.solid[B], "a node is not convex");
+  covers_[cell] = {A, B};
   for (const auto* hull : {&P_.hulls[A], &Q_.hulls[B]}) {
     for (std::size_t i = 0; i < hull->size(); ++i) {
       budget_.spend(corners.size());

@@ -45,6 +45,16 @@ class Region {
   /// Whether the sum covers all cells around a point, or on both sides of an edge.
   bool is_within(const Contact& contact) const;
 
+  using NodePair = std::pair<std::uint32_t, std::uint32_t>;
+  /// The sides between two covered cells, without their ends, and the points around which all cells
+  /// are covered; each with the nodes that cover these cells.
+  std::map<Contact, std::set<NodePair>> places_between() const;
+  /// Reads a pair of solid nodes.
+  NodePair solid_pair(const Value& value) const;
+  /// Whether the insides of these sums of two solids hold a point, or together a segment without
+  /// its ends.
+  bool is_in_open_sums(const Contact& place, const std::set<NodePair>& nodes) const;
+
  private:
   /// A line a x + b y = c, or the point (a / c, b / c), c > 0.
   struct Triple {
@@ -58,13 +68,13 @@ class Region {
   const Ends& line(const Value& value) const;
   void check_cell(std::uint32_t cell);
   void check_box() const;
-  void check_cover(const std::vector<std::uint32_t>& corners, const Value* first,
-                   const Value* last);
+  void check_cover(std::uint32_t cell, const Value* first, const Value* last);
   void check_apart(const std::vector<std::uint32_t>& corners, const Value* first,
                    const Value* last);
   mpz_class most(std::size_t end, std::uint32_t A, std::uint32_t B, std::uint32_t normal) const;
   mpz_class least(std::size_t end, const std::vector<std::uint32_t>& corners, const Vector& normal,
                   int side) const;
+  mpq_class room(std::uint32_t point, std::uint32_t A, std::uint32_t B, std::uint32_t normal) const;
   void count();
   void read_polygons(const Value& value);
 
@@ -81,6 +91,7 @@ class Region {
   std::map<Edge, Vector> direction_;
   std::vector<std::uint32_t> own_normals_;
   std::vector<bool> inside_;
+  std::map<std::uint32_t, NodePair> covers_;  ///< the nodes of each covered cell
   std::set<Contact> contacts_;
   std::vector<std::uint32_t> root_;
   std::size_t components_ = 0, holes_ = 0;

@@ -14,7 +14,7 @@ LEAST = Fraction(1, 1 << 80)
 # Members that carry a claim's content, unlike names of steps or pieces
 TOLD = (
     "scale", "components", "holes", "digest", "polygons", "point", "p", "q", "points", "of",
-    "from", "to", "sign", "kind", "before", "at", "after",
+    "from", "to", "sign", "kind", "before", "at", "after", "scales", "kinds", "passages",
 )  # fmt: skip
 NO_TRUTH = ("title", "comment", "producer")
 TREE = 2  # position among a plane's parts; an entry's path is proof, sums, i, planes, j, 2, k

@@ -11,6 +11,7 @@ from fractions import Fraction
 from functools import partial
 from pathlib import Path
 
+from minkref import _core
 from minkref.certify.plane.certificate import Certificate
 from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.certificates.certified_cases import (
@@ -27,8 +28,10 @@ from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, S
 MINUTES = Minutes(None, 1, 8)
 
 SEED = 1611
+WINDOWS = Counts(0, 15, 150)
 COUNT, COUNT_SMALL = Counts(0, 50, 500), Counts(0, 20, 100)
 EVENTS_EACH = 3
+EVENTS_INSIDE = 6
 SMALL = 12
 SMALL_SECONDS = 0.2
 LARGE_SECONDS = {"Python": 60.0, "C++": 5.0}
@@ -41,6 +44,8 @@ def run(findings: Findings, size: Size) -> None:
         folder = Path(name)
         _many(findings, "sums", _sums(), size.of(COUNT), folder)
         _many(findings, "events", _events(), size.of(COUNT), folder)
+        _many(findings, "windows", _windows(), size.of(WINDOWS), folder)
+        _many(findings, "all passages", _all_passages(), size.of(COUNT), folder)
         _many(findings, "pairs of 12 vertices", _small(), size.of(COUNT_SMALL), folder)
         _large(findings, folder)
 
@@ -65,6 +70,37 @@ def _sums() -> Iterator[Work]:
 def _events() -> Iterator[Work]:
     for case, scale, before in events(SEED, EVENTS_EACH):
         yield f"{case.name.text} at {scale}", partial(_event, case, scale, before)
+
+
+def _window(case: Case, first: Fraction, last: Fraction) -> Certificate:
+    certificate = Certificate(case.P, case.Q)
+    certificate.events(first, last)
+    return certificate
+
+
+def _windows() -> Iterator[Work]:
+    """All events between two scales, which are events themselves in turn or halfway to the next,
+    of small cases; up to `EVENTS_INSIDE` of them."""
+    for case, scale, before in events(SEED + 1, 1):
+        rows = _core.DynamicSum(case.P, case.Q, str(before), "4").boundary_events()
+        scales = sorted({Fraction(row[0]) for row in rows} | {before, scale, Fraction(4)})
+        at = scales.index(before)
+        inside = scales[at : at + EVENTS_INSIDE + 2]
+        last = inside[-1] if at % 2 else (inside[-2] + inside[-1]) / 2
+        name = f"{case.name.text} from {before} to {last}"
+        yield name, partial(_window, case, before, last)
+
+
+def _all_of_sum(case: Case) -> Certificate:
+    certificate = Certificate(case.P, case.Q)
+    certificate.sum(case.scale, complete=True)
+    return certificate
+
+
+def _all_passages() -> Iterator[Work]:
+    for case in cases(SEED + 2):
+        if case.P.is_region and case.Q.is_region:
+            yield case.name.text, partial(_all_of_sum, case)
 
 
 def _small() -> Iterator[Work]:

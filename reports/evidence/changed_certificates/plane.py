@@ -51,17 +51,18 @@ def _certified(each: int, degeneracies: int) -> list[Certified]:
     made = []
     for case in itertools.islice(filter(_has_passages, cases(SEED)), each):
         certificate = Certificate(case.P, case.Q)
-        certificate.sum(case.scale, passages=True)
+        regions = case.P.is_region and case.Q.is_region
+        certificate.sum(case.scale, passages=True, complete=regions)
         region = json.loads(_core.minkowski_sum(case.P, case.Q, case.scale).region.to_json())
         x, y = region["polygons"][0]["outer"][0]
-        if case.P.is_region and case.Q.is_region:
+        if regions:
             certificate.point(case.scale, (str(x), str(y)))
         certificate.outside(case.scale, (Fraction(x) - Fraction(1, 1000), str(y)))
         made.append((case.name.text, certificate))
     for case, scale, before in itertools.islice(events(SEED, 1), each):
         certificate = Certificate(case.P, case.Q)
-        certificate.event(scale, before)
-        made.append((f"{case.name.text} at {scale}", certificate))
+        certificate.events(before, scale + (scale - before) / 3)
+        made.append((f"{case.name.text} about {scale}", certificate))
         if len(made) < 2 * each + degeneracies:
             certificate = Certificate(case.P, case.Q)
             certificate.degeneracy(scale)
