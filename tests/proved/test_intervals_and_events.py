@@ -139,6 +139,23 @@ def test_a_hole_that_vanishes(check: Any, tmp_path: Path, kind: str) -> None:
     assert said.count("  interval: ") == 2 and said.count("  sum: ") == 1
 
 
+def test_all_events_between_two_scales(check: Any, check_value: Any, tmp_path: Path) -> None:
+    certificate = Certificate(set_of(TRIANGLE), set_of(FRAME))
+    certificate.events("5/2", "3")
+    code, said = check(written(certificate, tmp_path, "it"))
+    assert code == VERIFIED, said
+    assert (
+        f"  events: from 5/2 to 3, without both, all of the boundary: topology at {SCALE}" in said
+    )
+    value, case = value_of(certificate)
+    for name, other in (("scales", ["5/2"]), ("kinds", ["boundary"]), ("holes", [1, 1]),
+                        ("components", [1]), ("intervals", [0, 0]), ("events", [1]), ("to", "4"),
+                        ("from", "2")):  # fmt: skip
+        changed = copy.deepcopy(value)
+        changed["claims"][-1][name] = other
+        assert check_value(changed, case)[0] in (REFUTED, MALFORMED), name
+
+
 def test_other_events_are_refused(check_value: Any) -> None:
     """Each claim with another member, and claims that refer to others."""
     certificate = vanishing()

@@ -183,3 +183,11 @@ def test_no_passage_where_an_operand_is_thin(check: Any, tmp_path: Path) -> None
     )  # fmt: skip
     path.write_text(json.dumps(value), encoding="utf-8")
     assert check(path)[0] == MALFORMED
+
+
+def test_all_passages_are_declined(check: Any, tmp_path: Path) -> None:
+    """There is no theorem about a list that is complete."""
+    certificate = Certificate(*(_core.read_text(wkt, "wkt", "a test") for wkt in (FRAME, SQUARE)))
+    certificate.sum(1, complete=True)
+    code, said = check(written(certificate, tmp_path, "it"))
+    assert (code, "no theorem about all passages" in said) == (5, True), said

@@ -20,7 +20,7 @@ type claim = {
 
 type proved = { said : string; theorem : (out_channel -> unit) option }
 
-let kinds = [ "sum"; "interval"; "event"; "point"; "outside"; "passage"; "sign" ]
+let kinds = [ "sum"; "interval"; "event"; "events"; "point"; "outside"; "passage"; "sign" ]
 let shown_point (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string y)
 
 let check_claim budget p q step claim_of claim =
@@ -31,6 +31,7 @@ let check_claim budget p q step claim_of claim =
       match List.assoc_opt "claim" found with Some (Text kind) -> kind | _ -> "")
     | _ -> ""
   in
+  if kind = "passages" then fail Declined "there is no theorem about all passages of a sum yet";
   require (List.mem kind kinds) "there is no such claim";
   let rings (o : Reading.operand) = Reading.rings_of o.polygons in
   let region at =
@@ -97,8 +98,11 @@ let check_claim budget p q step claim_of claim =
       budget other.tests;
       other.shown
     in
-    let said = Intervals.event (rings p) (rings q) shown claim in
+    let said, shown = Intervals.event (rings p) (rings q) shown claim in
     List.iter (fun (other : claim) -> other.follows <- true) !asked;
+    found said ~shown (lazy true)
+  | "events" ->
+    let said = Intervals.events (fun value -> (claim_of value : claim).shown) claim in
     found said (lazy true)
   | "point" -> (
     match members claim [ "claim"; "scale"; "point"; "p"; "q"; "by"; "pieces" ] with

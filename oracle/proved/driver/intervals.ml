@@ -11,7 +11,10 @@ type sum = {
   derivation : Checked.derivation;
 }
 
-type shown = Sum of sum | Interval of Checked.interval * string | Another
+type kind = Boundary | Topology
+type shown = Sum of sum | Interval of Checked.interval * string | Event of Q.t * kind | Another
+
+let named = function Boundary -> "boundary" | Topology -> "topology"
 
 let scale_of value =
   let s = number value in
@@ -88,7 +91,60 @@ let event p q claim_of claim =
          (Checked.is_of_boundary change = is_of_boundary
          && Checked.event_holds p q low s there derivation high change)
          "the proved checker does not take this for a proof");
-    Printf.sprintf
-      "%s at %s, no event of the boundary from %s to it; before it digest %s, after it %s" kind
-      (Q.to_string s) (Q.to_string low.from) digest other
+    let numbers (state : _ Checked.state) = (List.length state.polygons, state.enclosed) in
+    let as_many = numbers low.figure = numbers there && numbers there = numbers high.figure in
+    ( Printf.sprintf
+        "%s at %s, no event of the boundary from %s to it; before it digest %s, after it %s" kind
+        (Q.to_string s) (Q.to_string low.from) digest other,
+      Event (s, if as_many then Boundary else Topology) )
+  | _ -> assert false
+
+(* All events between two scales: intervals and events that are proved, end to end *)
+let events claim_of claim =
+  match
+    members claim
+      [ "claim"; "from"; "to"; "intervals"; "events"; "scales"; "kinds"; "components"; "holes" ]
+  with
+  | [ _; from; upto; intervals; events; scales; kinds; components; holes ] ->
+    let from = scale_of from and upto = scale_of upto in
+    let interval value =
+      match claim_of value with
+      | Interval (found, _) -> found
+      | _ -> fail Malformed "a claim is of another kind"
+    in
+    let event value =
+      match claim_of value with
+      | Event (s, kind) -> (s, kind)
+      | _ -> fail Malformed "a claim is of another kind"
+    in
+    let intervals = List.map interval (items intervals) in
+    let events = List.map event (items events) in
+    let as_long list other = require (List.compare_lengths list other = 0) "a list has not so many" in
+    require
+      (List.length intervals = List.length events + 1)
+      "there are not intervals with events between";
+    List.iter (as_long events) [ items scales; items kinds ];
+    List.iter (as_long intervals) [ items components; items holes ];
+    let joints = List.map fst events in
+    demand
+      (List.for_all2 (fun (i : Checked.interval) s -> Q.equal i.from s) intervals (from :: joints)
+      && List.for_all2 (fun (i : Checked.interval) s -> Q.equal i.upto s) intervals
+           (joints @ [ upto ]))
+      "the intervals do not reach end to end, with events between";
+    demand (List.for_all2 (fun s value -> Q.equal s (scale_of value)) joints (items scales))
+      "the events are at other scales";
+    let is_kind (_, kind) value = match value with Text t -> t = named kind | _ -> false in
+    demand (List.for_all2 is_kind events (items kinds)) "an event is of the other kind";
+    let count number value (i : Checked.interval) =
+      Z.equal (integer value) (Z.of_int (number i.figure))
+    in
+    let components_of (f : _ Checked.state) = List.length f.polygons in
+    demand
+      (List.for_all2 (count components_of) (items components) intervals
+      && List.for_all2 (count (fun f -> f.enclosed)) (items holes) intervals)
+      "components or holes are others";
+    let told (s, kind) = named kind ^ " at " ^ Q.to_string s in
+    Printf.sprintf "from %s to %s, without both, all of the boundary: %s" (Q.to_string from)
+      (Q.to_string upto)
+      (if events = [] then "none" else String.concat ", " (List.map told events))
   | _ -> assert false
