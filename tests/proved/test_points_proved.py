@@ -3,6 +3,7 @@ boundary, and no false one."""
 
 from __future__ import annotations
 
+import copy
 import json
 import random
 from typing import Any
@@ -15,7 +16,7 @@ from named_cases import named
 from points_beside import certified, changed, is_true
 
 SEED = 67
-VERIFIED, DECLINED = 0, 5
+VERIFIED, REFUTED = 0, 1
 FRAME = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
 
 
@@ -60,8 +61,16 @@ def test_points_outside_of_sums_with_a_thin_operand(
 
 
 @pytest.mark.parametrize("thin", ["POINT(1 1)", "LINESTRING(0 0, 1 1)"])
-def test_points_in_sums_with_a_thin_operand_are_declined(check_value: Any, thin: str) -> None:
-    certificate = Certificate(*(_core.read_text(text, "wkt", "a test") for text in (thin, FRAME)))
+@pytest.mark.parametrize("first", [True, False])
+def test_points_in_sums_with_a_thin_operand(check_value: Any, thin: str, first: bool) -> None:
+    """And with another p, q or point the same claim is none."""
+    operands = [_core.read_text(text, "wkt", "a test") for text in (thin, FRAME)]
+    certificate = Certificate(*(operands if first else operands[::-1]))
     certificate.point("1", (1, 1))
     value, of = json.loads(certificate.text("case.json")), json.loads(certificate.case())
-    assert check_value(value, of)[0] == DECLINED
+    code, said = check_value(value, of)
+    assert code == VERIFIED and "(1, 1) at 1 is a point of the sum" in said, said
+    for name in ("p", "q", "point"):
+        other = copy.deepcopy(value)
+        other["claims"][0][name] = ["9", "9"]
+        assert check_value(other, of)[0] == REFUTED, name

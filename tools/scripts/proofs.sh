@@ -6,8 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 programs=(failure json text sha256 reading rings checker checked classes pieces elaborate moving
-  faces bodies theorem point_theorem intervals cells ways hits paths
-  claims main)
+  faces bodies theorem point_theorem intervals cells ways hits paths claims questions main)
 # The classical real numbers of Coq's library, and functional extensionality.
 known="Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
 Coq.Reals.ClassicalDedekindReals.sig_not_dec

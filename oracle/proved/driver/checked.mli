@@ -80,6 +80,13 @@ val point_holds :
 val outside_holds :
   Q.t -> ring list -> ring list -> rational -> tiled -> tiled -> token list -> bool
 
+(* Of each point whether it is in sP + Q, from the sets alone. None: the sets are not taken. *)
+val decide_points : Q.t -> ring list -> ring list -> rational list -> bool list option
+
+(* sP + Q and how many holes, by the program of verified/Sum.v; [full]: of the full convolution *)
+val program_of_sums :
+  Q.t -> ring list -> ring list -> full:bool -> (rational Reading.polygon list * int) option
+
 (* Vertex i of sP plus vertex j of Q *)
 type place = int option * int option
 type predicate

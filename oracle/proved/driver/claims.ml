@@ -23,6 +23,22 @@ type proved = { said : string; theorem : (out_channel -> unit) option }
 let kinds = [ "sum"; "interval"; "event"; "events"; "point"; "outside"; "passage"; "sign" ]
 let shown_point (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string y)
 
+(* The point is s a + b, a in P, b in Q, and it is in the sum, as decided from the sets alone *)
+let is_thin_point budget s (p : Reading.operand) (q : Reading.operand) x (ax, ay) (bx, by) =
+  let rings (o : Reading.operand) = Reading.rings_of o.polygons in
+  let origin = [ [ (Q.zero, Q.zero) ] ] in
+  let n = 1 + Array.length p.vertices and m = 1 + Array.length q.vertices in
+  budget ((n + m) * (n + m));
+  let is_in s p q x =
+    match Checked.decide_points s p q [ x ] with
+    | Some answers -> answers = [ true ]
+    | None -> fail Declined "there is no theorem about points of an operand that is not legal"
+  in
+  Reading.same x Q.((s * ax) + bx, (s * ay) + by)
+  && is_in Q.one (rings p) origin (ax, ay)
+  && is_in Q.one (rings q) origin (bx, by)
+  && is_in s (rings p) (rings q) x
+
 let check_claim budget p q step claim_of claim =
   budget 64;
   let kind =
@@ -110,22 +126,27 @@ let check_claim budget p q step claim_of claim =
       let s = Intervals.scale_of scale in
       let x = Reading.point x and a = Reading.point a and b = Reading.point b in
       let first, second = pair by and i, j = pair nodes in
-      let side name at node =
+      let said = Printf.sprintf "%s at %s is a point of the sum" (shown_point x) (Q.to_string s) in
+      let piece name at node =
         let pieces = pieces_of name at in
-        if Reading.is_thin pieces.operand then
-          fail Declined "there is no theorem about points of a segment yet, nor of a point";
-        let side = Pieces.side pieces budget [ Q.one ] in
         let n = index node (Array.length pieces.hulls) in
         require (pieces.children.(n) = []) "this is no piece";
-        require (Hashtbl.mem side.place n) "a piece is in no group";
-        (Pieces.tiled side, Hashtbl.find side.place n)
+        (pieces, n)
       in
-      let tiled_p, i = side "P" first i and tiled_q, j = side "Q" second j in
-      found
-        (Printf.sprintf "%s at %s is a point of the sum" (shown_point x) (Q.to_string s))
-        ~theorem:(fun out ->
-          Point_theorem.inside out s (rings p) (rings q) x (a, b) tiled_p tiled_q i j)
-        (lazy (Checked.point_holds s (rings p) (rings q) x a b tiled_p tiled_q i j))
+      let first = piece "P" first i and second = piece "Q" second j in
+      if Reading.is_thin p || Reading.is_thin q then
+        found said (lazy (is_thin_point budget s p q x a b))
+      else
+        let side (pieces, n) =
+          let side = Pieces.side pieces budget [ Q.one ] in
+          require (Hashtbl.mem side.place n) "a piece is in no group";
+          (Pieces.tiled side, Hashtbl.find side.place n)
+        in
+        let tiled_p, i = side first and tiled_q, j = side second in
+        found said
+          ~theorem:(fun out ->
+            Point_theorem.inside out s (rings p) (rings q) x (a, b) tiled_p tiled_q i j)
+          (lazy (Checked.point_holds s (rings p) (rings q) x a b tiled_p tiled_q i j))
     | _ -> assert false)
   | "outside" -> (
     match members claim [ "claim"; "scale"; "point"; "by"; "normals"; "code" ] with

@@ -4,17 +4,28 @@
 open Failure
 
 let usage =
-  "usage: minkref-check-proved [--case FILE] [--seconds N] [--tests N] [--bytes N] \
-   [--theorem FILE] [--json] FILE...\n\
-   FILE is plain JSON; - is standard input. --theorem writes the sum, or the point, as a theorem\n\
-   of Coq. --json says each verdict as a line of JSON, in the order of the files.\n\
-   Exit codes: 0 proved, 1 refuted, 2 malformed, 4 out of budget, 5 declined: no theorem.\n"
+  "usage: minkref-check-proved [--case FILE] [--theorem FILE] [LIMITS] [--json] FILE...\n\
+  \       minkref-check-proved --points [LIMITS] [--json] FILE...\n\
+  \       minkref-check-proved --sum [--full] [LIMITS] [--json] FILE...\n\
+   LIMITS are --seconds N, --tests N, --bytes N. FILE is plain JSON; - is standard input. --json\n\
+   says each verdict as a line of JSON, in the order of the files. --theorem writes the sum, or\n\
+   the point, as a theorem of Coq.\n\
+   --points decides without a certificate which points are in the sum of P, scaled, and Q:\n\
+  \  {\"P\": {\"polygons\": []}, \"Q\": .., \"scale\": \"7/5\", \"points\": [[\"1/3\", 5]]}\n\
+   Its program is proved right, and tests P and Q itself (docs/proved.md).\n\
+   --sum computes the sum of such a file without points. Its tests of points are proved, the rest\n\
+   is not. --full: from the full convolution.\n\
+   Exit codes: 0 proved or answered, 1 refuted, 2 malformed, 4 out of budget, 5 declined: no\n\
+   theorem.\n"
 
 let unpack = "gzip -dc FILE | minkref-check-proved -, or minkref check FILE"
 
 exception Wrong_usage
 
+type answer = Certificates | Points | Sum of { full : bool }
+
 type options = {
+  mutable answer : answer;
   mutable case : string option;
   mutable seconds : float;
   mutable tests : float;
@@ -26,8 +37,8 @@ type options = {
 
 let options_of words =
   let options =
-    { case = None; seconds = 600.; tests = 1e10; bytes = 268435456.; theorem = None; json = false;
-      files = [] }
+    { answer = Certificates; case = None; seconds = 600.; tests = 1e10; bytes = 268435456.;
+      theorem = None; json = false; files = [] }
   in
   let limit word =
     let plain = String.for_all (fun c -> String.contains "0123456789.eE+" c) word in
@@ -48,6 +59,13 @@ let options_of words =
     | [] -> ()
     | "--" :: rest -> List.iter (fun file -> options.files <- file :: options.files) rest
     | "--json" :: rest -> options.json <- true; go rest
+    | "--points" :: rest when options.answer = Certificates -> options.answer <- Points; go rest
+    | "--sum" :: rest when options.answer = Certificates ->
+      options.answer <- Sum { full = false };
+      go rest
+    | "--full" :: rest when options.answer = Sum { full = false } ->
+      options.answer <- Sum { full = true };
+      go rest
     | word :: rest when word <> "-" && word <> "" && word.[0] = '-' -> (
       match (String.index_opt word '=', rest) with
       | Some i, _ ->
@@ -60,8 +78,12 @@ let options_of words =
       go rest
   in
   go words;
-  if options.files = [] || (options.theorem <> None && List.length options.files > 1) then
-    raise Wrong_usage;
+  let asks = options.answer <> Certificates in
+  if
+    options.files = []
+    || (options.theorem <> None && (asks || List.length options.files > 1))
+    || (options.case <> None && asks)
+  then raise Wrong_usage;
   options
 
 let demand_size size most =
@@ -105,13 +127,16 @@ let write_theorem path proved =
     let out = open_out_bin path in
     Fun.protect ~finally:(fun () -> close_out out) (fun () -> write out)
 
-let check_file options file =
-  let most = int_of_float (min options.bytes 4e18) in
+let most_bytes options = int_of_float (min options.bytes 4e18)
+
+let budget_of options =
   let left = ref options.tests in
-  let budget tests =
+  fun tests ->
     left := !left -. float_of_int tests;
     if !left < 0. then fail Out_of_budget "a limit is reached (--seconds, --tests)"
-  in
+
+let check_file options file =
+  let most = most_bytes options and budget = budget_of options in
   let from = ref "" in
   let read_case name =
     require
@@ -138,41 +163,64 @@ let within_seconds seconds action =
   set (min seconds 1e9);
   Fun.protect ~finally:(fun () -> set 0.) action
 
+(* [shown]: the case of what is verified and its digest. [members]: of the line of JSON, beside
+   verdict and reason *)
 type verdict = {
   code : int;
   word : string;
   why : string;
+  shown : (string * string) option;
   said : string list;
-  case : (string * string) option;  (* its file, and its digest *)
+  members : string list;
 }
 
-let verdict options file =
-  let without code word why = { code; word; why; said = []; case = None } in
-  try
-    let proved, case = within_seconds options.seconds (fun () -> check_file options file) in
+let found options file =
+  let good = { code = 0; word = "verified"; why = ""; shown = None; said = []; members = [] } in
+  let asked () =
+    Questions.question (read ~input:(file = "-") file (most_bytes options))
+  in
+  match options.answer with
+  | Certificates ->
+    let proved, case = check_file options file in
     let said = List.map (fun (claim : Claims.proved) -> claim.said) proved in
-    { code = 0; word = "verified"; why = ""; said; case = Some case }
-  with
+    { good with shown = Some case; said }
+  | Points ->
+    let found = Questions.points (asked ()) (budget_of options) in
+    let said = Questions.points_said found in
+    { good with word = "decided"; said; members = [ Questions.points_json found ] }
+  | Sum { full } ->
+    let found = Questions.sum (asked ()) ~full (budget_of options) in
+    let said = Questions.sum_said found in
+    { good with word = "computed"; said; members = [ Questions.sum_json found ] }
+
+let verdict options file =
+  let without code word why = { code; word; why; shown = None; said = []; members = [] } in
+  try within_seconds options.seconds (fun () -> found options file) with
   | Not_verified (code, why) -> without (exit_code code) (word code) why
   | Out_of_memory | Stack_overflow -> without 4 "out of budget" "there is too little memory"
   | Sys_error why -> without 2 "malformed" why
 
-let print options file { word; why; said; case; _ } =
-  if options.json then
+let print options file { word; why; shown; said; members; _ } =
+  if options.json then begin
     let named (path, digest) =
       Printf.sprintf "{\"path\": %s, \"sha256\": %s}" (Text.quoted path) (Text.quoted digest)
     in
-    Printf.printf "{\"verdict\": %s, \"why\": %s, \"case\": %s, \"proved\": [%s]}\n"
-      (Text.quoted word) (Text.quoted why)
-      (Option.fold ~none:"null" ~some:named case)
-      (String.concat ", " (List.map Text.quoted said))
+    let of_certificate =
+      if options.answer <> Certificates then []
+      else
+        [ "\"case\": " ^ Option.fold ~none:"null" ~some:named shown;
+          "\"proved\": [" ^ String.concat ", " (List.map Text.quoted said) ^ "]" ]
+    in
+    let head = [ "\"verdict\": " ^ Text.quoted word; "\"why\": " ^ Text.quoted why ] in
+    print_string ("{" ^ String.concat ", " (head @ of_certificate @ members) ^ "}\n")
+  end
   else begin
     let why = if why = "" then "" else ": " ^ Text.on_one_line why in
     Printf.printf "%s: %s%s\n" (Text.on_one_line file) word why;
     Option.iter
       (fun (path, digest) ->
         Printf.printf "  case %s, %s\n" (Text.on_one_line path) (Text.on_one_line digest))
-      case;
+      shown;
     List.iter (fun line -> Printf.printf "  %s\n" (Text.on_one_line line)) said
   end
 

@@ -60,13 +60,13 @@ Proof.
   simpl. rewrite map_app, IH. reflexivity.
 Qed.
 
-Theorem membership_is_decided : forall (s : Q) (P Q : list (polygon vertex)) (x : vertex),
-  0 < Q2R s -> is_legal (figure P) -> is_legal (figure Q) ->
-  decide_membership s (rings_of P) (rings_of Q) x = true <->
-  in_sum (Q2R s) (points (rings_of P)) (points (rings_of Q)) (point_of x).
+(** For any two sets that are drawn so *)
+Lemma decide_membership_is_right s (P Q : rings vertex) x : 0 < Q2R s ->
+  drawn (all_edges (points P)) (set_of (points P)) ->
+  drawn (all_edges (points Q)) (set_of (points Q)) ->
+  decide_membership s P Q x = true <-> in_sum (Q2R s) (points P) (points Q) (point_of x).
 Proof.
-  intros s P Q x S LP LQ. unfold decide_membership.
-  apply legal_is_drawn in LP. apply legal_is_drawn in LQ. rewrite <- rings_of_figure in LP, LQ.
+  intros S LP LQ. unfold decide_membership.
   apply (drawn_scaled _ _ _ S) in LP. rewrite decide_point_is_right;
     rewrite ?scaled_edges_real, ?edges_of_points; [|apply LP|apply LQ].
   rewrite <- (drawn_sum_is_union _ _ _ _ _ LP LQ). unfold in_sum. split.
@@ -74,4 +74,12 @@ Proof.
     rewrite scale_forth by auto. auto.
   - intros (p & q & Hp & Hq & X). exists (scale (Q2R s) p), q.
     rewrite scale_back by auto. auto.
+Qed.
+Theorem membership_is_decided : forall (s : Q) (P Q : list (polygon vertex)) (x : vertex),
+  0 < Q2R s -> is_legal (figure P) -> is_legal (figure Q) ->
+  decide_membership s (rings_of P) (rings_of Q) x = true <->
+  in_sum (Q2R s) (points (rings_of P)) (points (rings_of Q)) (point_of x).
+Proof.
+  intros s P Q x S LP LQ. apply decide_membership_is_right; auto;
+    rewrite rings_of_figure; apply legal_is_drawn; auto.
 Qed.

@@ -138,23 +138,28 @@ Lemma on_segment_back a b p : on_segment a b p -> on_segment b a p.
 Proof.
   intros (t & T & ->). exists (1 - t). split; [lra|]. f_equal; ring.
 Qed.
+Lemma winds_once_is_drawn r : winds_once r -> drawn (all_edges r) (set_of r).
+Proof.
+  intros L. split; [apply rings_are_closed|]. left.
+  split; [intros p; apply set_is_region, L|]. destruct L as (_ & N & S & O).
+  apply legal_has_edges; auto. apply rings_are_closed.
+Qed.
 Lemma legal_is_drawn ps : is_legal ps -> drawn (all_edges (rings_of ps)) (set_of (rings_of ps)).
 Proof.
-  intros L. split; [apply rings_are_closed|]. destruct L as [(a & ->)|[(a & b & _ & ->)|L]].
-  - right. split.
+  intros [(a & ->)|[(a & b & _ & ->)|L]].
+  - split; [apply rings_are_closed|]. right. split.
     + intros p. simpl. split.
       * intros ->. exists a, a. split; [left; auto|apply on_segment_start].
       * intros (c & d & [Q|[]] & t & T & X). injection Q; intros; subst c d.
         rewrite X. destruct a. simpl. f_equal; ring.
     + intros y. simpl. rewrite no_crossing. reflexivity.
-  - right. split.
+  - split; [apply rings_are_closed|]. right. split.
     + intros p. simpl. split.
       * intros O. exists a, b. split; [left; auto|exact O].
       * intros (c & d & [Q|[Q|[]]] & O); injection Q; intros; subst c d;
           auto using on_segment_back.
     + intros y. simpl. apply back_and_forth.
-  - left. apply polygon_set_winds_once in L. split; [intros p; apply set_is_region, L|].
-    destruct L as (_ & N & S & O). apply legal_has_edges; auto. apply rings_are_closed.
+  - apply winds_once_is_drawn, polygon_set_winds_once, L.
 Qed.
 
 (** The sum of two such sets is a union, thin ones or not. *)

@@ -1,0 +1,75 @@
+(* Questions without a certificate: which points are in a sum, and what the sum is. Trusted: what
+   is answered is what [Checked] was asked, of the sets that [Reading] found. *)
+
+open Failure
+open Json
+
+type question = {
+  p : Reading.operand;
+  q : Reading.operand;
+  scale : Q.t;
+  points : Reading.point list;
+}
+
+let question text =
+  match members (parse ~decimals:true text) [ "P"; "Q"; "scale"; "points?" ] with
+  | [ p; q; scale; points ] ->
+    let p = Reading.operand "P" p and q = Reading.operand "Q" q in
+    let p, scale =
+      match scale with
+      | List _ -> (fst (Claims.scaled_by scale p), Q.one)
+      | _ -> (p, Intervals.scale_of scale)
+    in
+    let points = match points with Null -> [] | _ -> List.map Reading.point (items points) in
+    { p; q; scale; points }
+  | _ -> assert false
+
+let rings (o : Reading.operand) = Reading.rings_of o.polygons
+
+(* As many as there are pairs of edges, for each of so many *)
+let spend budget { p; q; _ } count =
+  let n = Array.length p.vertices and m = Array.length q.vertices in
+  budget ((count * (1 + (n * m))) + (n * n) + (m * m))
+
+let taken answer =
+  match answer with
+  | Some found -> found
+  | None -> fail Malformed "P or Q is not legal: rings cross, overlap or wind twice"
+
+(* Each point, and whether it is in the sum, by the program that is proved right *)
+let points asked budget =
+  require (asked.points <> []) "no point is asked about";
+  spend budget asked (List.length asked.points);
+  let { p; q; scale; points } = asked in
+  List.combine points (taken (Checked.decide_points scale (rings p) (rings q) points))
+
+(* What the program of sums answers, which is not proved *)
+let sum asked ~full budget =
+  require (asked.points = []) "points are asked about, not the sum";
+  spend budget asked 1;
+  taken (Checked.program_of_sums asked.scale (rings asked.p) (rings asked.q) ~full)
+
+let quoted_number q = Text.quoted (Q.to_string q)
+
+(* The answers as the members of a line of JSON, and in words *)
+let points_json found =
+  let one ((x, y), is_in) =
+    Printf.sprintf "{\"point\": [%s, %s], \"in_sum\": %b}" (quoted_number x) (quoted_number y) is_in
+  in
+  Printf.sprintf "\"points\": [%s]" (String.concat ", " (List.map one found))
+
+let points_said =
+  List.map (fun (x, is_in) ->
+      Claims.shown_point x ^ if is_in then " is in the sum" else " is not in the sum")
+
+let digest polygons = Reading.digest_of (Reading.polygons_text polygons)
+
+let sum_json (polygons, holes) =
+  Printf.sprintf "\"components\": %d, \"holes\": %d, \"digest\": %s, \"polygons\": %s"
+    (List.length polygons) holes
+    (Text.quoted (digest polygons))
+    (Reading.polygons_text polygons)
+
+let sum_said (polygons, holes) =
+  [ Printf.sprintf "%d components and %d holes, of digest %s" (List.length polygons) holes
+      (digest polygons) ]
