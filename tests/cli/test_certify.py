@@ -67,6 +67,7 @@ def test_what_is_certified_is_verified(
         (["--from", "2"], "an interval has two ends"),
         (["--all-passages", "--event", "2"], "passages are those of a sum"),
         (["--all-passages", "--point", "2,3"], "passages are those of a sum"),
+        (["--all-passages", "--theorem", "sum.v"], "no theorem about all passages"),
         (["--events"], "events are those between two scales"),
         (["--events", "--event", "3", "--from", "1"], "events are those between two scales"),
         (["--from", "2", "--to", "1"], "the interval is empty"),
