@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
 
-from minkref import _core
+from minkref import _core, proved_program
 from minkref.errors import message_of
 from minkref.fuzz.cgal.executables import SWEPT_SOLID, OracleNotFoundError, find_executable
 from minkref.fuzz.judges.ruling import Ruling
@@ -33,6 +33,10 @@ MODULES = {
         "sampled_events",
         "boundary events and what they do to holes and components, against sums around every scale",
     ),
+    "proved-sums": (
+        "proved_sums",
+        "sums and decisions of points, against the program extracted from proofs in Coq",
+    ),
 }
 # These judge a factor for each axis; the others get `S P` as P.
 BY_AXES = ("slow-sums", "slow-tight-passages", "slow-points")
@@ -44,6 +48,7 @@ SIZE_LIMITS = {
     "slow-topology": 400,
     "slow-tight-passages": 400,
     "sampled-events": 600,
+    "proved-sums": 900,
 }
 
 
@@ -65,6 +70,8 @@ def absence(name: str) -> str | None:
             find_sampled()
         except OracleNotFoundError as error:
             return str(error)
+    if check == "proved-sums" and proved_program.found() is None:
+        return f"{proved_program.PROGRAM} is not built: {proved_program.BUILT_BY}"
     return None
 
 

@@ -19,6 +19,7 @@ HEADINGS = {
         "sweep": "The exact sums at many scales.",
         "index": "The sums at all scales of a window, found once and written to a file.",
         "scene": "The places at which a robot meets many placed, scaled copies of shapes.",
+        "point": "Whether points are in a sum, exact; also by a program that is proved right.",
         "convolution": "The edges of P and Q at each other's vertices, with their parents.",
     },
     "Fits": {

@@ -45,6 +45,7 @@ from minkref.schemas.plane.erode import (
 )
 from minkref.schemas.plane.events import EventsDocument
 from minkref.schemas.plane.index import IndexDocument
+from minkref.schemas.plane.point import PointDocument
 from minkref.schemas.plane.set_operations import (
     DifferenceDocument,
     IntersectionDocument,
@@ -126,6 +127,7 @@ DOCUMENTS = {
     "path_in_space": SpacePathDocument,
     "path_with_clearance": ClearPathDocument,
     "path_with_disc": DiscPathDocument,
+    "point": PointDocument,
     "repair": RepairDocument,
     "report": ReportDocument,
     "scene": SceneDocument,

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from minkref.errors import Refusal
+from minkref.proved_program import PROGRAM
+from minkref.proved_program import program as program
 
-PROGRAM = "minkref-check-proved"
 WORDS = {0: "verified", 1: "refuted", 2: "malformed", 4: "out of budget", 5: "declined"}
 DECLINED = 5
 
@@ -23,16 +21,6 @@ class Proof:
     word: str
     why: str
     proved: list[str]
-
-
-def program(option: str = "--proved") -> str:
-    """The executable. Refuses the option that needs it where there is none."""
-    beside = Path(sys.executable).parent / PROGRAM
-    found = str(beside) if beside.exists() else shutil.which(PROGRAM)
-    if found is None:
-        mend = "`make proofs` in the source tree builds it (docs/proved.md)"
-        raise Refusal(f"{PROGRAM} is not built", option, mend, "not-built")
-    return found
 
 
 def follow(path: Path, *options: str) -> Proof:

@@ -18,6 +18,7 @@ from minkref.cli.verb import Verb, command_of
 from minkref.disc.disc import read_tolerance
 from minkref.exact import read_point, read_points, read_space_point
 from minkref.plane.commands.scale_index import IndexFile
+from minkref.plane.proved_sum import ROUTE as PROVED
 from minkref.settings import BALL, DISC, PLANE, SPACE
 from minkref.space.general_sum import GENERAL_ROUTES
 from minkref.space.scaling import UNIT
@@ -40,6 +41,8 @@ minkref sum "POLYGON ((0 0, 2 0, 0 2, 0 0))" g1 -o -
 cat P.wkt | minkref sum - Q.wkt --scale 7/5 -o - --format geojson
 
 minkref sum g1 g2 --scale 7/5 --route winding --from 1
+
+minkref sum g1 g2 --scale 7/5 --route proved
 
 minkref sum g1 g2 --arithmetic mpfr:53
 
@@ -79,7 +82,7 @@ The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical
     ball:7/5: two polyhedral sets then enclose the sum. In another arithmetic, or by the
     paper's own program (--route paper-update), what these answer, with the exact sum beside it."""
 
-ROUTES = (*_core.ROUTES, "dynamic", "index", PAPER_UPDATE)
+ROUTES = (*_core.ROUTES, "dynamic", "index", PROVED, PAPER_UPDATE)
 DEFAULT = "paper"
 UPDATING = ("dynamic", "winding")  # follow a convolution from --from to --scale
 

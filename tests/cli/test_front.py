@@ -20,6 +20,7 @@ from rich.text import Text
 Minkref = Callable[..., Any]
 COMMANDS = (
     "sum",
+    "point",
     "convolution",
     "repair",
     "union",

@@ -12,6 +12,8 @@ from typing import Any
 import pytest
 import squares
 import touching
+import walls
+from minkref import proved_program
 from minkref.cli.cli import run
 from minkref.reports.evidence.certificates.checkers import ROOT
 from minkref.verbs import check_proved
@@ -106,7 +108,7 @@ def test_what_is_compressed_is_unpacked(square: Path, capsys: Any, names: list[s
 
 
 def test_without_the_program(square: Path, capsys: Any, monkeypatch: Any) -> None:
-    monkeypatch.setattr(check_proved, "PROGRAM", "minkref-no-such-program")
+    monkeypatch.setattr(proved_program, "PROGRAM", "minkref-no-such-program")
     assert run(["check", str(square), "--proved"]) == 2
     assert "make proofs" in capsys.readouterr().err
 

@@ -25,6 +25,8 @@ from minkref.plane.operand import Operand, read_operand
 from minkref.plane.operand_text import STANDARD_INPUT
 from minkref.plane.parents import PassageRows, passages_of
 from minkref.plane.place import placed
+from minkref.plane.proved_sum import ROUTE as PROVED
+from minkref.plane.proved_sum import ProvedSum, proved_sum
 from minkref.plane.scaling import PlaneScale, document_of, refuse_axes, static_pair, text_of
 from minkref.verbs.sum import DEFAULT, ROUTES, UPDATING, SumInPlane
 
@@ -49,7 +51,7 @@ def run(request: SumInPlane) -> None:
     _check_pictures(request, target)
     instead = f"{SIMPLER}, or the route paper" if route in OR_PAPER else SIMPLER
     with memory_wall(request.memory, f"route {route}", f"{P} and {Q}", instead):
-        lines = route != PAPER_UPDATE
+        lines = route not in (PAPER_UPDATE, PROVED)
         first, second = read_operand(P, lines), read_operand(Q, lines)
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])
@@ -167,7 +169,7 @@ def compute(
     exact = arithmetic == "rational" and readings is None
     thin = all(not (each.set.is_region or each.set.is_empty) for each in (P, Q))
     undecided = False
-    answer: _core.Sum | None = None
+    answer: _core.Sum | ProvedSum | None = None
     seconds: float | None = None
     passages: PassageRows | None = None
     walk: PaperWalk | None = None
@@ -183,6 +185,10 @@ def compute(
             walk = PaperWalk(P, Q, scale, arithmetic, readings)
             answer = refusing(where, walk.sum)
             seconds = walk.seconds + answer.seconds
+        elif route == PROVED:
+            answer = refusing(where, lambda: proved_sum(P, Q, factor))
+            passages = None if thin else _passages(P, Q, factor)
+            seconds = answer.seconds
         elif route == "index":
             made, at = static_pair(P, factor)
             built = index_of(index, made, Q, at, at)
@@ -223,7 +229,7 @@ def compute(
         equal = described["digest"] == fields["digest"] if answer else None
         fields["exact"] = {**described, "equal": equal}
         del fields["exact"]["result"]
-        if walk is not None and answer is not None:
+        if walk is not None and isinstance(answer, _core.Sum):
             fields["comparison"] = walk.beside_exact(scale, answer, truth)
     canonical = answer.region.canonical_json() if answer else None
     fields["result"] = json.loads(canonical) if canonical else None
@@ -256,12 +262,20 @@ def _updated(
     return answer, passages, time.perf_counter() - began, did
 
 
-def _remnants(P: Operand, Q: Operand, scale: str, answer: _core.Sum) -> list[dict[str, Any]]:
+def _passages(P: Operand, Q: Operand, factor: PlaneScale) -> PassageRows:
+    """From the static arrangement."""
+    P, at = static_pair(P, factor)
+    return _core.tight_passages(P.set, Q.set, str(at))
+
+
+def _remnants(
+    P: Operand, Q: Operand, scale: str, answer: _core.Sum | ProvedSum
+) -> list[dict[str, Any]]:
     """List the parts without area of two operands without area."""
     return passages_of(_core.sum_remnants(P.set, Q.set, scale, answer.region))
 
 
-def _description(answer: _core.Sum | None) -> dict[str, Any]:
+def _description(answer: _core.Sum | ProvedSum | None) -> dict[str, Any]:
     fields = dict.fromkeys(SUM_FIELDS) if answer is None else sum_fields(answer)
     return {**fields, "result": None}
 

@@ -6,11 +6,12 @@ from typing import Any
 
 from minkref import _core
 from minkref.exact import digest, in_double_range
+from minkref.plane.proved_sum import ProvedSum
 
 SUM_FIELDS = ("digest", "area", "area_approximate", "components", "holes", "vertices")
 
 
-def sum_fields(answer: _core.Sum) -> dict[str, Any]:
+def sum_fields(answer: _core.Sum | ProvedSum) -> dict[str, Any]:
     """The fields SUM_FIELDS, exact but for `area_approximate`."""
     return set_fields(answer.region, answer.components, answer.holes)
 

@@ -26,7 +26,7 @@ from minkref.schemas.values import (
 )
 from msgspec import Meta
 
-SumRoute = Literal["paper", "winding", "definition", "dynamic", "index", "paper-update"]
+SumRoute = Literal["paper", "winding", "definition", "dynamic", "index", "proved", "paper-update"]
 
 
 class SignShares(TypedDict):

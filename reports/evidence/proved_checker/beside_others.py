@@ -24,6 +24,7 @@ from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.plane.certified_claims import Confirmation
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.space.generators.convex import random_hull, sphere
+from minkref.proved_program import PROGRAM
 from minkref.reports.evidence.certificates.certified_cases import (
     cases,
     events,
@@ -42,7 +43,6 @@ from minkref.reports.evidence.certificates.checkers import (
 from minkref.reports.evidence.certificates.mutants import is_changed, mutants
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
-from minkref.verbs.check_proved import PROGRAM
 
 RESTS_ON = ("oracle/proved/",)
 MINUTES = Minutes(0.1, 1, 6)

@@ -1,0 +1,40 @@
+"""The sum by the program that `make proofs` extracts, read back as a set: `--route proved`."""
+
+from __future__ import annotations
+
+import json
+import time
+from dataclasses import dataclass, field
+from typing import Any
+
+from minkref import _core, proved_program
+from minkref.exact import digest
+from minkref.plane.operand import Operand
+from minkref.plane.scaling import PlaneScale, document_of
+
+ROUTE = "proved"
+
+
+@dataclass(frozen=True)
+class ProvedSum:
+    """As `_core.Sum`, as far as documents need it."""
+
+    region: _core.PolygonSet
+    components: int
+    holes: int
+    seconds: float
+    statistics: dict[str, Any] = field(default_factory=dict)
+
+
+def proved_sum(P: Operand, Q: Operand, scale: PlaneScale) -> ProvedSum:
+    """Its tests of points are proved to be right, and the rest is not (docs/proved.md). Raises
+    Refusal where the program is absent, MemoryError, and RuntimeError where it breaks down or its
+    answer is not in canonical form."""
+    began = time.perf_counter()
+    told = proved_program.whole_sum(P.set.to_json(), Q.set.to_json(), document_of(scale))
+    seconds = time.perf_counter() - began
+    text = json.dumps({"polygons": told["polygons"]})
+    region = _core.read_text(text, "json", proved_program.PROGRAM)
+    if digest(region.canonical_json()) != told["digest"]:
+        raise RuntimeError(f"{proved_program.PROGRAM}: the sum is not in canonical form")
+    return ProvedSum(region, told["components"], told["holes"], seconds)

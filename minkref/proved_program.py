@@ -1,0 +1,70 @@
+"""The program that `make proofs` extracts from proofs in Coq (docs/proved.md): where it is, and
+questions that it answers without a certificate."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from minkref.errors import Refusal
+
+PROGRAM = "minkref-check-proved"
+BUILT_BY = "`make proofs` in the source tree builds it (docs/proved.md)"
+NO_LIMIT = ("--seconds=1e9", "--tests=1e18", "--bytes=1e18")
+OUT_OF_BUDGET = 4
+
+
+def found() -> str | None:
+    """The executable beside the interpreter, else on the search path; None if there is none."""
+    beside = Path(sys.executable).parent / PROGRAM
+    return str(beside) if beside.exists() else shutil.which(PROGRAM)
+
+
+def program(option: str = "--proved") -> str:
+    """The executable. Refuses the option that needs it where there is none."""
+    executable = found()
+    if executable is None:
+        raise Refusal(f"{PROGRAM} is not built", option, BUILT_BY, "not-built")
+    return executable
+
+
+def points(P: str, Q: str, scale: str | list[str], asked: Iterable[tuple[str, str]]) -> list[bool]:
+    """Whether each point is in the sum of two legal operands, given as JSON, by the program that is
+    proved right. Raises MemoryError, and RuntimeError where the program breaks down."""
+    places = [list(point) for point in asked]
+    found = _answer(P, Q, scale, "--points", places)["points"]
+    if [row["point"] for row in found] != places:
+        raise RuntimeError(f"{PROGRAM} answered about other points")
+    return [row["in_sum"] is True for row in found]
+
+
+def whole_sum(P: str, Q: str, scale: str | list[str], *, full: bool = False) -> dict[str, Any]:
+    """The sum, `polygons`, `components`, `holes` and `digest`, by the program whose tests of points
+    are proved, and the rest is not. `full`: of the full convolution. Raises as `points`."""
+    return _answer(P, Q, scale, "--sum", None, *(["--full"] if full else []))
+
+
+def _answer(
+    P: str, Q: str, scale: str | list[str], verb: str, places: list[list[str]] | None, *more: str
+) -> dict[str, Any]:
+    asked = {} if places is None else {"points": places}
+    rest = json.dumps({"scale": scale, **asked})
+    question = f'{{"P": {P}, "Q": {Q}, {rest[1:]}'
+    command = [program(verb), verb, *more, "--json", *NO_LIMIT, "-"]
+    ran = subprocess.run(command, input=question.encode(), capture_output=True, check=False)
+    if ran.returncode == OUT_OF_BUDGET or ran.returncode < 0:
+        raise MemoryError(f"{PROGRAM} has no more memory")
+    try:
+        value: dict[str, Any] = json.loads(ran.stdout)
+        whole = value["verdict"] in ("decided", "computed")
+    except (ValueError, TypeError, KeyError):
+        whole = False
+    if not whole or ran.returncode:
+        told = (ran.stdout + ran.stderr)[-400:]
+        raise RuntimeError(f"{PROGRAM} ended with {ran.returncode}: {told!r}")
+    return value
