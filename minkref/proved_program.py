@@ -4,14 +4,17 @@ questions that it answers without a certificate."""
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import subprocess
 import sys
 from collections.abc import Iterable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal
+from minkref.output.signals import end_with_parent, ending_in_order
 
 PROGRAM = "minkref-check-proved"
 BUILT_BY = "`make proofs` in the source tree builds it (docs/proved.md)"
@@ -56,7 +59,14 @@ def _answer(
     rest = json.dumps({"scale": scale, **asked})
     question = f'{{"P": {P}, "Q": {Q}, {rest[1:]}'
     command = [program(verb), verb, *more, "--json", *NO_LIMIT, "-"]
-    ran = subprocess.run(command, input=question.encode(), capture_output=True, check=False)
+    with ending_in_order():
+        ran = subprocess.run(
+            command,
+            input=question.encode(),
+            capture_output=True,
+            check=False,
+            preexec_fn=partial(end_with_parent, os.getpid()),
+        )
     if ran.returncode == OUT_OF_BUDGET or ran.returncode < 0:
         raise MemoryError(f"{PROGRAM} has no more memory")
     try:

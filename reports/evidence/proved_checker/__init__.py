@@ -1,2 +1,3 @@
 """The checker that is proved right in Coq agrees with the others, refuses mutants, takes bearable
-time, and makes a theorem of a sum with a hole."""
+time, and makes a theorem of a sum with a hole; its programs for points and sums without a
+certificate answer like the reference."""

@@ -1,0 +1,174 @@
+"""The program extracted from proofs: decisions of points, which are proved, and sums, which rest on
+these, against the reference."""
+
+from __future__ import annotations
+
+import json
+import random
+import tempfile
+from collections import Counter
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core, proved_program
+from minkref.certify.plane.certificate import Certificate
+from minkref.exact import digest
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.judges.plane.slow_points import points_of
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.families.catalogue import FAMILIES
+from minkref.fuzz.run import naming
+from minkref.reports.evidence.certificates.certified_cases import star, written
+from minkref.reports.evidence.certificates.checkers import ROOT, in_proved, verdicts
+from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
+
+RESTS_ON = ("oracle/proved/",)
+MINUTES = Minutes(0.3, 3, 25)
+
+SEED = 1130
+CASES = Counts(60, 600, 5400)  # about five sums each
+SUMS, FULL, POINTS = Counts(150, 2000, 20_000), Counts(10, 200, 2000), Counts(200, 2500, 25_000)
+EVERY = Counts(60, 10, 1)  # of the corpus's cases
+PROVED_TOO = 40  # each of so many cases has its sum proved by a certificate, too
+MOST_PAIRS, MOST_PAIRS_FULL = 1600, 150
+CORPUS = ROOT / "degeneracies" / "corpus"
+LARGE = 40
+
+
+def judge(index: int) -> dict[str, Any]:
+    """One pair: its sums at the given scale, and at, beside and between two of its boundary events;
+    of small pairs the first by the full convolution too; and points."""
+    families = list(FAMILIES)
+    family, number = families[index % len(families)], index // len(families)
+    case = naming.load(CaseName(f"{family}:{SEED}:{number}", "evidence"))
+    tally: Counter[str] = Counter()
+    faults: list[str] = []
+    if not isinstance(case, Case) or case.vertex_pairs > MOST_PAIRS:
+        return {"tally": tally, "faults": faults}
+    thin = [not (o.is_region or o.is_empty) for o in (case.P, case.Q)]
+    if not all(thin):
+        for scale in _scales(case):
+            _compare(tally, faults, case, scale)
+        if case.vertex_pairs <= MOST_PAIRS_FULL:
+            _compare(tally, faults, case, case.scale, full=True)
+        if index % PROVED_TOO == 0:
+            _prove(tally, faults, case)
+    tally["with a point or a segment"] += any(thin)
+    _decide(tally, faults, case)
+    return {"tally": tally, "faults": faults}
+
+
+def _scales(case: Case) -> list[str]:
+    if not case.is_uniform:
+        return [case.scale]
+    dynamic = _core.DynamicSum(case.P, case.Q, "1/4", "4")
+    events = sorted({Fraction(row[0]) for row in dynamic.boundary_events()})
+    dice = random.Random(case.name.text)
+    found = [Fraction(case.scale)]
+    for event in dice.sample(events, min(2, len(events))):
+        after = next((other for other in events if other > event), Fraction(5))
+        found += [event, event + (after - event) / 10**9, (event + after) / 2]
+    return [str(scale) for scale in dict.fromkeys(found)]
+
+
+def _compare(
+    tally: Counter[str], faults: list[str], case: Case, scale: str, *, full: bool = False
+) -> None:
+    ours = _core.minkowski_sum(case.P, case.Q, scale)
+    asked = scale.split(",") if "," in scale else scale
+    theirs = proved_program.whole_sum(case.P_json, case.Q_json, asked, full=full)
+    expected = (digest(ours.region.canonical_json()), ours.components, ours.holes)
+    tally["full" if full else "sums"] += 1
+    if (theirs["digest"], theirs["components"], theirs["holes"]) != expected:
+        faults.append(f"{case.name.text} at {scale}{' (full)' if full else ''}")
+
+
+def _prove(tally: Counter[str], faults: list[str], case: Case) -> None:
+    """The checker that is proved right takes a certificate of the same digest: the program's answer
+    is the sum, in its one canonical form."""
+    if not case.is_uniform:
+        return
+    theirs = proved_program.whole_sum(case.P_json, case.Q_json, case.scale)
+    certificate = Certificate(case.P, case.Q)
+    certificate.sum(case.scale)
+    with tempfile.TemporaryDirectory() as folder:
+        (verdict,) = verdicts(in_proved(), [written(certificate, Path(folder), "it")])
+    tally["proved"] += 1
+    if verdict.code or certificate.claims[0]["digest"] != theirs["digest"]:
+        faults.append(f"{case.name.text}: a certificate of the program's answer")
+
+
+def _decide(tally: Counter[str], faults: list[str], case: Case) -> None:
+    points = [(str(x), str(y)) for x, y in points_of(case)]
+    if not points or not case.is_uniform:
+        return
+    answers = proved_program.points(case.P_json, case.Q_json, case.scale, points)
+    for x, is_in in zip(points, answers, strict=True):
+        tally["in" if is_in else "out"] += 1
+        if is_in != (_core.decide(case.P, case.Q, case.scale, *x)["contact"] != "empty"):
+            faults.append(f"{case.name.text}: ({', '.join(x)})")
+
+
+def judge_corpus(path: Path) -> dict[str, Any]:
+    """The digests, components and holes that stand in a case of the corpus."""
+    case = json.loads(path.read_text(encoding="utf-8"))
+    faults = []
+    P, Q = (json.dumps(case[name]) for name in "PQ")
+    known = [row for row in case["expected"] if "digest" in row]
+    for row in known:
+        found = proved_program.whole_sum(P, Q, row["scale"])
+        if any(found[name] != row[name] for name in ("digest", "components", "holes")):
+            faults.append(f"{case['id']} at {row['scale']}")
+    return {"sums": len(known), "faults": faults}
+
+
+def corpus() -> list[Path]:
+    return [
+        path
+        for path in sorted(CORPUS.rglob("*.json"))
+        if not path.name.endswith(".cert.json") and _has_sums(path)
+    ]
+
+
+def _has_sums(path: Path) -> bool:
+    case = json.loads(path.read_text(encoding="utf-8"))
+    return case.get("schema") == "case-v1" and case["dimension"] == 2 and bool(case.get("expected"))
+
+
+def run(findings: Findings, size: Size) -> None:
+    if proved_program.found() is None:
+        findings.note(f"{proved_program.BUILT_BY}: nothing of this step was run")
+        findings.target(f"{proved_program.PROGRAM} is built", False, "built", "absent")
+        return
+    tally: Counter[str] = Counter()
+    faults: list[str] = []
+    for found in in_processes(judge, range(size.of(CASES)), 500, "pairs"):
+        tally += found["tally"]
+        faults += found["faults"]
+    findings.none(f"sums or points on which the program and the reference differ ({SEED=})", faults)
+    points = tally["in"] + tally["out"]
+    for what, wanted, reached in (
+        ("sums, at, beside and between events", size.of(SUMS), tally["sums"]),
+        ("sums by the full convolution", size.of(FULL), tally["full"]),
+        ("points", size.of(POINTS), points),
+    ):
+        findings.law(f"{what}, compared", reached >= wanted, f"{wanted:,}", f"{reached:,}")
+    findings.figures["points of these in the sum"] = f"{tally['in']:,}"
+    findings.figures["pairs with a point or a segment"] = tally["with a point or a segment"]
+    findings.figures["answers whose digest a certificate proves, too"] = tally["proved"]
+    results = list(in_processes(judge_corpus, corpus()[:: size.of(EVERY)], 100, "of the corpus"))
+    faulty = [fault for found in results for fault in found["faults"]]
+    findings.none("sums of the corpus that the program answers otherwise", faulty)
+    findings.figures["sums of the corpus"] = f"{sum(found['sums'] for found in results):,}"
+    if size is not Size.QUICK:
+        _large(findings)
+
+
+def _large(findings: Findings) -> None:
+    P, Q = star(LARGE, SEED), star(LARGE, SEED + 1)
+    case = Case(CaseName("stars", "evidence"), P, Q, "7/5", "P", "Q")
+    faults: list[str] = []
+    _compare(Counter(), faults, case, case.scale)
+    findings.none(f"two stars of {LARGE} corners, on which they differ", faults)
