@@ -3,7 +3,7 @@ From Coq Require Import Lra Lia Psatz Permutation Bool QArith Qreals Qreduction 
 From Proved Require Import Definitions Form Legality Sums Crossings Local Across Overlaps Components
   OneForm Paths Decomposed Gaps Unique Convolution.
 From Proved Require Import Points Legal Member Decided Pieces Slabs Sorting Along Cuts Lone Flanks
-  Kept Frontier Stacks Slabbed Cells Extent.
+  Kept Frontier Stacks Slabbed Cells Extent Coloured Holed.
 Open Scope R_scope.
 
 (** ** The program's convolution *)
@@ -163,22 +163,36 @@ Proof.
     + apply (Turn f q x Gq), Y.
     + apply (Turn e p y Gp), Oy.
 Qed.
+Lemma set_bounded : exists low high, forall x, sum_set S T x -> low <= snd x <= high.
+Proof.
+  destruct (drawn_bounded P S P_drawn) as (l1 & h1 & H1).
+  destruct (drawn_bounded Q T Q_drawn) as (l2 & h2 & H2).
+  exists (l1 + l2), (h1 + h2). intros y (p & q & Hp & Hq & ->). unfold add; cbn [snd].
+  specialize (H1 p Hp). specialize (H2 q Hq). lra.
+Qed.
 Theorem cells_of_the_sum x :
   (exists c, In c (concat (slabs (sum_boundary E F))) /\ full c = true /\ in_cell c x) <->
   sum_set S T x.
 Proof.
   destruct kept_pieces_bound as (St & Sd & Lg & Al).
-  destruct (drawn_bounded P S P_drawn) as (l1 & h1 & H1).
-  destruct (drawn_bounded Q T Q_drawn) as (l2 & h2 & H2).
-  apply (full_cells (sum_set S T) (sum_regular P Q S T P_drawn Q_drawn area) _ St Lg Al Sd
-    (l1 + l2) (h1 + h2)); intros y (p & q & Hp & Hq & ->); unfold add; cbn [snd];
-    specialize (H1 p Hp); specialize (H2 q Hq); lra.
+  destruct set_bounded as (low & high & H).
+  apply (full_cells (sum_set S T) (sum_regular P Q S T P_drawn Q_drawn area) _ St Lg Al Sd low
+    high);
+    intros y Y; apply H, Y.
+Qed.
+Theorem parts_of_the_sum : let B := sum_boundary E F in
+  has_components (sum_set S T) (length (parts B true)) /\
+  has_holes (sum_set S T) (pred (length (parts B false))).
+Proof.
+  intros B. destruct kept_pieces_bound as (St & Sd & Lg & Al).
+  destruct set_bounded as (low & high & H).
+  pose proof (sum_regular P Q S T P_drawn Q_drawn area) as R. split.
+  - apply (has_parts _ R _ St Lg Al Sd low high); intros y Y; apply H, Y.
+  - apply (has_holes_of_parts _ R _ St Lg Al Sd low high); intros y Y; apply H, Y.
 Qed.
 End Sum.
 
 (** ** The program, for legal operands at a scale. Two thin ones have no sum with an area. *)
-Definition sum_cells (s : Q) (P Q : rings vertex) : list cell :=
-  concat (slabs (sum_boundary (all_edges (map (map (by_scale s)) P)) (all_edges Q))).
 Definition is_thin (ps : list (polygon point)) : Prop := is_point ps \/ is_segment ps.
 Lemma polygon_set_long ps e : is_polygon_set ps -> In e (all_edges (rings_of ps)) ->
   fst e <> snd e.
@@ -186,32 +200,82 @@ Proof. intros L. apply (polygon_set_winds_once ps L). Qed.
 Lemma polygon_set_area ps : is_polygon_set ps ->
   has_area (all_edges (rings_of ps)) (set_of (rings_of ps)).
 Proof. intros L p. apply set_is_region, polygon_set_winds_once, L. Qed.
+
+Section Legal.
+Variable s : Q.
+Variables P Q : list (polygon vertex).
+Hypothesis positive : 0 < Q2R s.
+Hypothesis P_legal : is_legal (figure P).
+Hypothesis Q_legal : is_legal (figure Q).
+Hypothesis not_thin : ~ (is_thin (figure P) /\ is_thin (figure Q)).
+Let E := all_edges (map (map (by_scale s)) (rings_of P)).
+Let F := all_edges (rings_of Q).
+Let S (p : point) := set_of (points (rings_of P)) (scale (/ Q2R s) p).
+Let T := set_of (points (rings_of Q)).
+Lemma fat : is_polygon_set (figure P) \/ is_polygon_set (figure Q).
+Proof. unfold is_thin, is_legal in *. tauto. Qed.
+Lemma P_drawn_here : drawn (map R2e E) S.
+Proof.
+  pose proof (legal_is_drawn _ P_legal) as D. rewrite <- rings_of_figure in D.
+  apply (drawn_scaled _ _ _ positive) in D. rewrite <- scaled_edges_real in D. exact D.
+Qed.
+Lemma Q_drawn_here : drawn (map R2e F) T.
+Proof.
+  pose proof (legal_is_drawn _ Q_legal) as D. rewrite <- rings_of_figure, <- edges_of_points in D.
+  exact D.
+Qed.
+Lemma area_here : has_area (map R2e E) S \/ has_area (map R2e F) T.
+Proof.
+  unfold E, F, S, T. rewrite scaled_edges_real, edges_of_points, !rings_of_figure.
+  destruct fat as [A|A]; [left|right; exact (polygon_set_area _ A)].
+  intros p. rewrite <- (Scaling.scale_forth (Q2R s) p positive) at 2.
+  rewrite Scaling.region_scale_iff by exact positive. apply polygon_set_area, A.
+Qed.
+Lemma long_here e f : In e (map R2e E) -> In f (map R2e F) -> fst e <> snd e \/ fst f <> snd f.
+Proof.
+  unfold E, F. rewrite scaled_edges_real, edges_of_points, !rings_of_figure. intros I J.
+  destruct fat as [A|A]; [left|right; exact (polygon_set_long _ f A J)].
+  apply in_map_iff in I. destruct I as (g & <- & I). intros Z.
+  apply (polygon_set_long _ g A I).
+  unfold Corners.both, scale in Z; cbn [fst snd] in Z. injection Z; intros.
+  apply point_eq; apply Rmult_eq_reg_l with (Q2R s); lra.
+Qed.
+Lemma sum_here x : sum_set S T x <-> in_sum (Q2R s) (points (rings_of P)) (points (rings_of Q)) x.
+Proof.
+  unfold in_sum, S, T. split.
+  - intros (p & q & Hp & Hq & X). exists (scale (/ Q2R s) p), q.
+    rewrite Scaling.scale_forth by auto. auto.
+  - intros (p & q & Hp & Hq & X). exists (scale (Q2R s) p), q.
+    rewrite Scaling.scale_back by auto. auto.
+Qed.
+End Legal.
+
 Theorem cells_are_the_sum : forall (s : Q) (P Q : list (polygon vertex)) (x : point),
   0 < Q2R s -> is_legal (figure P) -> is_legal (figure Q) ->
   ~ (is_thin (figure P) /\ is_thin (figure Q)) ->
   (exists c, In c (sum_cells s (rings_of P) (rings_of Q)) /\ full c = true /\ in_cell c x) <->
   in_sum (Q2R s) (points (rings_of P)) (points (rings_of Q)) x.
 Proof.
-  intros s P Q x L LP LQ Thin. unfold sum_cells.
-  pose proof (legal_is_drawn _ LP) as DP. pose proof (legal_is_drawn _ LQ) as DQ.
-  assert (Fat : is_polygon_set (figure P) \/ is_polygon_set (figure Q)).
-  { unfold is_thin in Thin. unfold is_legal in LP, LQ. tauto. }
-  rewrite <- rings_of_figure in DP, DQ. apply (drawn_scaled _ _ _ L) in DP.
-  rewrite <- scaled_edges_real in DP. rewrite <- edges_of_points in DQ.
-  rewrite (cells_of_the_sum _ _ _ _ DP DQ).
-  - unfold in_sum. split.
-    + intros (p & q & Hp & Hq & X). exists (scale (/ Q2R s) p), q.
-      rewrite Scaling.scale_forth by auto. auto.
-    + intros (p & q & Hp & Hq & X). exists (scale (Q2R s) p), q.
-      rewrite Scaling.scale_back by auto. auto.
-  - rewrite scaled_edges_real, edges_of_points, !rings_of_figure.
-    destruct Fat as [A|A]; [left|right]; [|exact (polygon_set_area _ A)].
-    intros p. rewrite <- (Scaling.scale_forth (Q2R s) p L) at 2.
-    rewrite Scaling.region_scale_iff by exact L. apply polygon_set_area, A.
-  - intros e f. rewrite scaled_edges_real, edges_of_points, !rings_of_figure. intros I J.
-    destruct Fat as [A|A]; [left|right]; [|exact (polygon_set_long _ f A J)].
-    apply in_map_iff in I. destruct I as (g & <- & I). intros E.
-    apply (polygon_set_long _ g A I).
-    unfold Corners.both, scale in E; cbn [fst snd] in E. injection E; intros.
-    apply point_eq; apply Rmult_eq_reg_l with (Q2R s); lra.
+  intros s P Q x L LP LQ N. rewrite <- (sum_here s P Q L x).
+  apply (cells_of_the_sum _ _ _ _ (P_drawn_here s P L LP) (Q_drawn_here Q LQ)
+    (area_here s P Q L LP LQ N) (long_here s P Q L LP LQ N)).
+Qed.
+Lemma falls_same (S T : point -> Prop) C n : (forall x, S x <-> T x) -> falls_into S C n ->
+  falls_into T C n.
+Proof. intros H (A & K). split; [|exact K]. intros x. rewrite <- H. apply A. Qed.
+Theorem parts_are_counted : forall (s : Q) (P Q : list (polygon vertex)),
+  0 < Q2R s -> is_legal (figure P) -> is_legal (figure Q) ->
+  ~ (is_thin (figure P) /\ is_thin (figure Q)) ->
+  let sum := in_sum (Q2R s) (points (rings_of P)) (points (rings_of Q)) in
+  let counted := count_parts s (rings_of P) (rings_of Q) in
+  has_components sum (fst counted) /\ has_holes sum (snd counted).
+Proof.
+  intros s P Q L LP LQ N sum counted.
+  destruct (parts_of_the_sum _ _ _ _ (P_drawn_here s P L LP) (Q_drawn_here Q LQ)
+    (area_here s P Q L LP LQ N) (long_here s P Q L LP LQ N)) as ((C & HC) & (D & HD & Bd)).
+  pose proof (sum_here s P Q L) as H. split.
+  - exists C. refine (falls_same _ _ C _ _ HC). intros x.
+    split; apply interior_same; intros y; [apply H|apply iff_sym, H].
+  - exists D. split; [|exact Bd]. refine (falls_same _ _ D _ _ HD). intros x.
+    rewrite (H x). reflexivity.
 Qed.

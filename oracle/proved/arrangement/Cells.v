@@ -78,7 +78,8 @@ Proof.
   apply in_app_or in I. destruct I as [I|I].
   - left. apply in_concat in I. destruct I as (k & K & I). apply in_map_iff in K.
     destruct K as ([x0 x1] & <- & K). exists x0, x1. auto.
-  - right. simpl in I. destruct I as [<-|[]]. cbn [from to bottom top]. auto.
+  - right. destruct (hd_error (rev (walls B))) as [x|]; [|destruct I].
+    simpl in I. destruct I as [<-|[]]. cbn [from to bottom top]. auto.
 Qed.
 Lemma walls_sorted : StronglySorted (fun x y => Qle_bool y x = false) (walls B).
 Proof.
@@ -160,14 +161,17 @@ Proof.
       exists c. split; auto. apply in_or_app. right. apply in_or_app. left.
       apply in_concat. exists (slab B p q). split; auto.
       apply in_map_iff. exists (p, q). auto.
-  - exists {| from := hd_error (rev (walls B)); to := None; bottom := None; top := None |}.
+  - assert (Rv : exists x, hd_error (rev (walls B)) = Some x /\ In x (walls B)).
+    { destruct (rev (walls B)) as [|x r] eqn:Q.
+      - apply in_rev in U. rewrite Q in U. destruct U.
+      - exists x. split; auto. apply in_rev. rewrite Q. simpl. auto. }
+    destruct Rv as (x & Ex & Ix). rewrite Ex.
+    exists {| from := Some x; to := None; bottom := None; top := None |}.
     split; [apply in_or_app; right; apply in_or_app; right; simpl; auto|].
     repeat split; cbn [from to bottom top]; try discriminate.
-    intros q E. assert (Iq : In q (walls B)).
-    { apply in_rev. destruct (rev (walls B)) as [|x r]; [discriminate|].
-      injection E; intros ->. simpl. auto. }
-    destruct (Rlt_dec (Q2R q) (fst y)); auto. exfalso.
-    pose proof (Off q Iq). apply NH. exists q. split; [exact Iq|lra].
+    intros q E. injection E; intros <-.
+    destruct (Rlt_dec (Q2R x) (fst y)); auto. exfalso.
+    pose proof (Off x Ix). apply NH. exists x. split; [exact Ix|lra].
 Qed.
 (** Near each point are others, on no edge and no wall. *)
 Lemma aside_near x r : 0 < r -> exists y, near r x y /\ ~ over_some B y /\

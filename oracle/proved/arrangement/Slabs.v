@@ -34,6 +34,38 @@ Definition slabs (B : list edge) : list (list cell) :=
   let xs := walls B in
   [{| from := None; to := hd_error xs; bottom := None; top := None |}] ::
   map (fun p => slab B (fst p) (snd p)) (adjacent xs) ++
-  [[{| from := hd_error (rev xs); to := None; bottom := None; top := None |}]].
+  match hd_error (rev xs) with
+  | Some x => [[{| from := Some x; to := None; bottom := None; top := None |}]]
+  | None => []
+  end.
 (** The sum is on the left of the pieces. *)
 Definition full (c : cell) : bool := match bottom c with Some e => rightward e | None => false end.
+
+(** ** Cells that hang together: they share a piece of a wall. *)
+Definition is_below (x : Q) (c d : cell) : bool := (* the bottom of c is below the top of d *)
+  match bottom c, top d with Some e, Some f => less (height x e) (height x f) | _, _ => true end.
+Definition is_left_of (c d : cell) : bool :=
+  match to c, from d with
+  | Some x, Some y =>
+      Qeq_bool x y && is_below x c d && is_below x d c && is_below x c c && is_below x d d
+  | _, _ => false
+  end.
+Definition linked (c d : cell) : bool := is_left_of c d || is_left_of d c.
+Fixpoint classes (l : list cell) : list (list cell) :=
+  match l with
+  | [] => []
+  | c :: r =>
+      let k := classes r in
+      (c :: concat (filter (existsb (linked c)) k)) ::
+      filter (fun A => negb (existsb (linked c) A)) k
+  end.
+(** Components of the set, and parts of what is outside *)
+Definition parts (B : list edge) (inside : bool) : list (list cell) :=
+  classes (filter (fun c => Bool.eqb (full c) inside) (concat (slabs B))).
+
+(** ** A sum at a scale: the cells of its boundary, and how many components and holes it has *)
+Definition sum_pieces (s : Q) (P K : rings vertex) : list edge :=
+  sum_boundary (all_edges (map (map (by_scale s)) P)) (all_edges K).
+Definition sum_cells (s : Q) (P K : rings vertex) : list cell := concat (slabs (sum_pieces s P K)).
+Definition count_parts (s : Q) (P K : rings vertex) : nat * nat :=
+  let B := sum_pieces s P K in (length (parts B true), pred (length (parts B false))).

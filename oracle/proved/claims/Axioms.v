@@ -22,6 +22,7 @@ Print Assumptions membership_is_decided.
 Print Assumptions decided_points_are_right.
 Print Assumptions kept_pieces_bound.
 Print Assumptions cells_are_the_sum.
+Print Assumptions parts_are_counted.
 Print Assumptions gap_separation.
 Print Assumptions forms_agree.
 Print Assumptions one_canonical_form_holds.
