@@ -121,11 +121,10 @@ let not_above f cell =
     cut @ if Q.sign level <= 0 then [ c ] else []
   in
   let same (a, b, c) (d, e, f) = Q.equal a d && Q.equal b e && Q.equal c f in
-  let previous = List.map (fun (p, c) -> (p, c)) (edges_of cell) in
   List.fold_left
     (fun found c -> if List.exists (same c) found then found else found @ [ c ])
     []
-    (List.concat_map kept previous)
+    (List.concat_map kept (edges_of cell))
 
 (* Whether corners are not all at an end that does not belong to the scales *)
 let meets (i : Reading.scales) corners =

@@ -107,18 +107,17 @@ let hit budget contact sides path value =
   | _ -> assert false
 
 let hits budget contact scales sides path values =
-  let reached, found =
-    List.fold_left
-      (fun (reach, found) value ->
+  let add (i, reach, found) value =
+    within (Printf.sprintf "hit %d" i) (fun () ->
         let low, high, hits = hit budget contact sides path value in
         demand
           (compare_cuts low reach <= 0 && compare_cuts reach high < 0)
-          "a hit leaves out scales before it, or adds none";
-        (high, found @ [ hits ]))
-      (lower scales, []) (items values)
+          "it leaves out scales before it, or adds none";
+        (i + 1, high, hits :: found))
   in
+  let _, reached, found = List.fold_left add (0, lower scales, []) (items values) in
   demand (compare_cuts reached (upper scales) >= 0) "the hits do not reach to the last scale";
-  List.concat found
+  List.concat (List.rev found)
 
 (* A point in a solid of O and, less the place x, in s times one of R: the mean of the corners of
    what they have in common *)
@@ -186,8 +185,6 @@ let edge budget contact (scales : Reading.scales) sides (c, d) nodes =
 
 let trap budget contact scales sides ring pairs here_free =
   let ring = List.map Reading.mover (items ring) and pairs = items pairs in
-  require
-    (ring <> [] && List.compare_lengths ring pairs = 0)
-    "there are not as many pairs as edges";
+  require (List.compare_lengths ring pairs = 0) "there are not as many pairs as edges";
   let edges = List.map2 (edge budget contact scales sides) (edges_of ring) pairs in
   Checked.trap (some_scale scales) ring edges here_free

@@ -8,8 +8,7 @@ open Cells
 
 type sides = { of_r : Pieces.side; of_o : Pieces.side }
 
-(* A segment of places from p to q: p(s) + t d, 0 <= t <= length + growth s. At a single scale
-   nothing moves. *)
+(* A segment of places from p to q: p(s) + t d, 0 <= t <= length + growth s *)
 type segment = {
   start : Reading.mover;
   along : point;
@@ -57,6 +56,7 @@ let level segment n hull_a hull_b =
     c = Q.sub (dot n (starts segment.start)) (support n hull_b);
   }
 
+(* At a single scale places stay where they are then. *)
 let freezing (i : Reading.scales) path =
   match i.high with
   | Some b when Q.equal i.low b -> List.map (fun m -> stays (at b m)) path
@@ -77,15 +77,15 @@ let follow budget contact scales sides normals segment code =
     match stack with
     | [] -> fail Refuted "a code goes on after its end"
     | (cell, bounds, a, b) :: rest -> (
-      let is n = Z.equal (integer token) (Z.of_int n) in
-      match () with
-      | () when is (-1) ->
+      let n = integer token in
+      match if Z.fits_int n then Z.to_int n else 0 with
+      | -1 ->
         let opened = List.map (fun a -> (cell, bounds, a, b)) (split of_r.children.(a)) in
         (opened @ rest, Checked.open_part :: said)
-      | () when is (-2) ->
+      | -2 ->
         let opened = List.map (fun b -> (cell, bounds, a, b)) (split of_o.children.(b)) in
         (opened @ rest, Checked.open_obstacles :: said)
-      | () when is (-3) ->
+      | -3 ->
         let finite (t, _, w) = if Q.sign w = 0 then None else Some t in
         let found = List.filter_map finite cell in
         demand (found <> []) "a cell has no middle";
