@@ -60,8 +60,37 @@ Contact by_edges(const Piece& a, const Piece& b) {
   return contact;
 }
 
-/// For convex pieces in the plane, separation by an edge line of either decides.
-Contact meet(const Piece& a, const Piece& b) { return std::min(by_edges(a, b), by_edges(b, a)); }
+/// Whether two pieces are points or segments on one line, or two points.
+bool on_one_line(const Piece& a, const Piece& b) {
+  if (a.size() > 2 || b.size() > 2) return false;
+  if (a.size() == 1 && b.size() == 1) return true;
+  const auto holds = [](const Piece& line, const Piece& other) {
+    return std::all_of(other.begin(), other.end(), [&](const FilteredPoint& p) {
+      return orientation(line[0], line[1], p) == 0;
+    });
+  };
+  return a.size() == 2 ? holds(a, b) : holds(b, a);
+}
+
+/// By x, then y: the order of points along a line.
+bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+/// The ends of what two pieces on one line share; the first is after the second if that is nothing.
+std::array<Point, 2> shared_ends(const Piece& a, const Piece& b) {
+  const auto [low, high] = std::minmax(a.front().exact(), a.back().exact(), before);
+  const auto [least, most] = std::minmax(b.front().exact(), b.back().exact(), before);
+  return {std::max(low, least, before), std::min(high, most, before)};
+}
+
+/// For convex pieces in the plane, separation by an edge line of either decides, but for two on one
+/// line.
+Contact meet(const Piece& a, const Piece& b) {
+  if (on_one_line(a, b)) {
+    const auto [low, high] = shared_ends(a, b);
+    return before(high, low) ? Contact::empty : Contact::touching;
+  }
+  return std::min(by_edges(a, b), by_edges(b, a));
+}
 
 /// The part of a convex polygon on the left of the line through a and b, closed.
 std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& a, const Point& b) {
@@ -83,6 +112,10 @@ std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& a, co
 
 /// The mean of the intersection's vertices: an interior point, if an interior exists.
 Point common_point(const Piece& a, const Piece& b) {
+  if (on_one_line(a, b)) {
+    const auto [low, high] = shared_ends(a, b);
+    return {(low.x + high.x) / 2, (low.y + high.y) / 2};
+  }
   std::vector<Point> common;
   for (const FilteredPoint& p : a) common.push_back(p.exact());
   for (std::size_t i = 0; b.size() > 1 && i < b.size(); ++i) {

@@ -105,6 +105,33 @@ TEST(Membership, NothingIsInTheSumWithTheEmptySet) {
   EXPECT_EQ(decide(box(0, 0, 1, 1), {}, 1, {0, 0}).contact, Contact::empty);
 }
 
+TEST(Membership, OfTwoThinOperandsEachHasItsOwnPoint) {
+  MINKREF_SEEDED(random, 703);
+  const auto any = [&] { return Point{Rational(random.between(-2, 2), 3), random.between(-2, 2)}; };
+  const auto thin = [&](const Point& a, const Point& b) {
+    return a == b ? point_set(a.x, a.y) : segment_set(a, b);
+  };
+  for (int i = 0; i < 200; ++i) {
+    const Point a = any(), b = random.coin() ? a : any(), c = any(), d = random.coin() ? c : any();
+    Case it;
+    it.P = thin(a, b), it.Q = thin(c, d), it.scale = Rational(random.between(1, 4), 3);
+    const Point x = it.scale * (a + Rational(random.between(0, 4), 4) * (b - a)) + c +
+                    Rational(random.between(0, 4), 4) * (d - c);
+    const Witness witness = decide(it.P, it.Q, it.scale, x);
+    EXPECT_EQ(witness.contact, Contact::touching) << i;
+    EXPECT_EQ(wrong_witness(it, witness, x), "") << i;
+  }
+  const Rational tiny = Rational(1) / Rational(Integer(1) << 200), third(1, 3);
+  const PolygonSet segment = segment_set({0, 0}, {third, 0});
+  for (const PolygonSet& other : {point_set(0, 0), segment_set({-1, 0}, {0, 0})}) {
+    EXPECT_EQ(decide(segment, other, 1, {third + tiny, 0}).contact, Contact::empty);
+    EXPECT_EQ(decide(other, segment, 1, {third + tiny, 0}).contact, Contact::empty);
+    EXPECT_EQ(decide(segment, other, 1, {third, 0}).contact, Contact::touching);
+  }
+  EXPECT_EQ(decide(point_set(third, 0), point_set(0, 0), 1, {third + tiny, 0}).contact,
+            Contact::empty);
+}
+
 TEST(Membership, UnitSquaresOverlapWithinTwoTouchAtTwoAndAreApartBeyond) {
   const PolygonSet square = box(0, 0, 1, 1);
   const Rational tiny = Rational(1) / Rational(Integer(1) << 200);
