@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/no_entry.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/dynamic/passing_edges.hpp"
@@ -133,6 +134,7 @@ void DynamicArrangement::place_nodes_in_doubles() {
   const NodeTable& table = timeline_.events->table();
   motions_.reserve(table.nodes.size());
   for (std::uint32_t edge = 0; edge < lines_.size(); ++edge) {
+    look_for_interrupt();
     const Line& a = lines_[edge];
     for (std::uint32_t n = table.begin(edge); n < table.end(edge); ++n) {
       const EdgeNode& node = table.nodes[n];

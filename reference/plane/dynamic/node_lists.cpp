@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref::inline plane {
 
 NodeLists::NodeLists(const ArrangementTimeline& timeline)
@@ -25,6 +27,7 @@ void NodeLists::allot() {
   }
   most = now;
   for (const PackedChange& change : timeline_.changes) {
+    look_for_interrupt();
     const std::uint32_t e = timeline_.edge_of_node[change.node];
     if (change.kind() == NodeChange::Kind::insertion) most[e] = std::max(most[e], ++now[e]);
     if (change.kind() == NodeChange::Kind::deletion) --now[e];
@@ -67,17 +70,21 @@ void NodeLists::take_snapshots() {
 }
 
 ChangeCounts NodeLists::move_to(std::uint32_t place) {
-  const Snapshot& snapshot = nearest(place);
-  if (load_cost() + distance(snapshot.place, place) < distance(place_, place)) {
-    const ChangeCounts before = counts_;
-    load(snapshot);
-    counts_ = before;
-  }
-  const ChangeCounts there = counts_at(place);
+  const ChangeCounts here = counts_, there = counts_at(place);
   const bool up = there.insertions + there.deletions + there.swaps >=
-                  counts_.insertions + counts_.deletions + counts_.swaps;
-  walk(place);
-  const ChangeCounts here = counts_;
+                  here.insertions + here.deletions + here.swaps;
+  const std::uint32_t from = place_;
+  const Snapshot& snapshot = nearest(place);
+  try {
+    if (load_cost() + distance(snapshot.place, place) < distance(from, place)) load(snapshot);
+    walk(place);
+  } catch (...) {
+    const Interruptible deaf([] {});
+    if (place_ != from) load(nearest(from));
+    walk(from);
+    counts_ = here;
+    throw;
+  }
   counts_ = there;
   if (up) {
     return {there.insertions - here.insertions, there.deletions - here.deletions,
@@ -103,6 +110,7 @@ ChangeCounts NodeLists::counts_at(std::uint32_t place) const {
   std::array<std::uint64_t, 4> counts{};
   const std::size_t end = timeline_.first_change[place];
   for (std::size_t i = timeline_.first_change[from.place]; i < end; ++i) {
+    if (i % 64 == 0) look_for_interrupt();
     ++counts[timeline_.changes[i].rank_and_kind & 3];
   }
   return {from.before.insertions + counts[0], from.before.deletions + counts[1],
@@ -121,9 +129,10 @@ void NodeLists::load(const Snapshot& snapshot) {
   counts_ = snapshot.before;
 }
 
+/// An interrupt leaves the lists as they were.
 void NodeLists::walk(std::uint32_t place) {
   using Kind = NodeChange::Kind;
-  const bool up = place_ < place;
+  bool up = place_ < place;
   const auto apply = [&](const PackedChange& change) {
     const Kind kind = change.kind();
     if (kind == Kind::swap || kind == Kind::settling) {
@@ -136,10 +145,23 @@ void NodeLists::walk(std::uint32_t place) {
       erase(change.node, change.rank());
     }
   };
-  std::size_t i = timeline_.first_change[place_];
-  const std::size_t end = timeline_.first_change[place];
-  while (i < end) apply(timeline_.changes[i++]);
-  while (i > end) apply(timeline_.changes[--i]);
+  const std::size_t begin = timeline_.first_change[place_], end = timeline_.first_change[place];
+  std::size_t i = begin;
+  try {
+    for (; i < end; ++i) {
+      look_for_interrupt();
+      apply(timeline_.changes[i]);
+    }
+    for (; i > end; --i) {
+      look_for_interrupt();
+      apply(timeline_.changes[i - 1]);
+    }
+  } catch (...) {
+    up = !up;
+    while (i > begin) apply(timeline_.changes[--i]);
+    while (i < begin) apply(timeline_.changes[i++]);
+    throw;
+  }
   place_ = place;
 }
 

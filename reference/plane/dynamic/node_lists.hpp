@@ -23,7 +23,8 @@ class NodeLists {
   explicit NodeLists(const ArrangementTimeline& timeline);
 
   std::uint32_t place() const { return place_; }
-  /// The changes on the way, as if counted by a walk. O(min(changes on the way, slots)).
+  /// The changes on the way, as if counted by a walk. An interrupt leaves the place as it was.
+  /// O(min(changes on the way, slots)).
   ChangeCounts move_to(std::uint32_t place);
 
   /// In their order; valid until the next move.

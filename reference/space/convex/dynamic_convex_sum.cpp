@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "reference/interrupt.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/space/convex/static_convex_sum.hpp"
 
@@ -60,15 +62,24 @@ UpdateCounts DynamicConvexSum::update(const Scaling& to) {
   require_positive(to);
   UpdateCounts counts;
   for (IndexSet* set : {&suspects_, &moved_, &changed_at_P_, &changed_at_Q_}) set->clear();
+  changed_.vertex_of_Q.clear();
+  changed_.vertex_of_P.clear();
+  changed_.chains.clear();
+  changed_.links.clear();
   const std::uint64_t signs = contacts_.evaluations(), exact = contacts_.exact_evaluations();
   RoundedScaling next(to);
   add_drift(drift(scaling_, next));
-  scaling_ = std::move(next);
+  std::swap(scaling_, next);
   contacts_.rescale(scaling_);
-  mend_facets_of_P(counts);
-  mend_facets_of_Q(counts);
-  mend_chains(counts);
-  renew_vertices();
+  try {
+    mend_facets_of_P(counts);
+    mend_facets_of_Q(counts);
+    mend_chains(counts);
+    renew_vertices();
+  } catch (...) {
+    undo(next);
+    throw;
+  }
   counts.signs = contacts_.evaluations() - signs;
   counts.exact_signs = contacts_.exact_evaluations() - exact;
   return counts;
@@ -91,13 +102,14 @@ void DynamicConvexSum::mend_facets_of_P(UpdateCounts& counts) {
   const ConvexPolyhedron& body = P();
   for (const auto& [f, before] : body.traversal()) {
     if (drift_ < deadline_P_[f]) continue;
-    ++counts.facets_examined;
+    if (counts.facets_examined++ % 4 == 0) look_for_interrupt();
     const Climb found =
         climb(contacts_.across_P, f, state_.vertex_of_Q[f], state_.vertex_of_Q[before], way_);
     deadline_P_[f] = until(found.slack);
     if (found.vertex == state_.vertex_of_Q[f]) continue;
     ++counts.fv_errors;
     counts.descent_steps += found.steps;
+    changed_.vertex_of_Q.emplace_back(f, state_.vertex_of_Q[f]);
     state_.vertex_of_Q[f] = found.vertex;
     const std::uint32_t start = body.start(f);
     std::uint32_t h = start;
@@ -113,7 +125,7 @@ void DynamicConvexSum::mend_facets_of_Q(UpdateCounts& counts) {
   moved_.clear();
   for (const auto& [g, before] : Q().traversal()) {
     if (drift_ < deadline_Q_[g]) continue;
-    ++counts.facets_examined;
+    if (counts.facets_examined++ % 4 == 0) look_for_interrupt();
     const Climb found =
         climb(contacts_.across_Q, g, state_.vertex_of_P[g], state_.vertex_of_P[before], way_);
     for (const std::uint32_t h : way_) suspects_.insert(P().edge(h));
@@ -122,6 +134,7 @@ void DynamicConvexSum::mend_facets_of_Q(UpdateCounts& counts) {
     ++counts.vf_errors;
     counts.descent_steps += found.steps;
     moved_.insert(g);
+    changed_.vertex_of_P.emplace_back(g, state_.vertex_of_P[g]);
     state_.vertex_of_P[g] = found.vertex;
     for_vertices_of(Q(), g, [&](std::uint32_t q) { changed_at_Q_.insert(q); });
   }
@@ -130,11 +143,12 @@ void DynamicConvexSum::mend_facets_of_Q(UpdateCounts& counts) {
 /// ee-errors: first from the fv- and vf-errors, then whatever the proof of the rest brings up.
 void DynamicConvexSum::mend_chains(UpdateCounts& counts) {
   for (const std::uint32_t e : suspects_.members()) {
+    look_for_interrupt();
     mend_chain(e, counts);
   }
   for (std::uint32_t e = 0; e < P().edges(); ++e) {
     if (drift_ < deadline_chain_[e] || suspects_.contains(e)) continue;
-    ++counts.chains_examined;
+    if (counts.chains_examined++ % 4 == 0) look_for_interrupt();
     if (is_chain_right(e)) continue;
     mend_chain(e, counts);
     ++counts.chains_mended_by_proof;
@@ -188,22 +202,55 @@ void DynamicConvexSum::mend_chain(std::uint32_t edge, UpdateCounts& counts) {
     slack = until(slack);
     deadline_chain_[edge] = std::min(deadline_chain_[edge], slack);
   }
-  chain_before_ = chain;
+  chain_before_.clear();
   if (chain == chain_after_) return;
+  changed_.chains.emplace_back(edge, static_cast<std::uint32_t>(chain.size()));
+  changed_.links.insert(changed_.links.end(), chain.begin(), chain.end());
   changed_at_P_.insert(P().origin(h));
   changed_at_P_.insert(P().target(h));
   const std::uint64_t common = common_edges(chain, chain_after_);
   counts.ee_errors += chain.size() - common;
   counts.ee_pairs_added += chain_after_.size() - common;
   ee_pairs_ = ee_pairs_ - chain.size() + chain_after_.size();
+  chain_before_.swap(chain);
   chain.swap(chain_after_);
 }
 
 void DynamicConvexSum::renew_vertices() {
-  for (const std::uint32_t p : changed_at_P_.members()) vertices_.renew_at_P(p, state_);
-  for (const std::uint32_t q : changed_at_Q_.members()) vertices_.renew_at_Q(q, state_);
-  changed_at_P_.clear();
-  changed_at_Q_.clear();
+  for (const std::uint32_t p : changed_at_P_.members()) {
+    look_for_interrupt();
+    vertices_.renew_at_P(p, state_);
+  }
+  for (const std::uint32_t q : changed_at_Q_.members()) {
+    look_for_interrupt();
+    vertices_.renew_at_Q(q, state_);
+  }
+}
+
+/// What was proven at the new scaling stays proven, as after a step back; what is put back is
+/// examined by the next update.
+void DynamicConvexSum::undo(const RoundedScaling& before) {
+  const Interruptible deaf([] {});
+  for (const auto& [f, vertex] : changed_.vertex_of_Q) {
+    state_.vertex_of_Q[f] = vertex;
+    deadline_P_[f] = 0;
+  }
+  for (const auto& [g, vertex] : changed_.vertex_of_P) {
+    state_.vertex_of_P[g] = vertex;
+    deadline_Q_[g] = 0;
+  }
+  auto link = changed_.links.begin();
+  for (const auto& [e, links] : changed_.chains) {
+    ee_pairs_ = ee_pairs_ - state_.chains[e].size() + links;
+    state_.chains[e].assign(link, link + links);
+    link += links;
+    deadline_links_[e].assign(links, 0);
+    deadline_chain_[e] = 0;
+  }
+  renew_vertices();
+  add_drift(drift(scaling_, before));
+  scaling_ = before;
+  contacts_.rescale(scaling_);
 }
 
 }  // namespace minkref::inline space

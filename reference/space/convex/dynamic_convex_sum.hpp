@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "reference/number/float_environment.hpp"
@@ -52,7 +53,8 @@ class DynamicConvexSum {
                    const FloatEnvironment& standard = {});
 
   /// Mends the pairs that the new scaling makes wrong. Throws BadInput ("bad-scale") and keeps the
-  /// state; std::logic_error would be a fault of ours and leave the state useless.
+  /// state, as does an interrupt; std::logic_error would be a fault of ours and leave the state
+  /// useless.
   UpdateCounts update(const Scaling& to);
 
   const ConvexPolyhedron& P() const { return contacts_.P(); }
@@ -76,6 +78,7 @@ class DynamicConvexSum {
                              const std::vector<std::uint32_t>& other);
   bool beside_moved_facet(const std::vector<std::uint32_t>& chain) const;
   void renew_vertices();
+  void undo(const RoundedScaling& before);
 
   Contacts contacts_;
   RoundedScaling scaling_;
@@ -92,6 +95,12 @@ class DynamicConvexSum {
   IndexSet changed_at_P_, changed_at_Q_;  // vertices
   IndexSet in_chain_;                     // edges of Q
   std::vector<std::uint32_t> chain_before_, chain_after_, way_;
+  // Before the update, of what it has changed so far.
+  struct Before {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> vertex_of_Q, vertex_of_P;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> chains;  // edges, and links of each
+    std::vector<std::uint32_t> links;
+  } changed_;
 };
 
 }  // namespace minkref::inline space

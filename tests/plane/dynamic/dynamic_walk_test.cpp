@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/paper/trials/from_scratch.hpp"
 #include "reference/plane/history/topology_timeline.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
@@ -49,6 +52,48 @@ TEST(DynamicWalk, AStepLeadsToTheStaticArrangementAndSum) {
     return "";
   });
   EXPECT_GT(at_events, stops / 6);
+}
+
+PolygonSet star(int spikes, double radius) {
+  PolygonSet set;
+  set.polygons.emplace_back();
+  for (int k = 0; k < 2 * spikes; ++k) {
+    const double angle = 3.14159265358979 * k / spikes, r = k % 2 == 0 ? radius / 3 : radius;
+    set.polygons[0].outer.push_back(
+        {std::lround(r * std::cos(angle)), std::lround(r * std::sin(angle))});
+  }
+  return set;
+}
+
+/// Wherever the interrupt comes: beside a sum that takes the same steps without one.
+TEST(DynamicWalk, AnInterruptedStepLeavesTheArrangementAsItWas) {
+  const ScaleWindow window{Rational(1, 2), Rational(2)};
+  DynamicSum interrupted(star(15, 10000), star(12, 9000), window),
+      beside(star(15, 10000), star(12, 9000), window);
+  Source walk(9);
+  int interrupts = 0;
+  for (int step = 0; step < 60; ++step) {
+    const Rational to = some_scale(walk, beside);
+    int looks_left = step % 3;
+    bool moved = false;
+    try {
+      const Interruptible interrupt([&] {
+        if (looks_left-- == 0) throw std::runtime_error("interrupted");
+      });
+      interrupted.move_to(to);
+      moved = true;
+    } catch (const std::runtime_error&) {
+      ++interrupts;
+    }
+    if (moved) beside.move_to(to);
+    ASSERT_EQ(interrupted.arrangement().scale(), beside.arrangement().scale());
+    ASSERT_EQ(interrupted.arrangement().node_count(), beside.arrangement().node_count());
+    for (std::uint32_t e = 0; e < beside.states().timeline().events->edges().size(); ++e) {
+      const auto along = interrupted.arrangement().nodes(e), wanted = beside.arrangement().nodes(e);
+      ASSERT_TRUE(std::equal(along.begin(), along.end(), wanted.begin(), wanted.end())) << step;
+    }
+  }
+  EXPECT_GT(interrupts, 10);
 }
 
 TEST(DynamicWalk, AStepAndItsReverseCancel) {

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <stdexcept>
 
+#include "reference/interrupt.hpp"
 #include "tests/space/convex/bodies.hpp"
 
 namespace minkref::of_convex_sum_laws {
@@ -179,6 +181,49 @@ TEST(ConvexSum, TinyStepsAfterManyHugeOnesGiveWhatIsFoundFromScratch) {
     contacts.rescale(s);
     ASSERT_EQ(moving.compatibility(), by_traversal(contacts)) << "step " << k;
   }
+}
+
+/// Wherever an interrupt comes, and whatever the next update is.
+TEST(ConvexSum, AnInterruptedUpdateKeepsTheStateAndTheNextIsRight) {
+  unsigned interrupts = 0;
+  for_each_seed(12, [&](std::mt19937& dice) {
+    Polyhedron bodies[] = {random_body(dice, 9), random_body(dice, 9)};
+    for (Polyhedron& body : bodies) {
+      for (int k = 0; k < 5; ++k) body = sum(body, bodies::random_tetrahedron(dice, 9)).surface;
+    }
+    const ConvexPolyhedron P(bodies[0]), Q(bodies[1]);
+    Scaling at = random_scaling(dice);
+    DynamicConvexSum moving(P, Q, at);
+    Contacts contacts(P, Q);
+    for (int looks_left = 0; looks_left < 12; ++looks_left) {
+      const Compatibility before = moving.compatibility();
+      const auto pairs = moving.vertices().pairs();
+      const std::uint64_t ee_pairs = moving.ee_pairs();
+      int left = looks_left;
+      try {
+        const Interruptible interrupt([&] {
+          if (left-- == 0) throw std::runtime_error("interrupted");
+        });
+        const Scaling to = random_scaling(dice);
+        moving.update(to);
+        at = to;
+      } catch (const std::runtime_error&) {
+        ++interrupts;
+        ASSERT_EQ(moving.scaling(), at);
+        ASSERT_EQ(moving.compatibility(), before);
+        ASSERT_EQ(moving.vertices().pairs(), pairs);
+        ASSERT_EQ(moving.ee_pairs(), ee_pairs);
+      }
+      if (looks_left % 2 == 0) continue;  // the next step begins after an interrupt, too
+      at = random_scaling(dice);
+      moving.update(at);
+      contacts.rescale(at);
+      const Compatibility found = by_traversal(contacts);
+      ASSERT_EQ(moving.compatibility(), found);
+      EXPECT_EQ(moving.vertices().pairs(), SumVertices(P, Q, found).pairs());
+    }
+  });
+  EXPECT_GT(interrupts, 12U);
 }
 
 TEST(ConvexSum, OfTheUniformlyScaledKeepsAllPairs) {
