@@ -11,6 +11,7 @@
 #include "reference/space/convex/convex_sum.hpp"
 #include "reference/space/convex/static_convex_sum.hpp"
 #include "reference/space/convex/sum_coordinates.hpp"
+#include "reference/space/convex/word_surface.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -29,6 +30,7 @@ class TimedWalk {
   TimedWalk(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& from)
       : P_(P), Q_(Q), dynamic_(P, Q, from), contacts_(P, Q) {
     sum_coordinates(P, Q, from, dynamic_.vertices(), points_);
+    make_surface();
   }
 
   void step(const Scaling& to, bool all) {
@@ -43,9 +45,10 @@ class TimedWalk {
     times_.traversals.push_back(from_scratch(to, by_traversal));
     if (!all) return;
     const Stopwatch surface;
-    const ConvexSum sum = surface_of(dynamic_);
+    const std::size_t facets = make_surface();
     times_.surfaces.push_back(surface.seconds());
-    facets_.push_back(sum.surface.faces.size());
+    facets_.push_back(facets);
+    merged_.push_back(surface_.merged());
     times_.brute_force.push_back(from_scratch(to, by_brute_force));
   }
 
@@ -59,11 +62,18 @@ class TimedWalk {
     fields["vertex_pairs"] = pairs_;
     fields["ee_pairs"] = ee_pairs_;
     fields["surface_facets"] = facets_;
+    fields["merged_pieces"] = merged_;
     fields["differences"] = differences_;
     return fields;
   }
 
  private:
+  /// How many facets it has.
+  std::size_t make_surface() {
+    if (surface_.renew(dynamic_)) return surface_.facets().size();
+    return surface_of(dynamic_).surface.faces.size();
+  }
+
   /// Seconds of the route, with coordinates. The route has to find the state after the update.
   double from_scratch(const Scaling& at, Compatibility (*route)(const Contacts&)) {
     const Stopwatch watch;
@@ -81,9 +91,10 @@ class TimedWalk {
   DynamicConvexSum dynamic_;
   Contacts contacts_;
   HomogeneousPoints points_, fresh_points_;
+  WordSurface surface_;
   Times times_;
   UpdateCounts counts_;
-  std::vector<std::uint64_t> pairs_, ee_pairs_, facets_;
+  std::vector<std::uint64_t> pairs_, ee_pairs_, facets_, merged_;
   std::uint64_t differences_ = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "reference/space/convex/pieces.hpp"
 #include "reference/space/convex/sum_coordinates.hpp"
+#include "reference/space/convex/word_surface.hpp"
 
 namespace minkref::inline space {
 namespace {
@@ -92,6 +93,8 @@ ConvexSum surface_of(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const
 }
 
 ConvexSum surface_of(const DynamicConvexSum& sum) {
+  WordSurface surface;
+  if (surface.renew(sum)) return surface.sum();
   return surface_of(sum.P(), sum.Q(), sum.scaling(), sum.compatibility(), sum.vertices());
 }
 

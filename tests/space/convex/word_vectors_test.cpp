@@ -85,9 +85,9 @@ TEST(WordVectors, OfOneDirectionCompareEqualAndNoOthers) {
 
 TEST(WordVectors, HoldCoordinatesUpToTheirLimitOnly) {
   const Integer limit = Integer(1) << most_word_bits;
-  EXPECT_TRUE(in_words({{limit - 1, 1 - limit, 0}}));
-  EXPECT_FALSE(in_words({{0, limit, 0}}));
-  EXPECT_FALSE(in_words({{0, 0, -limit}}));
+  EXPECT_TRUE(in_words(std::vector<IntegerVector>{{limit - 1, 1 - limit, 0}}));
+  EXPECT_FALSE(in_words(std::vector<IntegerVector>{{0, limit, 0}}));
+  EXPECT_FALSE(in_words(std::vector<IntegerVector>{{0, 0, -limit}}));
 }
 
 /// Far from the origin the coordinates of the sum need more than words.
