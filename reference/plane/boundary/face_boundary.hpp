@@ -1,6 +1,8 @@
 // The boundary of a union of an arrangement's faces.
 #pragma once
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "reference/interrupt.hpp"
@@ -10,10 +12,11 @@
 namespace minkref::inline plane {
 
 /// Sub-edges between a face inside and a face outside, the inside on their left. `position(n)`
-/// gives a node's exact coordinates; it is asked once for each node on the boundary.
-template <class K, class Position>
+/// gives a node's exact coordinates; it is asked once for each node on the boundary. `take(h)`
+/// hears each half-edge that becomes an edge of the graph, in the graph's order.
+template <class K, class Position, class Take>
 BoundaryGraph face_boundary(const Arrangement<K>& arrangement, const std::vector<bool>& inside,
-                            Position&& position) {
+                            Position&& position, Take&& take) {
   BoundaryGraph graph;
   std::vector<std::uint32_t> number(arrangement.node_count(), Arrangement<K>::none);
   const auto point = [&](std::uint32_t n) {
@@ -28,9 +31,16 @@ BoundaryGraph face_boundary(const Arrangement<K>& arrangement, const std::vector
     if (inside[arrangement.face(h)] && !inside[arrangement.face(h ^ 1U)]) {
       const std::uint32_t from = point(arrangement.origin(h));
       graph.edges.emplace_back(from, point(arrangement.target(h)));
+      take(h);
     }
   }
   return graph;
+}
+
+template <class K, class Position>
+BoundaryGraph face_boundary(const Arrangement<K>& arrangement, const std::vector<bool>& inside,
+                            Position&& position) {
+  return face_boundary(arrangement, inside, std::forward<Position>(position), [](std::uint32_t) {});
 }
 
 }  // namespace minkref::inline plane

@@ -76,6 +76,13 @@ void require_valid(std::initializer_list<std::reference_wrapper<const PolygonSet
 
 }  // namespace
 
+void refuse_outside(const ScaleWindow& window, const Rational& scale) {
+  if (scale <= 0 || (window.from && scale < *window.from) || (window.to && scale > *window.to)) {
+    throw BadInput("outside-window", "the index does not hold the scale " + to_string(scale),
+                   "ask for a scale of its window, or build an index of a larger one");
+  }
+}
+
 ScaleIndex::ScaleIndex(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                        const BuildOptions& options)
     : ScaleIndex(index_image(P, Q, window, options)) {}
@@ -136,11 +143,7 @@ Track ScaleIndex::track(std::uint32_t k) const {
 
 ScaleIndex::Place ScaleIndex::place(const Rational& scale) const {
   const FloatEnvironment standard;
-  if (scale <= 0 || (window_.from && scale < *window_.from) ||
-      (window_.to && scale > *window_.to)) {
-    throw BadInput("outside-window", "the index does not hold the scale " + to_string(scale),
-                   "ask for a scale of its window, or build an index of a larger one");
-  }
+  refuse_outside(window_, scale);
   const std::span<const double> near_events = columns_.events_in_doubles;
   const double near = to_double(scale), doubt = 0x1p-50 * near;
   auto at = static_cast<std::size_t>(

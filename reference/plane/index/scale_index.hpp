@@ -12,6 +12,9 @@
 
 namespace minkref::inline plane {
 
+/// Throws BadInput ("outside-window") for a scale that a closed window does not hold.
+void refuse_outside(const ScaleWindow& window, const Rational& scale);
+
 /// Immutable, and safe to ask from several threads at once; copies share their bytes.
 class ScaleIndex {
  public:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/sum.hpp"
 
 namespace minkref::inline plane {
@@ -10,6 +11,17 @@ namespace minkref::inline plane {
 /// arrangement, if asked for.
 BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics,
                           std::vector<TightPassage>* passages = nullptr);
+
+/// A boundary, and the convolution edge below each of its edges.
+struct BoundaryOnConvolution {
+  BoundaryGraph graph;
+  std::vector<std::uint32_t> below;          ///< for each edge of the graph, among `convolution`
+  std::vector<ConvolutionEdge> convolution;  ///< reduced, in its order
+};
+
+/// As paper_route.
+BoundaryOnConvolution paper_route_on_convolution(const PolygonSet& P, const PolygonSet& Q,
+                                                 Statistics& statistics);
 
 /// The paper's route with another arithmetic: "interval" (certified, or UndecidedSign), "double",
 /// "mpfr:BITS". The scale enters the computation itself. Returns this arithmetic's answer, brought

@@ -13,29 +13,6 @@
 namespace minkref::testing::of_scale_index {
 namespace {
 
-/// All events, a scale in each interval between two, and beyond the last ones.
-std::vector<Rational> telling_scales(const ScaleIndex& index) {
-  std::vector<Rational> events;
-  const ScaleWindow& window = index.window();
-  for (std::uint32_t k = 0; k < index.events(); ++k) {
-    Rational s = index.event(k);
-    if ((window.from && s < *window.from) || (window.to && s > *window.to)) continue;
-    events.push_back(std::move(s));
-  }
-  std::vector<Rational> scales;
-  for (std::size_t k = 0; k < events.size(); ++k) {
-    scales.push_back(events[k]);
-    if (k + 1 < events.size()) scales.push_back((events[k] + events[k + 1]) / 2);
-  }
-  const Rational first = events.empty() ? window.to.value_or(Rational(2)) : events.front(),
-                 last = events.empty() ? window.from.value_or(Rational(1)) : events.back();
-  scales.push_back(window.from ? (*window.from + first) / 2 : first / 2);
-  scales.push_back(window.to ? (*window.to + last) / 2 : last * 2);
-  if (window.from) scales.push_back(*window.from);
-  if (window.to) scales.push_back(*window.to);
-  return scales;
-}
-
 TEST(ScaleIndex, GivesTheSumAtAndBetweenAllEvents) {
   MINKREF_SEEDED(random, 920);
   expect_law(random, 60, [](const Case& c) -> std::string {
