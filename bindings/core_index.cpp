@@ -24,6 +24,7 @@
 #include "reference/error.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
+#include "reference/plane/index/lazy_index.hpp"
 #include "reference/plane/index/scale_index.hpp"
 
 namespace nb = nanobind;
@@ -89,11 +90,16 @@ class Index {
 
   Index(const Set& P, const Set& Q, const std::optional<std::string>& from,
         const std::optional<std::string>& to, unsigned threads, std::uint64_t limit,
-        const std::optional<Progress>& progress) {
+        const std::optional<Progress>& progress, bool lazy) {
     const Stopwatch watch;
     BuildOptions options;
     options.threads = threads;
     options.memory_limit = limit != 0 ? limit : memory_limit();
+    if (lazy) {
+      refuse_large_convolution(P.value, Q.value);
+      lazy_ = std::make_shared<LazyIndex>(P.value, Q.value, window_of(from, to), options);
+      return;
+    }
     if (progress) {
       options.progress = [&](const BuildProgress& now) {
         static constexpr std::array<const char*, 4> stages{"cells", "pairs", "patches", "rings"};
@@ -111,11 +117,27 @@ class Index {
     seconds = watch.seconds();
   }
 
-  const ScaleIndex& index() const { return *index_; }
-  double seconds = 0;  ///< of building or opening it
+  /// Builds a lazy one: not with the interpreter lock (`ready`).
+  const ScaleIndex& index() const { return lazy_ ? lazy_->index() : *index_; }
+  double seconds = 0;  ///< of building or opening it; 0 for a lazy one
+
+  bool is_built() const { return !lazy_ || lazy_->is_built(); }
+  /// With the interpreter lock, which is let go for a build or a static sum.
+  const Index& ready() const {
+    if (!is_built()) computed([&] { return &lazy_->index(); });
+    return *this;
+  }
+  template <class Work>
+  auto quickly(const Work& work) const {
+    return is_built() ? work() : computed(work);
+  }
+
+  PolygonSet P() const { return lazy_ ? lazy_->P() : index().P(); }
+  PolygonSet Q() const { return lazy_ ? lazy_->Q() : index().Q(); }
 
   std::pair<std::optional<ExactNumber>, std::optional<ExactNumber>> window() const {
-    return {exact_number(index().window().from), exact_number(index().window().to)};
+    const ScaleWindow& window = lazy_ ? lazy_->window() : index().window();
+    return {exact_number(window.from), exact_number(window.to)};
   }
 
   Fields counts() const {
@@ -145,7 +167,11 @@ class Index {
   Rings rings(const std::string& scale, const std::string& form) const {
     Rings result = empty_rings(form);
     result.scale = parse_rational(scale);
-    std::visit([&](auto& rings) { index().rings(result.scale, rings); }, result.rings);
+    std::visit(
+        [&](auto& rings) {
+          lazy_ ? lazy_->rings(result.scale, rings) : index().rings(result.scale, rings);
+        },
+        result.rings);
     return result;
   }
 
@@ -154,17 +180,25 @@ class Index {
     std::vector<Rings> result(scales.size(), empty_rings(form));
     BuildOptions options;
     options.threads = threads;
-    in_parallel(
-        scales.size(), BuildControl(options, "the index"), BuildProgress::Stage::rings,
-        [&](unsigned) { return [&](std::size_t k) { result[k] = rings(scales[k], form); }; });
+    const BuildControl control(options, "the index");
+    // One by one until a lazy index is built, so that threads do not change the answers.
+    std::size_t done = 0;
+    for (; done < scales.size() && !is_built(); ++done) {
+      result[done] = rings(scales[done], form);
+      if (done == 0) lazy_->expect(scales.size() - 1);
+    }
+    in_parallel(scales.size() - done, control, BuildProgress::Stage::rings, [&](unsigned) {
+      return [&](std::size_t k) { result[done + k] = rings(scales[done + k], form); };
+    });
     return result;
   }
 
   TimedSum sum(const std::string& scale, bool passages) const {
     const Rational s = parse_rational(scale);
     const Stopwatch watch;
-    Sum sum = index().sum(s, passages ? Passages::find : Passages::leave);
-    const auto find = [this, s] { return tight_passages(index().P(), index().Q(), s); };
+    const Passages wanted = passages ? Passages::find : Passages::leave;
+    Sum sum = lazy_ ? lazy_->sum(s, wanted) : index().sum(s, wanted);
+    const auto find = [this, s] { return tight_passages(P(), Q(), s); };
     return {{std::move(sum.region), true},
             sum.components,
             sum.holes,
@@ -176,6 +210,7 @@ class Index {
   std::pair<double, double> area(const std::string& scale) const {
     const FloatEnvironment standard;
     const Rational s = parse_rational(scale);
+    if (!is_built()) return rounded_area(minkref::area(lazy_->sum(s)));
     const auto area = index().area(s);
     if (std::isfinite(area.value) &&
         area.error <= std::ldexp(std::abs(area.value), -precise_bits)) {
@@ -183,7 +218,9 @@ class Index {
     }
     // Far from the origin, and beyond doubles, these do not tell.
     const auto polynomial = index().area_polynomial(index().place(s).interval);
-    const Rational exact = polynomial[0] + s * (polynomial[1] + s * polynomial[2]);
+    return rounded_area(polynomial[0] + s * (polynomial[1] + s * polynomial[2]));
+  }
+  static std::pair<double, double> rounded_area(const Rational& exact) {
     const double nearest = to_double(exact);
     if (!std::isfinite(nearest)) {
       throw LimitExceeded("not-representable", "the area is beyond the range of doubles",
@@ -198,7 +235,8 @@ class Index {
     return {{polynomial[0]}, {polynomial[1]}, {polynomial[2]}};
   }
   std::pair<std::uint32_t, std::uint32_t> features_at(const std::string& scale) const {
-    const auto found = index().features(parse_rational(scale));
+    const Rational s = parse_rational(scale);
+    const auto found = lazy_ ? lazy_->features(s) : index().features(s);
     return {found.components, found.holes};
   }
 
@@ -214,7 +252,10 @@ class Index {
             event(place.interval + (place.at_event ? 1 : 0))};
   }
 
-  std::vector<EdgeRow> edges() const { return convolution_rows(index().edges()); }
+  std::vector<EdgeRow> edges() const {
+    return convolution_rows(is_built() ? index().edges()
+                                       : reduced_convolution(lazy_->P(), lazy_->Q()));
+  }
   std::vector<ExactNumber> event_scales() const {
     std::vector<ExactNumber> scales;
     const auto [first, last] = index().events_within();
@@ -251,6 +292,7 @@ class Index {
   }
 
   void ring_states(const std::function<void(TimelineRows::RingState)>& report) const {
+    ready();
     if (index().columns().edges.empty()) return;
     TrackRings rings;
     const auto tell = [&](std::uint32_t interval) {
@@ -273,7 +315,7 @@ class Index {
   }
 
   std::string first_difference(const std::vector<std::string>& scales) const {
-    const PolygonSet P = index().P(), Q = index().Q();
+    const PolygonSet P = this->P(), Q = this->Q();
     for (const std::string& scale : scales) {
       const Rational s = parse_rational(scale);
       const Sum found = index().sum(s), expected = minkowski_sum(P, Q, s);
@@ -287,6 +329,7 @@ class Index {
 
  private:
   std::optional<ScaleIndex> index_;
+  std::shared_ptr<const LazyIndex> lazy_;  ///< instead
 };
 
 template <class Form>
@@ -373,28 +416,30 @@ void bind_index(nb::module_& module) {
       "Safe to ask from several threads.");
   bound
       .def(nb::init<const Set&, const Set&, const OptionalText&, const OptionalText&, unsigned,
-                    std::uint64_t, const std::optional<Index::Progress>&>(),
+                    std::uint64_t, const std::optional<Index::Progress>&, bool>(),
            "P"_a, "Q"_a, "from_scale"_a = nb::none(), "to_scale"_a = nb::none(), "threads"_a = 1,
-           "memory_limit"_a = 0, "progress"_a = nb::none(), Released())
+           "memory_limit"_a = 0, "progress"_a = nb::none(), "lazy"_a = false, Released())
       .def_static(
           "open", [](const std::string& path) { return Index(path); }, "path"_a, Released(),
           "One that was saved: a copy of its file, which then may change.")
       .def(
           "save", [](const Index& i, const std::string& path) { i.index().save(path); }, "path"_a,
           Released())
-      .def_ro("seconds", &Index::seconds, "Of building or opening it.")
+      .def_ro("seconds", &Index::seconds, "Of building or opening it; 0 for a lazy one.")
+      .def_prop_ro("is_built", &Index::is_built,
+                   "Whether the index answers; false while static sums answer for a lazy one.")
       .def_prop_ro("window", &Index::window, "Begin and end; none where it is open.")
       .def_prop_ro(
-          "P", [](const Index& i) { return Set{i.index().P()}; }, Released())
+          "P", [](const Index& i) { return Set{i.P()}; }, Released())
       .def_prop_ro(
-          "Q", [](const Index& i) { return Set{i.index().Q()}; }, Released())
+          "Q", [](const Index& i) { return Set{i.Q()}; }, Released())
       .def(
           "is_of",
           [](const Index& i, const Set& P, const Set& Q) {
-            return i.index().P() == P.value && i.index().Q() == Q.value;
+            return i.P() == P.value && i.Q() == Q.value;
           },
           "P"_a, "Q"_a, Released(), "Whether it was built of these operands.")
-      .def("counts", &Index::counts)
+      .def("counts", [](const Index& i) { return i.ready().counts(); })
       .def("edges", &Index::edges, Released(), "Rows as reduced_convolution's.")
       .def(
           "rings", &Index::rings, "scale"_a, "form"_a = forms_of_boundary[0], Released(),
@@ -408,25 +453,37 @@ void bind_index(nb::module_& module) {
           "The sum in canonical form, exact. `passages`: with its tight passages found at once, by "
           "the static route, not when they are first asked for.")
       .def(
-          "area", &Index::area, "scale"_a,
-          nb::sig("def area(self, scale: " MINKREF_NUMBER ") -> tuple[float, float]"),
+          "area",
+          [](const Index& i, const std::string& scale) {
+            return i.quickly([&] { return i.area(scale); });
+          },
+          "scale"_a, nb::sig("def area(self, scale: " MINKREF_NUMBER ") -> tuple[float, float]"),
           "(value, error): the area is within the error, which is small beside it; the double next "
           "to the area where other doubles cannot tell. Raises LimitExceeded beyond their range.")
       .def("area_polynomial", &Index::area_polynomial, "scale"_a, Released(),
            nb::sig("def area_polynomial(self, scale: " MINKREF_NUMBER
                    ") -> tuple[fractions.Fraction, fractions.Fraction, fractions.Fraction]"),
            "Exact a0, a1, a2 of the area a0 + a1 s + a2 s^2 in the interval of a scale.")
-      .def("components_and_holes", &Index::features_at, "scale"_a,
-           nb::sig("def components_and_holes(self, scale: " MINKREF_NUMBER ") -> tuple[int, int]"))
-      .def("neighbours", &Index::neighbours, "scale"_a,
-           nb::sig("def neighbours(self, scale: " MINKREF_NUMBER
-                   ") -> tuple[fractions.Fraction | None, bool, fractions.Fraction | None]"),
-           "The next event of the window below a scale, whether one is at it, the next above.")
+      .def(
+          "components_and_holes",
+          [](const Index& i, const std::string& scale) {
+            return i.quickly([&] { return i.features_at(scale); });
+          },
+          "scale"_a,
+          nb::sig("def components_and_holes(self, scale: " MINKREF_NUMBER ") -> tuple[int, int]"))
+      .def(
+          "neighbours",
+          [](const Index& i, const std::string& scale) { return i.ready().neighbours(scale); },
+          "scale"_a,
+          nb::sig("def neighbours(self, scale: " MINKREF_NUMBER
+                  ") -> tuple[fractions.Fraction | None, bool, fractions.Fraction | None]"),
+          "The next event of the window below a scale, whether one is at it, the next above.")
       .def("event_scales", &Index::event_scales, Released())
       .def_prop_ro(
           "track_integers",
           [](nb::handle self) {
-            const IntegerColumn& tracks = nb::cast<const Index&>(self).index().columns().tracks;
+            const IntegerColumn& tracks =
+                nb::cast<const Index&>(self).ready().index().columns().tracks;
             return Array<std::uint64_t>(tracks.data.data(),
                                         {tracks.size() / 5, std::size_t{5}, tracks.words}, self);
           },
@@ -434,7 +491,8 @@ void bind_index(nb::module_& module) {
       .def_prop_ro(
           "track_doubles",
           [](nb::handle self) {
-            const auto tracks = nb::cast<const Index&>(self).index().columns().tracks_in_doubles;
+            const auto tracks =
+                nb::cast<const Index&>(self).ready().index().columns().tracks_in_doubles;
             return Array<double>(&tracks.data()->x0, {tracks.size(), std::size_t{4}}, self);
           },
           "Shape (tracks, 4): x0, y0, x1, y1 of (x0, y0) + s (x1, y1), rounded.")

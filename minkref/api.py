@@ -26,6 +26,7 @@ from minkref.argument_types import (
     scale_text,
     surface_of,
     text_of,
+    truth,
     whole,
 )
 from minkref.certify.motion.path_certificate import PathCertificate as PathCertificate
@@ -266,17 +267,21 @@ def build_index(
     from_scale: Number | None = None,
     to_scale: Number | None = None,
     threads: int = 1,
+    lazy: bool = False,
 ) -> ScaleIndex:
     """Index all scales: finds the sums of P, scaled by any factor in the closed window, and Q once
     for all. A single sum then takes microseconds: in doubles with a certain error, in integers, or
     exactly; so do areas, holes and components, and events.
 
-    Without bounds, all scales above 0. Exact. Both operands are validated first. Cost:
-    docs/scale-index.md. Raises BadInput; LimitExceeded if memory does not suffice."""
+    Without bounds, all scales above 0. A `lazy` index answers by static sums at first, and is built
+    when they have cost as much, or when a question needs the index (tracks, events, lives, `save`);
+    `is_built` tells. Exact. Both operands are validated first. Cost: docs/scale-index.md. Raises
+    BadInput; LimitExceeded if memory does not suffice."""
     _validate(True, P=P, Q=Q)
     bounds = (("from_scale", from_scale), ("to_scale", to_scale))
     first, last = (None if bound is None else number(name, bound) for name, bound in bounds)
-    return _core.ScaleIndex(P, Q, first, last, max(1, whole("threads", threads)))
+    count = max(1, whole("threads", threads))
+    return _core.ScaleIndex(P, Q, first, last, count, lazy=truth("lazy", lazy))
 
 
 def open_index(path: str | os.PathLike[str]) -> ScaleIndex:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from itertools import pairwise
@@ -10,7 +11,18 @@ from typing import Any
 
 import numpy
 import pytest
-from indexed_sums import FORMS, LONG, NAMES, Index, Rings, arrays, operands, scales
+from indexed_sums import (
+    FORMS,
+    LONG,
+    NAMES,
+    Index,
+    Rings,
+    arrays,
+    operands,
+    points,
+    scales,
+    window_of,
+)
 from minkref import _core
 from minkref.plane.commands.scale_index import STAGES
 
@@ -149,6 +161,76 @@ def test_several_threads_get_the_same_answers() -> None:
             wanted = expected[scale]
             assert found[len(FORMS) :] == wanted[len(FORMS) :], scale
             assert all(map(same, found[: len(FORMS)], wanted[: len(FORMS)])), scale
+
+
+# A lazy index.
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_lazy_index_answers_as_a_built_one(indices: dict[str, Index], name: str) -> None:
+    index = indices[name]
+    lazy = Index(index.P, index.Q, *window_of(name), lazy=True)
+    assert (lazy.window, lazy.is_of(index.P, index.Q)) == (index.window, True)
+    assert lazy.edges() == index.edges()
+    for scale in scales(index, 6):
+        found, expected = (
+            {point for form in FORMS[1:3] for point in points(one, one.rings(scale, form))}
+            for one in (lazy, index)
+        )
+        assert found == expected, scale
+        assert lazy.components_and_holes(scale) == index.components_and_holes(scale)
+        sums = [one.sum(scale, True) for one in (lazy, index)]
+        assert sums[0].region.canonical_json() == sums[1].region.canonical_json()
+        assert sums[0].tight_passages == sums[1].tight_passages
+        area = Fraction(sums[1].region.area())
+        assert all(abs(Fraction(v) - area) <= e for v, e in [lazy.area(scale), index.area(scale)])
+
+
+QUESTIONS: dict[str, Callable[[Index], Any]] = {
+    "counts": lambda index: index.counts(),
+    "tracks": lambda index: index.rings("2", "track").tracks.tolist(),
+    "integers": lambda index: index.track_integers.tolist(),
+    "doubles": lambda index: index.track_doubles.tolist(),
+    "neighbours": lambda index: index.neighbours("2"),
+    "lives": lambda index: index.lives("hole"),
+    "polynomial": lambda index: index.area_polynomial("2"),
+}
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_a_lazy_index_is_built_for_what_only_an_index_knows(
+    indices: dict[str, Index], question: str
+) -> None:
+    index = indices["islands"]
+    lazy = Index(index.P, index.Q, lazy=True)
+    assert (index.is_built, lazy.is_built) == (True, False)
+    assert QUESTIONS[question](lazy) == QUESTIONS[question](index)
+    assert lazy.is_built
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+def test_a_batch_builds_a_lazy_index_if_that_is_worth_while(
+    indices: dict[str, Index], threads: int
+) -> None:
+    index = indices["islands"]
+    lazy, other = (Index(index.P, index.Q, lazy=True) for _ in range(2))
+    asked = [f"{k}/100" for k in range(50, 2000)]
+    batch = lazy.batch(asked, "double", threads)
+    assert lazy.is_built
+    assert same(batch[0], other.rings(asked[0]))  # the price is known from the first sum on
+    assert all(map(same, batch[1:], index.batch(asked[1:])))
+    other.batch(asked[:2], "double", threads)
+    assert not other.is_built
+
+
+def test_threads_share_a_lazy_index() -> None:
+    P, Q = operands("several components")
+    index, lazy = Index(P, Q), Index(P, Q, lazy=True)
+    asked = scales(index, 12) * 20
+    with ThreadPoolExecutor(8) as pool:
+        found = pool.map(lambda scale: lazy.sum(scale).region.canonical_json(), asked)
+        expected = {scale: index.sum(scale).region.canonical_json() for scale in asked}
+        assert list(found) == [expected[scale] for scale in asked]
 
 
 def test_indices_may_be_built_at_the_same_time() -> None:
