@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 import random
 import tempfile
+import time
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, field, replace
 from fractions import Fraction
+from itertools import cycle
 from pathlib import Path
 from statistics import fmean
 from typing import Any
@@ -124,6 +126,8 @@ def _time_pair(
         timed = _core.timed_index_queries(path, scales, PASSES)
     tell(f"{pair.name}: {CGAL}")
     theirs = _cgal(table, pair, oracle, scales[: QUICK_CGAL_COUNT if quick else CGAL_COUNT])
+    tell(f"{pair.name}: lazily")
+    lazy = _lazily(pair, scales, theirs)
     counts = dict(index.counts())
     build = min(builds)
     table.rows.append(
@@ -138,6 +142,7 @@ def _time_pair(
             "vertices": fmean(row[2] for row in timed["double"]),
             "cgal": None if theirs is None else asdict(theirs),
             "build_in_cgal_calls": None if theirs is None else build / theirs.mean,
+            "lazy": lazy,
             "forms": {form: _form(timed[form], theirs, build) for form in FORMS},
         }
     )
@@ -145,6 +150,43 @@ def _time_pair(
     wrong = index.first_difference(scales[:2])
     if wrong:
         table.wrong.append(f"{pair.name} at {wrong}")
+
+
+def _lazily(pair: Pair, scales: list[str], theirs: Spread | None) -> Row:
+    """A lazy index, asked for doubles until it is built, and once more: the seconds of all queries
+    up to each one, and from which number on CGAL's sums take as long."""
+    totals: list[float] = []
+    begin = time.perf_counter()
+    index = refusing(
+        pair.name, lambda: _core.ScaleIndex(pair.P.set, pair.Q.set, *WINDOW, lazy=True)
+    )
+    single = 0
+    for scale in cycle(scales):
+        is_built = index.is_built
+        index.rings(scale)
+        totals.append(time.perf_counter() - begin)
+        if is_built:
+            break
+        single += not index.is_built
+    return {
+        "single_sums": single,
+        "first_seconds": totals[0],
+        "seconds_when_built": totals[-2],
+        "pays_from": None if theirs is None else pays_from(totals, theirs.mean),
+    }
+
+
+def pays_from(totals: list[float], theirs: float) -> int | None:
+    """The least number of queries from which on, for ever, ours together take no longer than as
+    many of theirs. `totals`: of the first queries, two at least; all further ones are taken to cost
+    as much as the last."""
+    saved = theirs - (totals[-1] - totals[-2])
+    slower = [k for k, total in enumerate(totals, 1) if total > k * theirs]
+    if saved < 0 or (saved == 0 and slower and slower[-1] == len(totals)):
+        return None
+    if not slower or slower[-1] < len(totals):
+        return slower[-1] + 1 if slower else 1
+    return len(totals) + math.ceil((totals[-1] - len(totals) * theirs) / saved)
 
 
 def _form(rows: list[tuple[float, float, int]], theirs: Spread | None, build: float) -> Row:

@@ -88,6 +88,8 @@ def print_index(value: dict[str, Any], seed: int) -> None:
     out = console()
     out.print()
     out.print(_index_table(value["rows"]))
+    out.print()
+    out.print(_lazy_table(value["rows"]))
     for form in ("double", "homogeneous", "rational", "track"):
         out.print()
         out.print(_queries_table(f"Queries: {form}", value["rows"], form))
@@ -121,6 +123,25 @@ def _index_table(rows: list[dict[str, Any]]) -> Table:
             "-" if cgal is None else milliseconds(cgal["mean"]),
             "-" if calls is None else f"{calls:,.1f}",
             f"{row['forms']['area']['query']['mean'] * 1e6:.2f}",
+        )
+    return table
+
+
+def _lazy_table(rows: list[dict[str, Any]]) -> Table:
+    title = "The index, built when single sums have cost as much"
+    table = Table(box=None, pad_edge=False, title=title, title_justify="left")
+    headings = ("pair", "first ms", "in CGAL sums", "single sums", "all in builds", "pays from")
+    for heading in headings:
+        table.add_column(heading, justify="left" if heading == "pair" else "right", no_wrap=True)
+    for row in rows:
+        lazy, cgal = row["lazy"], row["cgal"]
+        table.add_row(
+            row["name"],
+            milliseconds(lazy["first_seconds"]),
+            "-" if cgal is None else f"{lazy['first_seconds'] / cgal['mean']:.2f}",
+            f"{lazy['single_sums']:,}",
+            f"{lazy['seconds_when_built'] / row['build_seconds']:.2f}",
+            "-" if lazy["pays_from"] is None else f"{lazy['pays_from']:,}",
         )
     return table
 

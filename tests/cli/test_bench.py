@@ -9,7 +9,7 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref.fuzz.run.catalogue import Catalogue
-from minkref.reports.bench import pairs, table1, table2
+from minkref.reports.bench import index, pairs, table1, table2
 from minkref.reports.bench.rescalings import rescalings
 from minkref.reports.bench.spread import least, spread
 from minkref.schemas import schema
@@ -123,3 +123,23 @@ def test_spread_and_least() -> None:
     assert (found.count, found.mean, found.lower, found.median, found.upper) == (5, 3, 2, 3, 4)
     assert spread([2.0]).upper == 2
     assert least([[3.0, 1.0], [2.0, 4.0]]) == [2, 1]
+
+
+def test_the_index_follows_its_schema(minkref: Minkref, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(index, "SMALL", ("g3",))
+    monkeypatch.setattr(index, "QUICK_LARGE", ())
+    ran = minkref("bench", "--quick", "--only", "index", "--json")
+    assert (ran.code, ran.err) == (0, "")
+    jsonschema.validate(ran.json, schema("bench"))
+    (row,) = ran.json["index"]["rows"]
+    assert row["lazy"]["single_sums"] >= 1
+    assert 0 < row["lazy"]["first_seconds"] < row["lazy"]["seconds_when_built"]
+
+
+def test_queries_pay_from_where_they_are_never_behind_again() -> None:
+    assert index.pays_from([1, 2, 3], 2) == 1
+    assert index.pays_from([1, 9, 9], 2) == 5
+    assert index.pays_from([1, 3, 7, 7.5], 2) == 4
+    assert index.pays_from([3, 3, 3], 2) == 2
+    assert index.pays_from([1, 9, 18], 2) is None
+    assert index.pays_from([1, 2, 6], 3) is None

@@ -16,6 +16,23 @@ class QuerySpread(TypedDict):
     upper: float
 
 
+class LazyIndex(TypedDict):
+    """An index that is built when single sums have cost as much, asked for doubles."""
+
+    single_sums: Annotated[Count, Meta(description="Queries answered before it was built.")]
+    first_seconds: Annotated[Amount, Meta(description="Of making it and the first query.")]
+    seconds_when_built: Annotated[
+        Amount, Meta(description="Of all queries up to the one that built it.")
+    ]
+    pays_from: Annotated[
+        int | None,
+        Meta(
+            description="From how many queries on all of them together, the build included, take "
+            "no longer than as many sums of CGAL."
+        ),
+    ]
+
+
 class IndexForm(TypedDict):
     query: Annotated[
         QuerySpread, Meta(description="Seconds of a query, the least of some passes at each scale.")
@@ -61,6 +78,7 @@ class IndexRow(TypedDict):
         ),
     ]
     build_in_cgal_calls: float | None
+    lazy: LazyIndex
     forms: IndexForms
 
 
