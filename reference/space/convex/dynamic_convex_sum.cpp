@@ -227,8 +227,8 @@ void DynamicConvexSum::renew_vertices() {
   }
 }
 
-/// What was proven at the new scaling stays proven, as after a step back; what is put back is
-/// examined by the next update.
+/// Proofs at the new scaling stay valid, as after a step back; the next update examines everything
+/// put back.
 void DynamicConvexSum::undo(const RoundedScaling& before) {
   const Interruptible deaf([] {});
   for (const auto& [f, vertex] : changed_.vertex_of_Q) {

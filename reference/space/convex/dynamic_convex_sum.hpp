@@ -95,7 +95,7 @@ class DynamicConvexSum {
   IndexSet changed_at_P_, changed_at_Q_;  // vertices
   IndexSet in_chain_;                     // edges of Q
   std::vector<std::uint32_t> chain_before_, chain_after_, way_;
-  // Before the update, of what it has changed so far.
+  // Earlier values for everything changed so far during the update.
   struct Before {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> vertex_of_Q, vertex_of_P;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> chains;  // edges, and links of each

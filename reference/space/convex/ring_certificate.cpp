@@ -153,8 +153,8 @@ void RingCertificate::require(const std::vector<WordVector>& points, const Rings
   check_winding();
 }
 
-/// At each edge a corner of one ring is off the plane of the other: so triangles, and
-/// parallelograms, have an area, and the corners of such a ring are strictly convex.
+/// Each edge's rings span two planes: so triangles and parallelograms have an area, and strictly
+/// convex corners.
 void RingCertificate::check_ring(std::uint32_t ring) const {
   const std::vector<WordVector>& points = *points_;
   const auto corners = (*rings_)[ring];

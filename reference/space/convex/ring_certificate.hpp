@@ -1,4 +1,4 @@
-// Rings of machine words, and the proof that they bound a convex body.
+// Rings over machine words, and the proof for a convex body.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace minkref::inline space {
 
-/// Rings of point numbers, one after another.
+/// Rings as point numbers, end to end.
 struct Rings {
   std::vector<std::uint32_t> first{0}, corners;
 
@@ -28,8 +28,7 @@ struct Rings {
 
 /// The proof of convexity.hpp for points within the limits of words (word_vectors.hpp). A facet
 /// lies strictly below a neighbour's plane if the corner after the common edge does: one scalar
-/// product for each edge, which doubles settle where they can. Keeps its memory from one proof to
-/// the next.
+/// product for each edge, which doubles settle where they can. Keeps memory between proofs.
 class RingCertificate {
  public:
   /// Two rings with a common edge. On a level the second goes on in the plane of the first, or the

@@ -32,7 +32,7 @@ class SumVertices {
   std::size_t size() const { return met_count_ + whole_count_; }
   /// The partners of p whose regions arcs at p run through; first in the order below, p after p.
   const std::vector<std::uint32_t>& met(std::uint32_t p) const { return met_[p]; }
-  /// Whether q has one partner, in whose region its own lies; after all others below, q after q.
+  /// Whether q's region lies within a partner's; such pairs come last below, q after q.
   bool is_whole(std::uint32_t q) const { return whole_[q] != none; }
   /// In no particular order, but always the same for the same pairs of facets, vertices and edges.
   template <class Visit>

@@ -14,13 +14,13 @@
 namespace minkref::inline space {
 namespace {
 
-/// Turns counts into sums of those before; the last entry is the total.
+/// Turns counts into sums over all earlier entries; the last entry becomes the total.
 void add_up(std::vector<std::uint32_t>& counts) {
   std::uint32_t total = 0;
   for (std::uint32_t& count : counts) count = std::exchange(total, total + count);
 }
 
-/// Sorts by the upper halves of the keys.
+/// Sorts keys by upper halves.
 void sort_by_upper_half(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& spare) {
   constexpr std::size_t few = 256;
   constexpr unsigned digits = 11;
@@ -67,8 +67,7 @@ bool WordSurface::renew(const DynamicConvexSum& sum) {
   return true;
 }
 
-/// Numbers the pairs in order, and with them the sides of all chains and the corners of P's facets;
-/// lists the facets of Q.
+/// Numbers all pairs, and thereby chains' sides and corners at P's facets; lists Q's facets.
 void WordSurface::number_sides(const DynamicConvexSum& sum) {
   const ConvexPolyhedron &P = sum.P(), &Q = sum.Q();
   const SumVertices& vertices = sum.vertices();
@@ -155,9 +154,9 @@ bool WordSurface::in_one_plane(std::uint32_t piece, std::uint32_t other) const {
   });
 }
 
-/// Pieces of a facet meet along edges, or across pieces without area. Those that touch along edges
-/// lie on one line, in the plane of one facet of the sum or two: so the pieces with area beside
-/// them are in two planes at most.
+/// Pieces of a facet meet along edges, or across pieces without area. Adjacent pieces without area
+/// share a line, within a single facet or between two facets: so pieces with area beside the line
+/// span two planes at most.
 void WordSurface::unite_coplanar(const std::vector<RingCertificate::Doubt>& doubtful) {
   const std::vector<WordVector>& points = numerators();
   normals_.resize(pieces_.size());
@@ -187,14 +186,14 @@ void WordSurface::unite_coplanar(const std::vector<RingCertificate::Doubt>& doub
   }
 }
 
-/// The certificate would refuse coplanar pieces that are overlooked.
+/// The certificate would refuse overlooked coplanar pieces.
 void WordSurface::merge(const std::vector<RingCertificate::Doubt>& doubtful) {
   group_.resize(pieces_.size());
   std::iota(group_.begin(), group_.end(), 0U);
   is_doubtful_.assign(pieces_.size(), 0);
   for (const auto& [a, b, is_level] : doubtful) is_doubtful_[a] = is_doubtful_[b] = 1;
   unite_coplanar(doubtful);
-  // Groups, one after another, in the order of their roots.
+  // Lists all groups, sorted by root.
   first_piece_.assign(pieces_.size() + 1, 0);
   const auto for_pieces = [&](auto&& visit) {
     for (std::uint32_t r = 0; r < pieces_.size(); ++r) {
@@ -279,7 +278,7 @@ void WordSurface::order_vertices() {
   }
 }
 
-/// Facets with one least vertex have different second ones.
+/// Facets with the same least vertex differ at the second.
 void WordSurface::order_facets() {
   const Rings& rings = this->rings();
   lowest_.resize(rings.size());

@@ -13,8 +13,8 @@
 namespace minkref::inline space {
 
 /// The canonical form of `surface_of`, certified alike, with points over one denominator for each
-/// axis. No sorting of planes: pieces are taken as facets if doubles prove that they are strictly
-/// convex to all neighbours, and only the rest is merged, plane by plane. All memory is kept.
+/// axis. No sorting by planes: most pieces become facets where doubles prove them strictly
+/// convex to all neighbours; the rest merges, plane by plane. Keeps all memory.
 class WordSurface {
  public:
   /// Takes the sum as it stands now. Returns false, and has no surface, if its numerators have more
@@ -27,12 +27,12 @@ class WordSurface {
   /// In lexicographic order.
   const std::vector<WordVector>& points() const { return points_; }
   const std::vector<SumVertices::Pair>& vertex_parents() const { return parents_; }
-  /// In ascending order, each from its least vertex on.
+  /// Ascending, each from the least vertex on.
   const Rings& facets() const { return facets_; }
-  /// Pieces that were merged, in the last call of `renew`.
+  /// How many pieces the last `renew` merged.
   std::uint64_t merged() const { return merged_; }
 
-  /// As `surface_of` gives it.
+  /// The sum in the form of `surface_of`.
   ConvexSum sum() const;
 
  private:

@@ -1,5 +1,5 @@
-// The surface in words, scaling after scaling, is that of the static route: its planes are found by
-// edges, there by sorting.
+// The surface in words equals the static route's, scaling after scaling: edges find planes here,
+// sorting there.
 #include "reference/space/convex/word_surface.hpp"
 
 #include <gtest/gtest.h>
