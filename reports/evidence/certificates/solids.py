@@ -18,7 +18,7 @@ from minkref.reports.evidence.certificates.solid_cases import certified, solid_p
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(0.1, 1, 5)
+MINUTES = Minutes(0.1, 0.5, 5)
 
 SEED = 2013
 PAIRS = Counts(2, 36, 156)

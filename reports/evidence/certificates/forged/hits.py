@@ -68,7 +68,7 @@ def hit_off_the_path(raw: Raw, maker: Maker) -> Json:
             if point != "up":
                 point[0] = str(Fraction(point[0]) + maker.dice.choice([-1, 2, 7]))
     elif way == 1:
-        points[0][1] = "-" + points[0][1]
+        points[0][1] = f"-{maker.dice.randint(1, 9)}"
     elif way == 2:
         hit["segment"] = maker.dice.choice([len(raw.case["path"]), -1, 10**20, True, "0"])
     elif way == 3:

@@ -223,10 +223,12 @@ def form_of_another_name(raw: Raw, maker: Maker) -> Json:
 
 
 def false_claims(raw: Raw) -> Json:
-    """A copy with a claim that is false: another digest, or another sign, scale or point."""
+    """A copy with a claim that is false: another digest, sign, scale or point, or of no case."""
     certificate = raw.copy()
     claim = certificate["claims"][0]
-    if "digest" in claim:
+    if claim["claim"] == "outside":
+        certificate["case"]["sha256"] = sha(certificate["case"]["sha256"])
+    elif "digest" in claim:
         claim["digest"] = sha(claim["digest"])
     elif "sign" in claim:
         claim["sign"] = -claim["sign"] or 1
@@ -316,7 +318,7 @@ def lists_too_long(raw: Raw, maker: Maker) -> Json:
 def texts_that_are_none(raw: Raw, maker: Maker) -> Json:
     """A title, comment or producer that is no text; a claim's name of another type."""
     certificate = raw.copy()
-    value = maker.dice.choice([5, None, [], {}, True, ["title"], 0.5, {"title": "x"}])
+    value = maker.dice.choice([5, [], {}, True, ["title"], 0.5, {"title": "x"}])
     if maker.dice.random() < 0.8:
         certificate[maker.dice.choice(TEXTS[:3])] = value
     else:

@@ -128,7 +128,7 @@ def checkers(proved: bool) -> dict[str, list[str]]:
     found = {"check.py": in_python(), "minkref-check": in_cpp()}
     if proved:
         found["minkref-check-proved"] = in_proved()
-    return found
+    return {name: [*command, "--seconds", str(SECONDS)] for name, command in found.items()}
 
 
 def tried_together(trials: Sequence[Trial], commands: dict[str, list[str]]) -> Sequence[Trial]:
@@ -173,7 +173,7 @@ def ended(command: list[str], files: list[str], folder: Path, count: int) -> tup
     """Exit code and output, with limits for so many files; code 124 without an end."""
 
     def limited() -> None:
-        resource.setrlimit(resource.RLIMIT_CPU, (count * SECONDS, count * SECONDS))
+        resource.setrlimit(resource.RLIMIT_CPU, (2 * count * SECONDS, 2 * count * SECONDS))
         resource.setrlimit(resource.RLIMIT_AS, (ROOM, ROOM))
 
     try:
