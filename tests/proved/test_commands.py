@@ -12,7 +12,6 @@ from typing import Any
 import pytest
 import squares
 import touching
-import walls
 from minkref import proved_program
 from minkref.cli.cli import run
 from minkref.reports.evidence.certificates.checkers import ROOT
