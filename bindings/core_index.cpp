@@ -181,7 +181,7 @@ class Index {
     BuildOptions options;
     options.threads = threads;
     const BuildControl control(options, "the index");
-    // One by one until a lazy index is built, so that threads do not change the answers.
+    // One after another until a lazy index is built: threads change no answer.
     std::size_t done = 0;
     for (; done < scales.size() && !is_built(); ++done) {
       result[done] = rings(scales[done], form);

@@ -68,7 +68,7 @@ class TimedWalk {
   }
 
  private:
-  /// How many facets it has.
+  /// How many facets there are.
   std::size_t make_surface() {
     if (surface_.renew(dynamic_)) return surface_.facets().size();
     return surface_of(dynamic_).surface.faces.size();

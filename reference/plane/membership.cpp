@@ -75,7 +75,8 @@ bool on_one_line(const Piece& a, const Piece& b) {
 /// By x, then y: the order of points along a line.
 bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-/// The ends of what two pieces on one line share; the first is after the second if that is nothing.
+/// Two pieces on a line share all between both ends; nothing if the first end comes after the
+/// second.
 std::array<Point, 2> shared_ends(const Piece& a, const Piece& b) {
   const auto [low, high] = std::minmax(a.front().exact(), a.back().exact(), before);
   const auto [least, most] = std::minmax(b.front().exact(), b.back().exact(), before);

@@ -222,7 +222,7 @@ class Shells {
     for (ConvexPolygon& polygon : polygons) parts_.push_back({part.plane, std::move(polygon)});
   }
 
-  /// Numbers all sides of parts, cut where others on their lines end.
+  /// Numbers all sides, cut where others end along the same line.
   void find_sides() {
     std::map<SpaceLine, std::map<mpq_class, std::size_t>> stops;
     for (const Part& part : parts_) {

@@ -11,7 +11,7 @@ struct SolidNumbers {
   std::size_t components = 0, cavities = 0, tunnels = 0;
 };
 
-/// Counts them for the solid whose faces have these parts. Throws NotVerified.
+/// Counts all three, from the parts of a solid's faces. Throws NotVerified.
 SolidNumbers solid_numbers(const Tiles& faces, Budget& budget);
 
 }  // namespace minkref::checker

@@ -27,7 +27,7 @@ class SolidSum {
   std::string check_claim(const std::vector<const Value*>& claim) const;
 
  private:
-  /// Components, cavities and tunnels, if they are claimed; returns the words for them.
+  /// Components, cavities and tunnels, if claimed; returns the words.
   std::string check_numbers(const std::array<const Value*, 3>& claimed) const;
   using PiecePair = std::pair<std::size_t, std::size_t>;
   struct Reach;  // of sums of two pieces, along a plane's normal

@@ -27,7 +27,7 @@ class LazyIndex {
   const ScaleWindow& window() const { return window_; }
 
   bool is_built() const { return built_.load(std::memory_order_acquire) != nullptr; }
-  /// The index, built now if it is not yet. Throws as ScaleIndex.
+  /// The index, built now if need be. Throws as ScaleIndex.
   const ScaleIndex& index() const;
 
   /// The boundary, as ScaleIndex::rings: the same rings and points, exact. Without the index holes
@@ -53,7 +53,7 @@ class LazyIndex {
   std::uint64_t price() const { return price_; }
 
  private:
-  /// The index if it is there, or due once `more` work is added; else null.
+  /// The index, if built, or due after `more` work; else null.
   const ScaleIndex* due(double more = 0) const;
   /// Adds the work of an answer.
   void pay(const Statistics& statistics) const;

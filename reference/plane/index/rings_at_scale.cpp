@@ -38,7 +38,7 @@ PointRings rings_at_scale(const PolygonSet& P, const PolygonSet& Q, const Ration
   const PolygonSet sP = scaled(P, scale);
   const BoundaryOnConvolution boundary = paper_route_on_convolution(sP, Q, statistics);
   const auto& links = boundary.graph.edges;
-  // Only directions matter of convolution edges, and only of those below the boundary.
+  // Directions matter only, of convolution edges below the boundary.
   std::vector<std::uint32_t> used = boundary.below;
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());

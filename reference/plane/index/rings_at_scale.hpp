@@ -20,7 +20,7 @@ PointRings rings_at_scale(const PolygonSet& P, const PolygonSet& Q, const Ration
                           Statistics& statistics);
 
 /// The same rings in a form of an index. O(b), and a greatest common divisor for each point of the
-/// homogeneous form. Doubles are the nearest ones.
+/// homogeneous form. Nearest doubles.
 void write_rings(const PointRings& from, RoundedRings& to);
 void write_rings(const PointRings& from, HomogeneousRings& to);
 void write_rings(const PointRings& from, RationalRings& to);

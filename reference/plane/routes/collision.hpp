@@ -85,7 +85,7 @@ class Collision {
     return result;
   }
   /// Whether x - v lies inside the region with these edges, in the box `about`, for one of the
-  /// heads v. Only those that the box reaches are looked at.
+  /// heads v. Looks at heads within the box's reach only.
   bool one_inside(const Heads& heads, const std::vector<Edge>& edges, const BoxTree& tree,
                   const Box& about, const Query& x) const {
     return heads.tree.query(reflected(about, kernel_.box(x)), [&](std::uint32_t i) {

@@ -32,7 +32,7 @@ class WordSurface {
   /// How many pieces the last `renew` merged.
   std::uint64_t merged() const { return merged_; }
 
-  /// The sum in the form of `surface_of`.
+  /// The sum, as `surface_of` gives it.
   ConvexSum sum() const;
 
  private:

@@ -11,6 +11,7 @@ from typing import Any
 
 from minkref.fuzz.judges.motion.trap_cases import trap_case
 from minkref.fuzz.motion.path_cases import path_case
+from minkref.proved_program import PROGRAM
 from minkref.reports.evidence.certificates.checkers import (
     in_cpp,
     in_proved,
@@ -23,7 +24,6 @@ from minkref.reports.evidence.certificates.path_cases import Made, made, written
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.plane_paths.paths import CONTACTS, large_path, trap_in_room
-from minkref.verbs.check_proved import PROGRAM
 
 RESTS_ON = ("oracle/proved/",)
 MINUTES = Minutes(0.3, 2, 12)
