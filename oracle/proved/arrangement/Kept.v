@@ -82,6 +82,14 @@ Proof.
       rewrite Q2R_opp in M. lra.
 Qed.
 
+Lemma tested_clear : ~ over_some all (R2 (fst (beside all e))) /\
+  ~ over_some all (R2 (snd (beside all e))).
+Proof.
+  unfold beside. cbn [fst snd]. fold found. rewrite !at_distance_real, Q2R_opp, !half_real.
+  fold m n. pose proof (least_positive found). pose proof (least_positive (map Qopp found)).
+  split; apply way_clear; lra.
+Qed.
+
 Variable T : point -> Prop.
 Hypothesis constant : forall x, ~ over_some all x ->
   exists r, 0 < r /\ forall y, near r x y -> (T y <-> T x).

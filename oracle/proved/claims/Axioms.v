@@ -1,7 +1,7 @@
 (** The axioms that the theorems rest on. *)
 From Proved Require Import Theorems Counting Holes Canonical Signs Passages Moves Events Outside
   Changes Hulls Decomposed Gaps Boundaries Rearranged Alike
-  Decided Tested Arranged Judged Lines Boundary Walls Facets Free Valid Trapped.
+  Decided Tested Arranged Exact Judged Lines Boundary Walls Facets Free Valid Trapped.
 Print Assumptions form_is_right.
 Print Assumptions one_point_is_right.
 Print Assumptions outside_is_right.
@@ -24,6 +24,7 @@ Print Assumptions kept_pieces_bound.
 Print Assumptions cells_are_the_sum.
 Print Assumptions parts_are_counted.
 Print Assumptions legality_is_decided.
+Print Assumptions exact_sum_is_right.
 Print Assumptions gap_separation.
 Print Assumptions forms_agree.
 Print Assumptions one_canonical_form_holds.
