@@ -119,7 +119,9 @@ let events claim_of claim =
     in
     let intervals = List.map interval (items intervals) in
     let events = List.map event (items events) in
-    let as_long list other = require (List.compare_lengths list other = 0) "a list has not so many" in
+    let as_long list other =
+      require (List.compare_lengths list other = 0) "a list has not so many"
+    in
     require
       (List.length intervals = List.length events + 1)
       "there are not intervals with events between";
