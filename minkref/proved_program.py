@@ -46,19 +46,19 @@ def points(P: str, Q: str, scale: str | list[str], asked: Iterable[tuple[str, st
     return [row["in_sum"] is True for row in found]
 
 
-def whole_sum(P: str, Q: str, scale: str | list[str], *, full: bool = False) -> dict[str, Any]:
-    """The sum, `polygons`, `components`, `holes` and `digest`, by the program whose tests of points
-    are proved, and the rest is not. `full`: of the full convolution. Raises as `points`."""
-    return _answer(P, Q, scale, "--sum", None, *(["--full"] if full else []))
+def whole_sum(P: str, Q: str, scale: str | list[str]) -> dict[str, Any]:
+    """The sum of two legal operands, not both thin: `polygons`, `components`, `holes` and `digest`,
+    by a program whose answers are proved to be right. Raises as `points`."""
+    return _answer(P, Q, scale, "--sum", None)
 
 
 def _answer(
-    P: str, Q: str, scale: str | list[str], verb: str, places: list[list[str]] | None, *more: str
+    P: str, Q: str, scale: str | list[str], verb: str, places: list[list[str]] | None
 ) -> dict[str, Any]:
     asked = {} if places is None else {"points": places}
     rest = json.dumps({"scale": scale, **asked})
     question = f'{{"P": {P}, "Q": {Q}, {rest[1:]}'
-    command = [program(verb), verb, *more, "--json", *NO_LIMIT, "-"]
+    command = [program(verb), verb, "--json", *NO_LIMIT, "-"]
     with ending_in_order():
         ran = subprocess.run(
             command,

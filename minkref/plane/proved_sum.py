@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from minkref import _core, proved_program
+from minkref.errors import Refusal
 from minkref.exact import digest
 from minkref.plane.operand import Operand
 from minkref.plane.scaling import PlaneScale, document_of
@@ -27,9 +28,12 @@ class ProvedSum:
 
 
 def proved_sum(P: Operand, Q: Operand, scale: PlaneScale) -> ProvedSum:
-    """Its tests of points are proved to be right, and the rest is not (docs/proved.md). Raises
-    Refusal where the program is absent, MemoryError, and RuntimeError where it breaks down or its
-    answer is not in canonical form."""
+    """An answer is proved to be the sum in canonical form (docs/proved.md). Raises Refusal of two
+    points or segments, and where the program is absent; MemoryError, and RuntimeError where it
+    breaks down, does not answer, or answers otherwise than it was read back."""
+    if not any(each.set.is_region or each.set.is_empty for each in (P, Q)):
+        what = "no theorem speaks of the sum of two points or segments"
+        raise Refusal(what, f"--route {ROUTE}", "take another route", "not-proved")
     began = time.perf_counter()
     told = proved_program.whole_sum(P.set.to_json(), Q.set.to_json(), document_of(scale))
     seconds = time.perf_counter() - began

@@ -29,6 +29,7 @@ Ring = list[tuple[int, int]]
 SQUARE: Ring = [(0, 0), (4, 0), (4, 4), (0, 4)]
 HOLE: Ring = [(1, 1), (1, 3), (3, 3), (3, 1)]
 TWICE: Ring = [(0, 0), (6, 0), (6, 6), (0, 6), (1, 1), (5, 1), (5, 5), (-1, 7), (-1, -1)]
+BOW: Ring = [(0, 0), (4, 0), (2, 2), (4, 4), (0, 4), (2, 2)]
 
 
 @pytest.fixture
@@ -69,12 +70,11 @@ def test_points_and_sums_are_those_of_the_reference(family: str) -> None:
         found = proved_program.points(case.P_json, case.Q_json, case.scale, points)
         contacts = [_core.decide(case.P, case.Q, case.scale, *x)["contact"] for x in points]
         assert found == [contact != "empty" for contact in contacts], (case.name.text, points)
-    if case.P.is_region or case.Q.is_region:
+    if case.vertex_pairs <= 150 and (case.P.is_region or case.Q.is_region):
         ours = _core.minkowski_sum(case.P, case.Q, case.scale)
-        for full in (False, True):
-            theirs = proved_program.whole_sum(case.P_json, case.Q_json, case.scale, full=full)
-            assert theirs["digest"] == digest(ours.region.canonical_json()), case.name.text
-            assert (theirs["components"], theirs["holes"]) == (ours.components, ours.holes)
+        theirs = proved_program.whole_sum(case.P_json, case.Q_json, case.scale)
+        assert theirs["digest"] == digest(ours.region.canonical_json()), case.name.text
+        assert (theirs["components"], theirs["holes"]) == (ours.components, ours.holes)
 
 
 @pytest.mark.parametrize(
@@ -92,6 +92,7 @@ def test_points_and_sums_are_those_of_the_reference(family: str) -> None:
         ("a hole outside", operand(([(9, 0), (10, 0), (10, 1)], HOLE))),
         ("a ring that winds twice", operand((TWICE,))),
         ("a segment that is a point", operand(([(1, 1), (1, 1)],))),
+        ("a ring that touches itself", operand((BOW,))),
     ],
 )  # fmt: skip
 @pytest.mark.parametrize("first", [True, False])
@@ -103,9 +104,8 @@ def test_no_illegal_operand_is_taken(ask: Ask, what: str, set: dict[str, Any], f
     assert (code, said["verdict"]) == (2, "malformed") and "polygons" not in said, (what, said)
 
 
-def test_what_the_reference_finds_legal_is_taken(ask: Ask) -> None:
-    """Random rings on a small lattice, outer ones and holes. A ring that touches itself is taken,
-    too, and not legal."""
+def test_legal_is_what_the_reference_finds_legal(ask: Ask) -> None:
+    """Random rings on a small lattice, outer ones and holes."""
     dice = random.Random(SEED)
     legal = refused = 0
     for _ in range(120):
@@ -122,7 +122,7 @@ def test_what_the_reference_finds_legal_is_taken(ask: Ask) -> None:
             is_legal = False
         question = {"P": set, "Q": ORIGIN, "scale": "1", "points": [["1", "1"]]}
         is_taken = ask("--points", question)[0] == 0
-        assert is_taken >= is_legal, (SEED, set)
+        assert is_taken == is_legal, (SEED, set)
         legal += is_legal
         refused += not is_taken
     assert legal >= 20 and refused >= 20
@@ -171,6 +171,15 @@ def test_the_route(capsys: Any) -> None:
     assert digests[0] == digests[1]
 
 
+def test_two_points_or_segments_have_no_theorem(ask: Ask, capsys: Any) -> None:
+    segment = operand(([(0, 0), (1, 2)],))
+    code, said = ask("--sum", {"P": segment, "Q": ORIGIN, "scale": "1"})
+    assert (code, said["verdict"]) == (5, "declined") and "polygons" not in said
+    words = ("sum", "LINESTRING (0 0, 1 1)", "POINT (1 1)", "--route", "proved")
+    assert run(words) == 2
+    assert "no theorem" in capsys.readouterr().err
+
+
 def test_limits_and_questions_that_are_none(ask: Ask, proved: list[str]) -> None:
     question = {"P": operand((SQUARE,)), "Q": operand((SQUARE,)), "scale": "1"}
     assert ask("--points", {**question, "points": [["1", "1"]]}, "--tests=0")[0] == 4
@@ -185,7 +194,7 @@ def test_limits_and_questions_that_are_none(ask: Ask, proved: list[str]) -> None
         ("--sum", {**question, "other": 1}),
     ):
         assert ask(verb, other)[0] == 2, (verb, other)
-    for words in (["--points", "--sum"], ["--full"], ["--points", "--theorem=it.v"]):
+    for words in (["--points", "--sum"], ["--sum", "--full"], ["--points", "--theorem=it.v"]):
         ran = subprocess.run([*proved, *words, "-"], input="{}", capture_output=True, text=True)
         assert ran.returncode == 2 and ran.stderr.startswith("usage:"), words
 

@@ -1,5 +1,5 @@
-"""Sums and decisions of points against the program that is extracted from proofs in Coq
-(docs/proved.md): its decisions of points are proved to be right, and its sums rest on these."""
+"""Sums and decisions of points against the programs that are extracted from proofs in Coq: what
+they answer is proved to be right (docs/proved.md)."""
 
 from __future__ import annotations
 

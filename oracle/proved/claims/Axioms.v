@@ -1,7 +1,7 @@
 (** The axioms that the theorems rest on. *)
 From Proved Require Import Theorems Counting Holes Canonical Signs Passages Moves Events Outside
   Changes Hulls Decomposed Gaps Boundaries Rearranged Alike
-  Decided Tested Arranged Exact Judged Lines Boundary Walls Facets Free Valid Trapped.
+  Decided Arranged Exact Judged Answered Lines Boundary Walls Facets Free Valid Trapped.
 Print Assumptions form_is_right.
 Print Assumptions one_point_is_right.
 Print Assumptions outside_is_right.
@@ -19,12 +19,14 @@ Print Assumptions trap_is_right.
 (* What sets determine *)
 Print Assumptions sum_is_union.
 Print Assumptions membership_is_decided.
-Print Assumptions decided_points_are_right.
 Print Assumptions kept_pieces_bound.
 Print Assumptions cells_are_the_sum.
 Print Assumptions parts_are_counted.
 Print Assumptions legality_is_decided.
 Print Assumptions exact_sum_is_right.
+Print Assumptions decided_points_are_right_holds.
+Print Assumptions verified_sum_is_sound_holds.
+Print Assumptions verified_sum_is_the_only_one_holds.
 Print Assumptions gap_separation.
 Print Assumptions forms_agree.
 Print Assumptions one_canonical_form_holds.

@@ -53,10 +53,15 @@ let point_holds s p q x part other tiled_p tiled_q i j =
 let outside_holds s p q x tiled_p tiled_q code =
   Checker.check_one_outside (fraction s) (rings p) (rings q) (vertex x) tiled_p tiled_q code
 
-let decide_points s p q points =
-  Checker.decide_points (fraction s) (rings p) (rings q) (vertices points)
+type set = rational Reading.polygon list
 
-let program_of_sums s p q ~full =
+let polygons = List.map (polygon vertex)
+let is_legal p = Checker.decide_legal (polygons p)
+
+let decide_points s p q points =
+  Checker.decide_points (fraction s) (polygons p) (polygons q) (vertices points)
+
+let verified_sum s p q =
   let rational (x : Checker.q) = Q.make x.qnum x.qden in
   let ring = List.map (fun (x, y) -> (rational x, rational y)) in
   let polygon (outer, holes) : _ Reading.polygon =
@@ -64,7 +69,7 @@ let program_of_sums s p q ~full =
   in
   Option.map
     (fun (polygons, holes) -> (List.map polygon polygons, holes))
-    (Checker.program_of_sums (not full) (fraction s) (rings p) (rings q))
+    (Checker.verified_sum (fraction s) (polygons p) (polygons q))
 
 (* Vertex i of sP plus vertex j of Q *)
 type place = int option * int option

@@ -80,12 +80,13 @@ val point_holds :
 val outside_holds :
   Q.t -> ring list -> ring list -> rational -> tiled -> tiled -> token list -> bool
 
-(* Of each point whether it is in sP + Q, from the sets alone. None: the sets are not taken. *)
-val decide_points : Q.t -> ring list -> ring list -> rational list -> bool list option
+(* From the sets alone (verified/Statement.v): whether one is legal; whether points are in sP + Q;
+   sP + Q and how many holes. None: a set is not legal, or there is no answer. *)
+type set = rational Reading.polygon list
 
-(* sP + Q and how many holes, by the program of verified/Sum.v; [full]: of the full convolution *)
-val program_of_sums :
-  Q.t -> ring list -> ring list -> full:bool -> (rational Reading.polygon list * int) option
+val is_legal : set -> bool
+val decide_points : Q.t -> set -> set -> rational list -> bool list option
+val verified_sum : Q.t -> set -> set -> (set * int) option
 
 (* Vertex i of sP plus vertex j of Q *)
 type place = int option * int option

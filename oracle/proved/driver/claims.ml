@@ -25,8 +25,7 @@ let shown_point (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string 
 
 (* The point is s a + b, a in P, b in Q, and it is in the sum, as decided from the sets alone *)
 let is_thin_point budget s (p : Reading.operand) (q : Reading.operand) x (ax, ay) (bx, by) =
-  let rings (o : Reading.operand) = Reading.rings_of o.polygons in
-  let origin = [ [ (Q.zero, Q.zero) ] ] in
+  let origin : Checked.set = [ { outer = [ (Q.zero, Q.zero) ]; holes = [] } ] in
   let n = 1 + Array.length p.vertices and m = 1 + Array.length q.vertices in
   budget ((n + m) * (n + m));
   let is_in s p q x =
@@ -35,9 +34,9 @@ let is_thin_point budget s (p : Reading.operand) (q : Reading.operand) x (ax, ay
     | None -> fail Declined "there is no theorem about points of an operand that is not legal"
   in
   Reading.same x Q.((s * ax) + bx, (s * ay) + by)
-  && is_in Q.one (rings p) origin (ax, ay)
-  && is_in Q.one (rings q) origin (bx, by)
-  && is_in s (rings p) (rings q) x
+  && is_in Q.one p.polygons origin (ax, ay)
+  && is_in Q.one q.polygons origin (bx, by)
+  && is_in s p.polygons q.polygons x
 
 let check_claim budget p q step claim_of claim =
   budget 64;

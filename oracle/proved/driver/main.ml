@@ -6,15 +6,14 @@ open Failure
 let usage =
   "usage: minkref-check-proved [--case FILE] [--theorem FILE] [LIMITS] [--json] FILE...\n\
   \       minkref-check-proved --points [LIMITS] [--json] FILE...\n\
-  \       minkref-check-proved --sum [--full] [LIMITS] [--json] FILE...\n\
+  \       minkref-check-proved --sum [LIMITS] [--json] FILE...\n\
    LIMITS are --seconds N, --tests N, --bytes N. FILE is plain JSON; - is standard input. --json\n\
    says each verdict as a line of JSON, in the order of the files. --theorem writes the sum, or\n\
    the point, as a theorem of Coq.\n\
    --points decides without a certificate which points are in the sum of P, scaled, and Q:\n\
   \  {\"P\": {\"polygons\": []}, \"Q\": .., \"scale\": \"7/5\", \"points\": [[\"1/3\", 5]]}\n\
-   Its program is proved right, and tests P and Q itself (docs/proved.md).\n\
-   --sum computes the sum of such a file without points. Its tests of points are proved, the rest\n\
-   is not. --full: from the full convolution.\n\
+   --sum computes the sum of such a file without points. Both programs decide whether P and Q are\n\
+   legal, and what they answer is proved to be right (docs/proved.md).\n\
    Exit codes: 0 proved or answered, 1 refuted, 2 malformed, 4 out of budget, 5 declined: no\n\
    theorem.\n"
 
@@ -22,7 +21,7 @@ let unpack = "gzip -dc FILE | minkref-check-proved -, or minkref check FILE"
 
 exception Wrong_usage
 
-type answer = Certificates | Points | Sum of { full : bool }
+type answer = Certificates | Points | Sum
 
 type options = {
   mutable answer : answer;
@@ -60,12 +59,7 @@ let options_of words =
     | "--" :: rest -> List.iter (fun file -> options.files <- file :: options.files) rest
     | "--json" :: rest -> options.json <- true; go rest
     | "--points" :: rest when options.answer = Certificates -> options.answer <- Points; go rest
-    | "--sum" :: rest when options.answer = Certificates ->
-      options.answer <- Sum { full = false };
-      go rest
-    | "--full" :: rest when options.answer = Sum { full = false } ->
-      options.answer <- Sum { full = true };
-      go rest
+    | "--sum" :: rest when options.answer = Certificates -> options.answer <- Sum; go rest
     | word :: rest when word <> "-" && word <> "" && word.[0] = '-' -> (
       match (String.index_opt word '=', rest) with
       | Some i, _ ->
@@ -188,8 +182,8 @@ let found options file =
     let found = Questions.points (asked ()) (budget_of options) in
     let said = Questions.points_said found in
     { good with word = "decided"; said; members = [ Questions.points_json found ] }
-  | Sum { full } ->
-    let found = Questions.sum (asked ()) ~full (budget_of options) in
+  | Sum ->
+    let found = Questions.sum (asked ()) (budget_of options) in
     let said = Questions.sum_said found in
     { good with word = "computed"; said; members = [ Questions.sum_json found ] }
 

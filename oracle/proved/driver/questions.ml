@@ -24,30 +24,36 @@ let question text =
     { p; q; scale; points }
   | _ -> assert false
 
-let rings (o : Reading.operand) = Reading.rings_of o.polygons
-
 (* As many as there are pairs of edges, for each of so many *)
 let spend budget { p; q; _ } count =
   let n = Array.length p.vertices and m = Array.length q.vertices in
   budget ((count * (1 + (n * m))) + (n * n) + (m * m))
 
-let taken answer =
+(* A question without an answer; the theorems say why there is none. *)
+let answered { p; q; _ } answer =
+  let legal (o : Reading.operand) = Checked.is_legal o.polygons in
   match answer with
   | Some found -> found
-  | None -> fail Malformed "P or Q is not legal: rings cross, overlap or wind twice"
+  | None ->
+    require (legal p && legal q) "P or Q is not legal: rings cross, overlap or wind twice";
+    if Reading.is_thin p && Reading.is_thin q then
+      fail Declined "there is no theorem about sums of two points or segments";
+    fail Declined "the program has found no sum that passes its own test"
 
 (* Each point, and whether it is in the sum, by the program that is proved right *)
 let points asked budget =
   require (asked.points <> []) "no point is asked about";
   spend budget asked (List.length asked.points);
   let { p; q; scale; points } = asked in
-  List.combine points (taken (Checked.decide_points scale (rings p) (rings q) points))
+  let found = Checked.decide_points scale p.polygons q.polygons points in
+  List.combine points (answered asked found)
 
-(* What the program of sums answers, which is not proved *)
-let sum asked ~full budget =
+(* The sum: what is answered is proved to be right *)
+let sum asked budget =
   require (asked.points = []) "points are asked about, not the sum";
   spend budget asked 1;
-  taken (Checked.program_of_sums asked.scale (rings asked.p) (rings asked.q) ~full)
+  let { p; q; scale; _ } = asked in
+  answered asked (Checked.verified_sum scale p.polygons q.polygons)
 
 let quoted_number q = Text.quoted (Q.to_string q)
 

@@ -69,7 +69,8 @@ Theorem piece_borders A e x : In A K -> In e B -> bounds all A e = true -> insid
     (0 < orient (start e) (finish e) y -> part_of (interior S) A y) /\
     (orient (start e) (finish e) y < 0 -> ~ S y).
 Proof.
-  intros HA I Bo X. unfold bounds in Bo. apply existsb_exists in Bo. destruct Bo as (c & Ic & Hc).
+  intros HA I Bo X. unfold bounds in Bo. cbv zeta in Bo.
+  apply existsb_exists in Bo. destruct Bo as (c & Ic & Hc).
   apply holds_real in Hc.
   destruct (kept_sided S is_in decided all all_forward constant e x I X) as (s & Hs & Sd).
   assert (Got : exists r, 0 < r /\ forall y, near r x y -> 0 < orient (start e) (finish e) y ->

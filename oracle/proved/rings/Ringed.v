@@ -1,4 +1,4 @@
-(** What the test of rings says of real points: rings of rows, apart, each passing a point once. *)
+(** The test of rings, in real points: rings of rows, apart, each passing a point once. *)
 From Coq Require Import Lra Lia Psatz Bool QArith Qreals ZArith Permutation Classical.
 From Proved Require Import Definitions Form Sums Crossings Local Across Overlaps Paths Decomposed
   Gaps Unique Rounds.

@@ -1,6 +1,6 @@
 (** Rings around the classes of full cells, as a program: from the end of a piece on with the first
-    piece of the class counter-clockwise from the way back. What it finds is tested, so that nothing
-    has to be known of how it is found. *)
+    piece of the class counter-clockwise from the way back. The rings are tested, so that nothing
+    has to be known of how they are found. *)
 From Coq Require Import QArith Qreduction Bool.
 From Proved Require Import Definitions Form Points Pieces Slabs.
 Open Scope Q_scope.
@@ -16,7 +16,7 @@ Definition turned_back (e : edge) : edge := (snd e, fst e).
 Definition left_point (all : list edge) (e : edge) : vertex :=
   if is_before (fst e) (snd e) then fst (beside all e) else snd (beside all (turned_back e)).
 Definition bounds (all : list edge) (A : list cell) (e : edge) : bool :=
-  existsb (fun c => holds c (left_point all e)) A.
+  let p := left_point all e in existsb (fun c => holds c p) A.
 
 (** ** Tracing *)
 Definition back (u : vertex) : vertex := (- fst u, - snd u).

@@ -1,4 +1,4 @@
-(** What falls into parts, has a form or a region, if lists or sets are written in another way. *)
+(** Parts, forms and regions stay if lists or sets are written in another way. *)
 From Coq Require Import Lra Lia Permutation Classical FinFun.
 From Proved Require Import Definitions Form Local Paths Decomposed Gaps Unique.
 From Proved Require Import Slabs.

@@ -1,0 +1,44 @@
+(** The statements of Statement.v hold. *)
+From Coq Require Import Lra Bool QArith Qreals.
+From Proved Require Import Definitions Form Legality OneForm Alike Points Member Along
+  Decided Arranged Exact Judged Answers Statement.
+Open Scope R_scope.
+
+Lemma pair_decided s P Q : are_legal s P Q = true <-> legal_pair s P Q.
+Proof.
+  unfold are_legal, legal_pair. rewrite !andb_true_iff, !legality_is_decided, less_real, zero_real.
+  tauto.
+Qed.
+Lemma thin_decided ps : is_thin (figure ps) -> thin ps = true.
+Proof.
+  destruct ps as [|[[|a [|b [|c o]]] [|h hs]] [|q qs]]; auto;
+    intros [(x & E)|(x & y & _ & E)]; discriminate E.
+Qed.
+
+Theorem decided_points_are_right_holds : decided_points_are_right.
+Proof.
+  intros s P Q xs. unfold decide_points. destruct (are_legal s P Q) eqn:L.
+  - apply pair_decided in L. split; [split; eauto|].
+    intros answers E. injection E; intros <-. destruct L as (S & LP & LQ). clear E.
+    induction xs as [|x xs IH]; cbn [map]; constructor; auto. unfold set.
+    rewrite <- !rings_of_figure. apply membership_is_decided; auto.
+  - split; [split|]; [|intros (answers & E); discriminate E|intros answers E; discriminate E].
+    intros K. apply pair_decided in K. rewrite K in L. discriminate L.
+Qed.
+
+Theorem verified_sum_is_sound_holds : verified_sum_is_sound.
+Proof.
+  intros s P Q R holes. unfold verified_sum. destruct (are_legal s P Q) eqn:L; [|discriminate].
+  apply pair_decided in L. destruct (thin P && thin Q) eqn:N; [discriminate|]. cbn [andb negb].
+  intros Answer. split; [exact L|]. destruct L as (S & LP & LQ). unfold set.
+  rewrite <- (rings_of_figure P), <- (rings_of_figure Q).
+  apply exact_sum_is_right; auto. intros [TP TQ].
+  rewrite (thin_decided P TP), (thin_decided Q TQ) in N. discriminate N.
+Qed.
+
+Theorem verified_sum_is_the_only_one_holds : verified_sum_is_the_only_one.
+Proof.
+  intros s P Q R holes ps Answer Sum Can.
+  destruct (verified_sum_is_sound_holds s P Q R holes Answer) as (_ & Sum' & _ & _ & Can').
+  exact (one_form_of_a_sum_holds _ _ _ _ _ Sum Can Sum' Can').
+Qed.

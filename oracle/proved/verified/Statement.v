@@ -1,0 +1,36 @@
+(** The answers of the programs in Answers.v, as statements. This page is to be read; Answered.v
+    proves that they hold. In the words of Definitions.v, Form.v and Legality.v: points
+    are real, sets are of the plane. Nothing is assumed: s, P and Q are any rational number and any
+    two lists of polygons. *)
+From Proved Require Export Definitions Form Legality.
+From Proved Require Import Answers.
+Open Scope R_scope.
+
+(** The operands are legal, and the scale is above 0. *)
+Definition legal_pair (s : Q) (P Q : list (polygon vertex)) : Prop :=
+  0 < Q2R s /\ is_legal (figure P) /\ is_legal (figure Q).
+Definition set (ps : list (polygon vertex)) : rings point := rings_of (figure ps).
+
+(** [decide_points] answers exactly such questions, and of each point it says yes exactly if the
+    point is in the sum. *)
+Definition decided_points_are_right : Prop := forall s P Q xs,
+  (legal_pair s P Q <-> exists answers, decide_points s P Q xs = Some answers) /\
+  forall answers, decide_points s P Q xs = Some answers ->
+    Forall2 (fun x is_in => is_in = true <-> in_sum (Q2R s) (set P) (set Q) (point_of x))
+      xs answers.
+
+(** Where [verified_sum] answers, the question is legal; the polygons are the sum s P + Q, as a set
+    of points of the real plane, in canonical form; the interior of the sum has one component for
+    each of them, and the sum has so many holes. *)
+Definition verified_sum_is_sound : Prop := forall s P Q R holes,
+  verified_sum s P Q = Some (R, holes) ->
+  legal_pair s P Q /\
+  is_sum (Q2R s) (set P) (set Q) (set R) /\
+  has_components (set_of (set R)) (length R) /\
+  has_holes (set_of (set R)) holes /\
+  is_canonical (set_of (set R)) (figure R).
+(** And nothing else is: a list of polygons that is the sum in canonical form is the answer. *)
+Definition verified_sum_is_the_only_one : Prop := forall s P Q R holes ps,
+  verified_sum s P Q = Some (R, holes) ->
+  is_sum (Q2R s) (set P) (set Q) (rings_of ps) -> is_canonical (set_of (rings_of ps)) ps ->
+  ps = figure R.
