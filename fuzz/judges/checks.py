@@ -48,7 +48,7 @@ SIZE_LIMITS = {
     "slow-topology": 400,
     "slow-tight-passages": 400,
     "sampled-events": 600,
-    "proved-sums": 400,
+    "proved-sums": 200,
 }
 
 
