@@ -161,9 +161,11 @@ def test_the_command_says_what_is_proved_and_what_is_trusted(capsys: Any) -> Non
 
 
 def test_the_route(capsys: Any) -> None:
+    P = "POLYGON((0 0,1 0,1 1,0 0))"
+    Q = "POLYGON((0 0,9 0,10 7,0 8,0 0),(3 2,9 3,1 1,9 7,3 2))"
     digests = []
     for route in ("proved", "paper"):
-        assert run(["sum", "g1", "g2", "--scale", "7/5", "--route", route, "--json"]) == 0
+        assert run(["sum", P, Q, "--scale", "7/12", "--route", route, "--json"]) == 0
         value = json.loads(capsys.readouterr().out)
         jsonschema.validate(value, schema("sum"))
         assert value["route"] == route
