@@ -1,5 +1,5 @@
-(** The arrangement of a sum, as a program: the segments of the convolution, cut at each other, and
-    the pieces that have the sum on one side and not on the other. Numbers are those of files. *)
+(** The arrangement of a sum, as a program: the segments of the reduced convolution, cut at each
+    other, and the pieces that have the sum on one side alone. Numbers are those of files. *)
 From Coq Require Import QArith Qreduction Bool.
 From Proved Require Import Definitions Points.
 Open Scope Q_scope.
@@ -51,19 +51,42 @@ Definition edge_le (e f : edge) : bool :=
   is_before (fst e) (fst f) || same (fst e) (fst f) && not_after (snd e) (snd f).
 Definition edges_once (l : list edge) : list edge := in_turn edge_le same_edge l.
 
-(** ** The convolution: each edge of one set at each vertex of the other *)
+Definition passes_over (e : edge) (p : vertex) : bool :=
+  (side (fst e) (snd e) p =? 0)%Z && not_after (fst e) p && not_after p (snd e).
+
+(** ** The reduced convolution: each edge of one set at the vertices of the other that fit it *)
 Definition from_left (e : edge) : edge :=
   if is_before (fst e) (snd e) then e else (snd e, fst e).
+(** Points and segments have at most two edges. *)
+Definition is_slim (E : list edge) : bool := Nat.leb (length E) 2.
+(** From a vertex to the ends of all edges that it is on; along edges that start there *)
+Definition arms (F : list edge) (v : vertex) : list vertex :=
+  flat_map (fun f => if passes_over (from_left f) v then [sub (fst f) v; sub (snd f) v] else []) F.
+Definition leaving (F : list edge) (v : vertex) : list vertex :=
+  map dir (filter (fun f => same (fst f) v) F).
+(** Left of such an edge is nothing but the set: the vertex is reflex, or straight. *)
+Definition is_bare (arms : list vertex) (d : vertex) : bool :=
+  forallb (fun w => (sg (qcross d w) <=? 0)%Z) arms.
+Definition corner := (vertex * (list vertex * list vertex))%type.
+Definition corner_at (F : list edge) (f : edge) : corner :=
+  let v := fst f in let l := arms F v in
+  (v, (l, if is_slim F then [] else filter (is_bare l) (leaving F v))).
+Definition one_way (d k : vertex) : bool :=
+  (sg (qcross d k) =? 0)%Z && (0 <? sg (dot d k))%Z.
+(** An edge in the direction d has all edges there on its left; and the set is not all around *)
+Definition fits (d : vertex) (c : corner) : bool :=
+  forallb (fun w => (0 <=? sg (qcross d w))%Z) (fst (snd c)) && forallb (one_way d) (snd (snd c)).
+Definition moved (e : edge) (v : vertex) : edge := from_left (qadd (fst e) v, qadd (snd e) v).
 Definition translates (E F : list edge) : list edge :=
-  flat_map (fun e => map (fun f => from_left (qadd (fst e) (fst f), qadd (snd e) (fst f))) F) E.
+  let corners := map (corner_at F) F in let all := is_slim E in
+  flat_map (fun e => let d := dir e in
+    map (fun c => moved e (fst c)) (filter (fun c => all || fits d c) corners)) E.
 Definition convolution (E F : list edge) : list edge :=
   edges_once (filter (fun e => negb (null e)) (translates E F ++ translates F E)).
 
 (** ** Segments that are cut at each other: crossings, ends, where they overlap each other's ends *)
 Definition far_apart (e f : edge) : bool :=
   less (fst (snd e)) (fst (fst f)) || less (fst (snd f)) (fst (fst e)).
-Definition passes_over (e : edge) (p : vertex) : bool :=
-  (side (fst e) (snd e) p =? 0)%Z && not_after (fst e) p && not_after p (snd e).
 Definition meet (e f : edge) : list vertex :=
   if far_apart e f then [] else
   let d := dir e in let k := dir f in

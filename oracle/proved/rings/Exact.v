@@ -3,7 +3,7 @@
 From Coq Require Import Lra Lia Psatz Bool QArith Qreals ZArith Permutation Classical.
 From Proved Require Import Definitions Form Legality Components Paths Decomposed Convolution.
 From Proved Require Import Points Legal Member Decided Pieces Slabs Sorting Along Cuts Lone Flanks
-  Kept Frontier Slabbed Cells Extent Parted Linked Coloured Holed Traced Formed Arranged.
+  Kept Frontier Slabbed Cells Extent Reduced Parted Linked Coloured Holed Traced Formed Arranged.
 Open Scope R_scope.
 Opaque parts outlines convolution boundary are_outlines.
 
@@ -45,22 +45,22 @@ Qed.
 (** For any two sets that are drawn, one of them with an area *)
 Theorem traced_sum_is_right E F S T R holes : drawn (map R2e E) S -> drawn (map R2e F) T ->
   has_area (map R2e E) S \/ has_area (map R2e F) T ->
-  (forall e f, In e (map R2e E) -> In f (map R2e F) -> fst e <> snd e \/ fst f <> snd f) ->
+  (is_slim E = false -> bordered (map R2e E) S) /\ (is_slim F = false -> bordered (map R2e F) T) ->
   traced_sum E F = Some (R, holes) ->
   (forall x, set_of (rings_of (figure R)) x <-> sum_set S T x) /\
   has_components (sum_set S T) (length R) /\ has_holes (sum_set S T) holes /\
   is_canonical (set_of (rings_of (figure R))) (figure R).
 Proof.
-  intros DE DF Ar Lo Answer. destruct (answered E F R holes Answer) as (Tested & -> & ->).
-  destruct (kept_pieces_bound E F S T DE DF Ar Lo) as (St & Sd & Lg & Al).
+  intros DE DF Ar Ki Answer. destruct (answered E F R holes Answer) as (Tested & -> & ->).
+  destruct (kept_pieces_bound E F S T DE DF Ar Ki) as (St & Sd & Lg & Al).
   destruct (set_bounded E F S T DE DF) as (low & high & H).
   pose proof (sum_regular _ _ S T DE DF Ar) as Rg.
-  destruct (parts_of_the_sum E F S T DE DF Ar Lo) as (Comp & Hol).
+  destruct (parts_of_the_sum E F S T DE DF Ar Ki) as (Comp & Hol).
   assert (Dec : forall v, decide_point E F v = true <-> sum_set S T (R2 v)).
   { intros v. rewrite (sum_is_union_here E F S T DE DF).
     apply decide_point_is_right; [apply DE|apply DF]. }
   pose proof (convolution_forward E F) as Fw.
-  pose proof (sum_steady E F S T DE DF Lo) as Const.
+  pose proof (sum_steady E F S T DE DF Ar Ki) as Const.
   pose proof (inside_falls (sum_set S T) Rg (sum_boundary E F) St Lg Al Sd low high
     (fun y Y => proj1 (H y Y)) (fun y Y => proj2 (H y Y))) as Falls.
   pose proof (outlines_classes (convolution E F) (sum_boundary E F)) as Classed.
@@ -87,7 +87,7 @@ Theorem exact_sum_is_right : forall (s : Q) (P Q R : list (polygon vertex)) (hol
 Proof.
   intros s P Q R holes L LP LQ N Answer.
   destruct (traced_sum_is_right _ _ _ _ R holes (P_drawn_here s P L LP) (Q_drawn_here Q LQ)
-    (area_here s P Q L LP LQ N) (long_here s P Q L LP LQ N) Answer) as (Set_ & Comp & Hol & Can).
+    (area_here s P Q L LP LQ N) (kinds_here s P Q L LP LQ) Answer) as (Set_ & Comp & Hol & Can).
   split; [|split; [|split; [|exact Can]]].
   - intros x. rewrite (Set_ x). apply sum_here, L.
   - apply (components_same _ _ _ (fun x => iff_sym (Set_ x)) Comp).
