@@ -1,8 +1,8 @@
 (** Between two pieces that come in at v with a component on their left, counter-clockwise, one
     leaves v. *)
 From Coq Require Import Lra Lia Psatz Bool QArith Qreals ZArith Permutation Classical.
-From Proved Require Import Definitions Form Crossings Fans Curves Unions Local Across Overlaps Components OneForm Paths
-  Decomposed Gaps Unique Beside Leaving Next.
+From Proved Require Import Definitions Form Crossings Fans Curves Unions Local Across
+  Overlaps Components OneForm Paths Decomposed Gaps Unique Beside Leaving Next.
 From Proved Require Import Points Member Pieces Slabs Sorting Along Cuts Lone Flanks Frontier
   Slabbed Cells Coloured Turns.
 Open Scope R_scope.

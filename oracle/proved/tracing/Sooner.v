@@ -42,7 +42,8 @@ Qed.
 Lemma parallel (r u : point) : r <> (0, 0) -> turn_of r u = 0 -> exists m, u = scale m r /\
   (along r u < 0 <-> m < 0).
 Proof.
-  intros N Z. pose proof (edge_long (0, 0) r (not_eq_sym N)) as L. cbv zeta in L. cbn [fst snd] in L.
+  intros N Z. pose proof (edge_long (0, 0) r (not_eq_sym N)) as L.
+  cbv zeta in L. cbn [fst snd] in L.
   set (D := fst r * fst r + snd r * snd r). assert (HD : 0 < D) by (unfold D; lra).
   unfold turn_of in Z. exists (along r u / D).
   assert (K : along r u / D * D = along r u) by (field; lra).

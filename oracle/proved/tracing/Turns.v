@@ -124,7 +124,8 @@ Proof.
   { intros Q. rewrite Q in Vy, Vz. unfold orient in Vy, Vz, T. nra. }
   destruct (Close p Np Pv) as (Few & Ends).
   destruct (classic (over_some E p)) as [(e & Ie & Oe)|Off].
-  2: { destruct (steady_off p Off Few) as (s & Hs & K). destruct (at_near y z t s Hs) as (d & D & N).
+  2: { destruct (steady_off p Off Few) as (s & Hs & K).
+    destruct (at_near y z t s Hs) as (d & D & N).
     exists d. split; auto. left. intros u U. specialize (K _ (N u U)). fold p. tauto. }
   destruct (Ends e Ie Oe) as (Ins & St). destruct (sided e p Ie Ins) as (s & Hs & K).
   destruct (at_near y z t s Hs) as (d & D & N).
