@@ -1,10 +1,10 @@
 (** Around each class of full cells of a boundary its pieces close up, one after another. *)
 From Coq Require Import Lra Lia Psatz Bool QArith Qreals ZArith Sorted Permutation Classical.
 From Proved Require Import Definitions Form Crossings Local Across Overlaps Components OneForm Paths
-  Decomposed Gaps Unique.
+  Decomposed Gaps Unique Beside.
 From Proved Require Import Points Member Pieces Slabs Sorting Along Cuts Lone Flanks Kept Frontier
   Stacks Slabbed Cells Coloured Linked Traced Bordered Ringed Turns Around Sooner Permuted
-  Cycles.
+  Cycles Passing.
 Open Scope R_scope.
 
 (** ** No piece is there twice. *)
@@ -242,5 +242,27 @@ Proof.
     + unfold start, finish. rewrite Q1, Q2. apply some_inside.
   - intros e. unfold same_edge. apply andb_true_iff. rewrite !same_real. auto.
   - exact (no_piece_twice E Ap).
+Qed.
+(** And no ring passes a point twice. *)
+Lemma class_part : is_part S C (map R2e B).
+Proof.
+  destruct (In_nth K A [] A_class) as (i & L & Q). destruct falls as [_ Each].
+  destruct (Each i L) as (_ & _ & Joined & _). cbv beta in Joined. rewrite Q in Joined.
+  split; [exact class_open|split; [exact Joined|split; [exact class_in|]]].
+  intros x N. apply (part_steady S B steady_off K falls A x A_class). intros (e & I & O). apply N.
+  exists (start e), (finish e). split; [exact (in_map R2e _ _ I)|exact O].
+Qed.
+Theorem class_passed_once ring a b : In ring (traces (length E) E E) -> In a ring -> In b ring ->
+  finish a = finish b -> a = b.
+Proof.
+  intros I. destruct class_traces as [P Cy].
+  apply (passed_once S C (map R2e B) class_part E few class_long).
+  - intros e x J X. apply filter_In in J. destruct J as [J Bo].
+    exact (piece_borders S is_in decided all all_forward constant K falls A e x A_class J Bo X).
+  - exact class_steady.
+  - exact class_no_end.
+  - apply pairs_filter, boundary_apart.
+  - apply Cy, I.
+  - intros c J. apply (Permutation_in _ P). apply in_concat. exists ring. auto.
 Qed.
 End Bounding.
