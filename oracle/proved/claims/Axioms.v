@@ -1,7 +1,7 @@
 (** The axioms that the theorems rest on. *)
 From Proved Require Import Theorems Counting Holes Canonical Signs Passages Moves Events Outside
   Changes Hulls Decomposed Gaps Boundaries Rearranged Alike
-  Decided Arranged Exact Judged Answered Lines Boundary Walls Facets Free Valid Trapped.
+  Decided Arranged Exact Judged Answered Lines Boundary Walls Facets Free Valid Trapped Outlines.
 Print Assumptions form_is_right.
 Print Assumptions one_point_is_right.
 Print Assumptions outside_is_right.
