@@ -37,8 +37,8 @@ CUBE = """OFF
 4 0 4 6 2
 4 1 3 7 5
 """
-#: Refusals that depend on the numbers, not on an option.
-OF_THE_NUMBERS = ("undecided-sign", "no-proof", "not-star-shaped")
+#: Refusals that depend on the numbers, or on a program that is not built, not on an option.
+OF_THE_NUMBERS = ("undecided-sign", "no-proof", "not-star-shaped", "not-built")
 CUBES = ["cube.off", "cube.off"]
 SCENE = (
     '{"schema":"scene-v1","robot":"POINT (0 0)",'

@@ -66,6 +66,7 @@ STEPS = (
     step("sum g1 g2 --arithmetic mpfr:64", "mpfr"),
     step("sum gs3 gs4 --scale 2,1/3,5 -o sum.off", files=("sum.off",)),
     step("sum g1 g2 --route paper-update --arithmetic mpfr:64", "another structure"),
+    step("point g1 g2 --at 0,0"),
     step("convolution g1 g2 -o convolution.svg", files=("convolution.svg",)),
     step("repair g1", "no changes"),
     step("union g1 g2 -o both.wkt", files=("both.wkt",)),

@@ -38,8 +38,8 @@ class Collision {
       return true;
     }
     // The boundaries do not meet: each polygon of one side lies wholly inside or outside the other.
-    return one_inside(heads_p_, edges_q_, tree_q_, heads_q_.about, x) ||
-           one_inside(heads_q_, edges_p_, tree_p_, heads_p_.about, x);
+    if (one_inside(heads_q_, edges_p_, tree_p_, heads_p_.about, x)) return true;
+    return one_inside(heads_p_, edges_q_, tree_q_, heads_q_.about, x);
   }
 
  private:

@@ -25,7 +25,7 @@ from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, ti
 from minkref.reports.evidence.framework.operands import operand
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(None, 2, 15)
+MINUTES = Minutes(None, 1, 15)
 
 SEED = 1611
 WINDOWS = Counts(0, 15, 150)

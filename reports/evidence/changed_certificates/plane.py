@@ -24,7 +24,7 @@ from minkref.reports.evidence.certificates.mutant_tally import (
 from minkref.reports.evidence.certificates.mutants import Mutant
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(None, 3, 20)
+MINUTES = Minutes(None, 1.5, 20)
 
 SEED = 1973
 LEAST = Counts(0, 200, 2000)
