@@ -36,6 +36,18 @@ def program(option: str = "--proved") -> str:
     return executable
 
 
+def run(command: list[str], asked: bytes = b"") -> subprocess.CompletedProcess[bytes]:
+    """Runs the program, which ends with this process, or where this process is told to end."""
+    with ending_in_order():
+        return subprocess.run(
+            command,
+            input=asked,
+            capture_output=True,
+            check=False,
+            preexec_fn=partial(end_with_parent, os.getpid()),
+        )
+
+
 def points(P: str, Q: str, scale: str | list[str], asked: Iterable[tuple[str, str]]) -> list[bool]:
     """Whether each point is in the sum of two legal operands, given as JSON, by the program that is
     proved right. Raises MemoryError, and RuntimeError where the program breaks down."""
@@ -58,15 +70,7 @@ def _answer(
     asked = {} if places is None else {"points": places}
     rest = json.dumps({"scale": scale, **asked})
     question = f'{{"P": {P}, "Q": {Q}, {rest[1:]}'
-    command = [program(verb), verb, "--json", *NO_LIMIT, "-"]
-    with ending_in_order():
-        ran = subprocess.run(
-            command,
-            input=question.encode(),
-            capture_output=True,
-            check=False,
-            preexec_fn=partial(end_with_parent, os.getpid()),
-        )
+    ran = run([program(verb), verb, "--json", *NO_LIMIT, "-"], question.encode())
     if ran.returncode == OUT_OF_BUDGET or ran.returncode < 0:
         raise MemoryError(f"{PROGRAM} has no more memory")
     try:

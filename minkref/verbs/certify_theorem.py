@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from minkref import proved_program
 from minkref.errors import Refusal
 from minkref.output.documents import check_writable, scratch_folder
 from minkref.verbs import check_proved
@@ -22,7 +23,7 @@ def check_theorem(path: Path, of_one_scale: bool) -> None:
     if not NAME.fullmatch(path.name):
         mend = "name it FILE.v, of letters, digits and _"
         raise Refusal("this is not the name of a file of Coq", str(path), mend)
-    check_proved.program("--theorem")
+    proved_program.program("--theorem")
     check_writable(path)
 
 

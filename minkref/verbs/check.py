@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from minkref import proved_program
 from minkref.cli.options import Json, Schema
 from minkref.oracle.checker import check as checker
 from minkref.output.documents import Stopwatch, as_text, document, scratch_folder
@@ -85,7 +86,7 @@ def command(
     docs/proved.md."""
     watch = Stopwatch()
     if proved:
-        check_proved.program()
+        proved_program.program()
     rows: list[dict[str, Any]] = []
     for path, why_not in (found for given in files for found in certificates_of(given)):
         if why_not:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
+from minkref import proved_program
 from minkref.proved_program import PROGRAM
-from minkref.proved_program import program as program
 
 WORDS = {0: "verified", 1: "refuted", 2: "malformed", 4: "out of budget", 5: "declined"}
 DECLINED = 5
@@ -26,8 +25,7 @@ class Proof:
 def follow(path: Path, *options: str) -> Proof:
     """Runs it on a certificate; its answer is JSON, where no name or claim can look like a verdict.
     Raises RuntimeError where it breaks down."""
-    command = [program(), "--json", *options, "--", str(path)]
-    ran = subprocess.run(command, capture_output=True, check=False)
+    ran = proved_program.run([proved_program.program(), "--json", *options, "--", str(path)])
     if ran.returncode < 0:  # no memory is left, usually; the files after this one are checked
         return Proof("out of budget", f"a signal ended {PROGRAM}: {-ran.returncode}", [])
     try:

@@ -6,6 +6,9 @@ import gzip
 import json
 import shutil
 import subprocess
+import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +18,6 @@ import touching
 from minkref import proved_program
 from minkref.cli.cli import run
 from minkref.reports.evidence.certificates.checkers import ROOT
-from minkref.verbs import check_proved
 
 HOLED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
 
@@ -134,11 +136,38 @@ def test_a_program_that_a_signal_ends_proves_nothing(
     killed = square.with_name("killed")
     killed.write_text("#!/bin/sh\nkill -9 $$\n", encoding="utf-8")
     killed.chmod(0o755)
-    monkeypatch.setattr(check_proved, "program", lambda *_: str(killed))
+    monkeypatch.setattr(proved_program, "program", lambda *_: str(killed))
     assert run(["check", str(square), str(square), "--proved"]) == 4
     assert capsys.readouterr().out.count("out of budget: a signal ended") == 2
     killed.write_text("#!/bin/sh\necho it.cert.json: verified\n", encoding="utf-8")
     assert run(["check", str(square), "--proved"]) == 70
+
+
+@pytest.mark.parametrize("command", ["check", "point"])
+def test_a_program_ends_with_the_command_that_runs_it(square: Path, command: str) -> None:
+    slow, number = square.with_name("slow"), square.with_name("number")
+    slow.write_text(f"#!/bin/sh\necho $$ >{number}.new\nmv {number}.new {number}\nexec sleep 60\n")
+    slow.chmod(0o755)
+    box = "POLYGON((0 0,1 0,1 1,0 0))"
+    words = ["check", str(square)] if command == "check" else ["point", box, box, "--at", "0,0"]
+    told = f"""
+from minkref import proved_program
+from minkref.cli.cli import run
+proved_program.program = lambda *_: {str(slow)!r}
+raise SystemExit(run({[*words, "--proved"]}))
+"""
+    with subprocess.Popen([sys.executable, "-c", told], stdout=subprocess.DEVNULL) as running:
+        assert waited(number.exists)
+        running.terminate()
+    assert running.returncode != 0
+    assert waited(lambda: not Path(f"/proc/{number.read_text().strip()}").exists())
+
+
+def waited(is_so: Callable[[], bool], seconds: float = 20) -> bool:
+    end = time.monotonic() + seconds
+    while not is_so() and time.monotonic() < end:
+        time.sleep(0.02)
+    return is_so()
 
 
 def test_of_several_sums_there_is_no_theorem(proved: list[str], square: Path) -> None:
