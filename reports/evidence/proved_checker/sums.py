@@ -8,6 +8,7 @@ import random
 import tempfile
 import time
 from collections import Counter
+from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -35,6 +36,7 @@ EVERY = Counts(60, 10, 1)  # of the corpus's cases
 PROVED_TOO = 40  # each of so many cases has its sum proved by a certificate, too
 MOST_PAIRS, MOST_PAIRS_POINTS = 150, 1600
 CORPUS = ROOT / "degeneracies" / "corpus"
+ORIGIN = '{"polygons": [{"outer": [["0", "0"]], "holes": []}]}'
 STARS = Counts((12,), (12, 20), (12, 20, 40))  # corners of each of two stars
 
 
@@ -118,10 +120,25 @@ def _decide(tally: Counter[str], faults: list[str], case: Case) -> None:
     if not points or not case.is_uniform:
         return
     answers = proved_program.points(case.P_json, case.Q_json, case.scale, points)
-    for x, is_in in zip(points, answers, strict=True):
+    ours = [_core.decide(case.P, case.Q, case.scale, *x) for x in points]
+    for x, is_in, found in zip(points, answers, ours, strict=True):
         tally["in" if is_in else "out"] += 1
-        if is_in != (_core.decide(case.P, case.Q, case.scale, *x)["contact"] != "empty"):
+        if is_in != (found["contact"] != "empty"):
             faults.append(f"{case.name.text}: ({', '.join(x)})")
+    for name, operand in (("p", case.P_json), ("q", case.Q_json)):
+        own = [found[name] for found in ours if found["contact"] != "empty"]
+        if own and not all(proved_program.points(operand, ORIGIN, "1", own)):
+            faults.append(f"{case.name.text}: a {name} that its operand does not have")
+    for x, found in zip(points, ours, strict=True):
+        if found["contact"] != "empty" and not _adds_up(x, case.scale, found["p"], found["q"]):
+            faults.append(f"{case.name.text}: p and q do not add up to ({', '.join(x)})")
+
+
+def _adds_up(x: Sequence[str], scale: str, p: Sequence[str], q: Sequence[str]) -> bool:
+    return all(
+        Fraction(scale) * Fraction(a) + Fraction(b) == Fraction(c)
+        for a, b, c in zip(p, q, x, strict=True)
+    )
 
 
 def judge_corpus(path: Path) -> dict[str, Any]:
