@@ -70,7 +70,8 @@ def _answer(
     asked = {} if places is None else {"points": places}
     rest = json.dumps({"scale": scale, **asked})
     question = f'{{"P": {P}, "Q": {Q}, {rest[1:]}'
-    ran = run([program(verb), verb, "--json", *NO_LIMIT, "-"], question.encode())
+    asks = "--route proved" if places is None else "--proved"
+    ran = run([program(asks), verb, "--json", *NO_LIMIT, "-"], question.encode())
     if ran.returncode == OUT_OF_BUDGET or ran.returncode < 0:
         raise MemoryError(f"{PROGRAM} has no more memory")
     try:

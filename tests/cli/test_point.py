@@ -87,4 +87,4 @@ def test_without_the_program(minkref: Minkref, monkeypatch: pytest.MonkeyPatch) 
     ran = minkref("point", SQUARE, SQUARE, "--at", "1,1", "--proved")
     assert ran.code == 2 and "make proofs" in ran.err
     ran = minkref("sum", SQUARE, SQUARE, "--route", "proved")
-    assert ran.code == 2 and "make proofs" in ran.err
+    assert ran.code == 2 and "make proofs" in ran.err and "--route proved" in ran.err
