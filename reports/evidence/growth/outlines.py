@@ -88,6 +88,21 @@ def plate(vertices: int) -> str:
     return _wkt([[_box(0, 0, 1000 * side, 1000 * side), *holes]])
 
 
+def sieve(vertices: int, holes: int) -> str:
+    """A square whose holes are stars, each with room in it for the octagon."""
+    side, dice = math.ceil(math.sqrt(holes)), random.Random(5)
+    rings = []
+    for n in range(holes):
+        x, y, corners = 1000 * (n % side) + 500, 1000 * (n // side) + 500, max(8, vertices // holes)
+        ring = []
+        for k in range(corners):
+            reach = 480 * (0.6 + 0.4 * dice.random())
+            angle = 2 * math.pi * (k + 0.4 * dice.random()) / corners
+            ring.append((x + round(reach * math.cos(angle)), y + round(reach * math.sin(angle))))
+        rings.append(ring)
+    return _wkt([[_box(0, 0, 1000 * side, 1000 * side), *rings]])
+
+
 def frames(vertices: int) -> str:
     """Square frames in each other."""
     count = vertices // 8
