@@ -168,7 +168,8 @@ Proof.
   { intros e Ie. destruct (some_class e Ie) as (A & HA & H).
     apply (class_long S is_in decided all all_forward A). apply filter_In. auto. }
   assert (Same : real_edge a = real_edge b).
-  { rewrite E, Ck in Cr. rewrite Er, Ek in Cr. cbn [map] in Cr. symmetry. exact (f_equal (hd (real_edge a)) Cr). }
+  { rewrite E, Ck in Cr. rewrite Er, Ek in Cr. cbn [map] in Cr.
+    symmetry. exact (f_equal (hd (real_edge a)) Cr). }
   destruct (row_is_edge a) as (_ & On & _).
   { apply Sr. rewrite Er. simpl. auto. }
   { intros e X. apply Long, Br, Ar, X. }
@@ -248,7 +249,8 @@ Proof.
     { intros o I. destruct (each_outline o I) as (A & HA & Eo).
       destruct (one_outer A HA) as (r & Er). rewrite <- Eo in Er. exists r. split; auto.
       apply in_flat_map. exists o. split; auto. unfold rings_of_outline. rewrite Er. simpl. auto. }
-    assert (Sub : forall (o : outlined) (r : list row) e, fst (snd o) = [r] -> In e (concat r) -> In e (f o)).
+    assert (Sub : forall (o : outlined) (r : list row) e, fst (snd o) = [r] ->
+      In e (concat r) -> In e (f o)).
     { intros o r e E I. unfold f, rings_of_outline. rewrite E. simpl. rewrite concat_app.
       apply in_or_app. auto. }
     assert (D : NoDup os /\ forall o k, In o os -> In k os -> o <> k ->

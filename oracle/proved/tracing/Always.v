@@ -1,8 +1,8 @@
 (** The program that traces a sum always answers. *)
 From Coq Require Import Lra Bool QArith Qreals Permutation.
 From Proved Require Import Definitions Form Legality Components Paths Decomposed Convolution.
-From Proved Require Import Points Legal Member Decided Pieces Slabs Along Cuts Lone Flanks Kept Frontier
-  Slabbed Cells Extent Reduced Linked Coloured Traced Arranged Exact Outer Accepted.
+From Proved Require Import Points Legal Member Decided Pieces Slabs Along Cuts Lone Flanks
+  Kept Frontier Slabbed Cells Extent Reduced Linked Coloured Traced Arranged Exact Outer Accepted.
 Open Scope R_scope.
 Opaque parts outlines convolution boundary are_outlines.
 
