@@ -1,7 +1,7 @@
 (** The axioms that the theorems rest on. *)
 From Proved Require Import Theorems Counting Holes Canonical Signs Passages Moves Events Outside
   Changes Hulls Decomposed Gaps Boundaries Rearranged Alike
-  Decided Arranged Exact Judged Answered Lines Boundary Walls Facets Free Valid Trapped Outlines.
+  Decided Arranged Exact Judged Answered Lines Boundary Walls Facets Free Valid Trapped.
 Print Assumptions form_is_right.
 Print Assumptions one_point_is_right.
 Print Assumptions outside_is_right.
@@ -27,6 +27,7 @@ Print Assumptions exact_sum_is_right.
 Print Assumptions decided_points_are_right_holds.
 Print Assumptions verified_sum_is_sound_holds.
 Print Assumptions verified_sum_is_the_only_one_holds.
+Print Assumptions verified_sum_is_complete_holds.
 Print Assumptions gap_separation.
 Print Assumptions forms_agree.
 Print Assumptions one_canonical_form_holds.

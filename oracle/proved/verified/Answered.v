@@ -1,7 +1,7 @@
 (** The statements of Statement.v hold. *)
-From Coq Require Import Lra Bool QArith Qreals.
+From Coq Require Import Lra Lia Bool QArith Qreals.
 From Proved Require Import Definitions Form Legality OneForm Alike Points Member Along
-  Decided Arranged Exact Judged Answers Statement.
+  Decided Arranged Exact Always Judged Answers Statement.
 Open Scope R_scope.
 
 Lemma pair_decided s P Q : are_legal s P Q = true <-> legal_pair s P Q.
@@ -13,6 +13,14 @@ Lemma thin_decided ps : is_thin (figure ps) -> thin ps = true.
 Proof.
   destruct ps as [|[[|a [|b [|c o]]] [|h hs]] [|q qs]]; auto;
     intros [(x & E)|(x & y & _ & E)]; discriminate E.
+Qed.
+
+Lemma thin_is ps : thin ps = true -> is_legal (figure ps) -> is_thin (figure ps).
+Proof.
+  destruct ps as [|[[|a [|b [|c o]]] [|h hs]] [|q qs]]; try discriminate; intros _ L.
+  - left. exists (point_of a). reflexivity.
+  - destruct L as [L|[L|(L & _)]]; [left; exact L|right; exact L|exfalso].
+    destruct (L _ [] (or_introl eq_refl)) as ((Three & _) & _). simpl in Three. lia.
 Qed.
 
 Theorem decided_points_are_right_holds : decided_points_are_right.
@@ -41,4 +49,16 @@ Proof.
   intros s P Q R holes ps Answer Sum Can.
   destruct (verified_sum_is_sound_holds s P Q R holes Answer) as (_ & Sum' & _ & _ & Can').
   exact (one_form_of_a_sum_holds _ _ _ _ _ Sum Can Sum' Can').
+Qed.
+
+Theorem verified_sum_is_complete_holds : verified_sum_is_complete.
+Proof.
+  intros s P Q. unfold verified_sum, is_point_or_segment.
+  fold (is_thin (figure P)) (is_thin (figure Q)). split.
+  - intros [L N]. rewrite (proj2 (pair_decided s P Q) L). destruct L as (S & LP & LQ).
+    destruct (thin P && thin Q) eqn:T; [|apply exact_sum_answers; auto].
+    apply andb_true_iff in T. destruct N. split; apply thin_is; tauto.
+  - intros (R & holes & Answer). destruct (are_legal s P Q) eqn:L; [|discriminate].
+    split; [apply pair_decided, L|]. intros [TP TQ].
+    rewrite (thin_decided P TP), (thin_decided Q TQ) in Answer. discriminate Answer.
 Qed.

@@ -34,3 +34,10 @@ Definition verified_sum_is_the_only_one : Prop := forall s P Q R holes ps,
   verified_sum s P Q = Some (R, holes) ->
   is_sum (Q2R s) (set P) (set Q) (rings_of ps) -> is_canonical (set_of (rings_of ps)) ps ->
   ps = figure R.
+(** [verified_sum] answers exactly the questions that are legal, but for two operands of which each
+    is a point or a segment. *)
+Definition is_point_or_segment (ps : list (polygon vertex)) : Prop :=
+  is_point (figure ps) \/ is_segment (figure ps).
+Definition verified_sum_is_complete : Prop := forall s P Q,
+  (legal_pair s P Q /\ ~ (is_point_or_segment P /\ is_point_or_segment Q)) <->
+  exists R holes, verified_sum s P Q = Some (R, holes).
