@@ -55,8 +55,8 @@ def columns() -> Any:
     }
     order = (
         "chunk", "campaign", "number", "judged_at", "case", "setting", "question", "family",
-        "class", "position", "flags", "scale", "coverage", "dimension", "target", "version", "verdict",
-        "was", "kind", "seconds", "digest", "message", "finding",
+        "class", "position", "flags", "scale", "coverage", "dimension", "target", "version",
+        "verdict", "was", "kind", "seconds", "digest", "message", "finding",
     )  # fmt: skip
     return pa.schema([(name, kinds.get(name, word)) for name in order])
 
