@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 from minkref.schemas.bench.document import BenchDocument
+from minkref.schemas.campaigns import (
+    CampaignCompactDocument,
+    CampaignQueryDocument,
+    CampaignSiteDocument,
+)
 from minkref.schemas.cases import GenerateDocument
 from minkref.schemas.certificates import CertifyDocument, CheckDocument
 from minkref.schemas.disc.closing import DiscClosingDocument, DiscOpeningDocument
@@ -82,6 +87,9 @@ from minkref.schemas.verify.document import ShrinkDocument, VerifyDocument
 DOCUMENTS = {
     "adapter_check": AdapterCheckDocument,
     "bench": BenchDocument,
+    "campaign_compact": CampaignCompactDocument,
+    "campaign_query": CampaignQueryDocument,
+    "campaign_site": CampaignSiteDocument,
     "certify": CertifyDocument,
     "check": CheckDocument,
     "closing": ClosingDocument,
