@@ -155,6 +155,7 @@ class CaseList:
                     yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
                 yield from self._paths(index)
                 yield from self._of_sets(index)
+            return
         for index in self._indices():
             yield from self._round(index)
             yield Wait.FOR_ALL

@@ -56,7 +56,10 @@ class _Worker:
     def give(self, job: Job) -> None:
         self.job = job
         self.begin(CASE, START_SECONDS)
-        self.pipe.send(job)
+        try:
+            self.pipe.send(job)
+        except OSError:
+            pass  # it died while it was idle, as reading from it will tell
 
     def end(self) -> None:
         try:
