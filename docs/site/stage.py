@@ -37,6 +37,7 @@ GUIDE = (
     "convex-polyhedra",
     "first-finding",
     "verify",
+    "campaigns",
     "findings",
     "matrix",
     "adapter-protocol",

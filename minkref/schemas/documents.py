@@ -81,6 +81,11 @@ from minkref.schemas.space.values import FlatRing
 from minkref.schemas.space.view import SpaceViewDocument
 from minkref.schemas.values import Digest, Fraction, Number, Point, SpacePoint
 from minkref.schemas.verify.adapter_check import AdapterCheckDocument
+from minkref.schemas.verify.campaign import (
+    CampaignMergeDocument,
+    CampaignRunDocument,
+    CampaignStatusDocument,
+)
 from minkref.schemas.verify.cases import AnyPoint, CaseRing
 from minkref.schemas.verify.document import ShrinkDocument, VerifyDocument
 
@@ -90,6 +95,9 @@ DOCUMENTS = {
     "campaign_compact": CampaignCompactDocument,
     "campaign_query": CampaignQueryDocument,
     "campaign_site": CampaignSiteDocument,
+    "campaign_merge": CampaignMergeDocument,
+    "campaign_run": CampaignRunDocument,
+    "campaign_status": CampaignStatusDocument,
     "certify": CertifyDocument,
     "check": CheckDocument,
     "closing": ClosingDocument,
