@@ -56,7 +56,7 @@ class Plan:
 
     @cached_property
     def _rounds(self) -> tuple[tuple[int, int], ...]:
-        """Returns for each family the rounds of a chunk, and its planned number of cases."""
+        """Returns rounds and planned cases per chunk, for each family."""
         counts = [self._count(field, family) for field, family in self.families]
         rounds = [max(1, self.size // count) for count in counts]
         return tuple((r, r * count) for r, count in zip(rounds, counts, strict=True))
@@ -94,8 +94,7 @@ class Plan:
 
 
 def only_settings(whole: CaseList, settings: Collection[str]) -> CaseList:
-    """Leaves out families of other settings; of none without `settings`. Refuses if none is
-    left."""
+    """Keeps families from `settings`, or all without `settings`. Refuses an empty choice."""
     if settings:
         others = [field for field, name in SETTING_OF.items() if name not in settings]
         empty: dict[str, Any] = dict.fromkeys(others, ())

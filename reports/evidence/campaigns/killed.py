@@ -1,5 +1,5 @@
-"""Campaigns whose workers, scheduler or client are killed by signal 9 at drawn moments: nothing
-that was reported is lost, and the findings are those of an undisturbed campaign."""
+"""Kills workers, scheduler or client by signal 9 at drawn moments: no reported result is lost, and
+findings equal an undisturbed campaign's."""
 
 from __future__ import annotations
 

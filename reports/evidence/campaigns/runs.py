@@ -31,7 +31,7 @@ def write_campaign(path: Path, targets: Sequence[str], budget: int, **more: Any)
 
 
 def begin(file: Path, folder: Path, *words: object, **variables: str) -> subprocess.Popen[str]:
-    """Starts a campaign in a session of its own."""
+    """Starts a campaign in a new session."""
     return subprocess.Popen(
         [*COMMAND, "campaign", "run", str(file), "-o", str(folder), *map(str, words), "--json"],
         stdout=subprocess.PIPE,
@@ -127,7 +127,7 @@ class Cluster:
         self.start_worker()
 
     def replace_scheduler(self) -> None:
-        """Kills the scheduler; its workers leave, and others come."""
+        """Kills the scheduler, then replaces all workers."""
         assert self.scheduler is not None
         kill(self.scheduler)
         self.start_scheduler()
@@ -146,7 +146,7 @@ class Cluster:
 
 
 def kill(process: subprocess.Popen[Any]) -> None:
-    """Kills a process with all that it started, by signal 9."""
+    """Kills a process and its session by signal 9."""
     try:
         os.killpg(process.pid, signal.SIGKILL)
     except ProcessLookupError:
