@@ -50,9 +50,11 @@ class Plan:
 
     @cached_property
     def families(self) -> tuple[tuple[str, str], ...]:
-        """Lists families with their field of CaseList."""
-        found = [(field, name) for field in SETTING_OF for name in getattr(self.whole, field)]
-        return (*found, (INVALID, INVALID)) if self.whole.invalid else tuple(found)
+        """Lists families with their field of CaseList; settings take turns."""
+        groups = [[(field, name) for name in getattr(self.whole, field)] for field in SETTING_OF]
+        groups.append([(INVALID, INVALID)] if self.whole.invalid else [])
+        turns = itertools.zip_longest(*groups)
+        return tuple(each for turn in turns for each in turn if each is not None)
 
     @cached_property
     def _rounds(self) -> tuple[tuple[int, int], ...]:
