@@ -27,8 +27,8 @@ TRIES = 2  # of a chunk that fails, or takes its workers down
 AHEAD = 2  # chunks for each thread: one in work, one waiting
 TICK = 0.5  # seconds
 STATE_SECONDS = 5.0  # between two writings of the state
-PAGE_SECONDS = 60.0
-MOST_CHUNKS_WAITING = 10_000
+TEND_SECONDS = 60.0
+KEPT = 200  # chunks whose results wait in memory for their turn; others wait in the ledger
 
 
 class SchedulerLost(Exception):
@@ -70,7 +70,7 @@ class Drive:
     work: Work
     tally: Tally
     goal: Goal
-    page: Callable[[], None] = lambda: None
+    tend: Callable[[], None] = lambda: None
     failed: dict[str, str] = field(default_factory=dict)
     workers: int = 0
     here: int = 0  # cases judged by this run
@@ -85,7 +85,7 @@ class Drive:
         self._run = uuid.uuid4().hex[:8]
         self._began = time.monotonic()
         self._before = self.tally.spent
-        self._wrote = self._paged = self._began
+        self._wrote = self._tended = self._began
         self._cost = 0.0
         self._wanted = self._numbers()
         self._done = {
@@ -162,7 +162,7 @@ class Drive:
             if calls > 0:
                 self._submit(client, finished, Task(None, kind=kind), made_small, kind.first, calls)
         chunks = sum(task.chunk is not None for task in self._tasks.values())
-        while chunks < AHEAD * max(1, self.workers) and len(self._ready) < MOST_CHUNKS_WAITING:
+        while chunks < AHEAD * max(1, self.workers):
             chunk = self._again.pop(0) if self._again else self._next_chunk()
             if chunk is None:
                 return
@@ -229,7 +229,7 @@ class Drive:
     def _keep(self, chunk: Chunk, judged: Judged) -> None:
         store_part(self.folder, f"{self.work.campaign}-{chunk.name}", judged.part)
         self._done.add(chunk.name)
-        self._ready[chunk.number] = judged.results
+        self._ready[chunk.number] = judged.results if len(self._ready) < KEPT else None
         self.here += sum(result.is_run for result in judged.results)
         self.work_seconds += judged.seconds
 
@@ -268,15 +268,16 @@ class Drive:
         del self._order[:count]
 
     def _look_after(self) -> None:
-        """Writes state and page now and then, a twentieth of the time at most."""
+        """Writes the state now and then, a twentieth of the time at most, and has the folder
+        tended."""
         now = time.monotonic()
         if now - self._wrote > max(STATE_SECONDS, 20 * self._cost):
             self.close()
             self._wrote = time.monotonic()
             self._cost = self._wrote - now
-        if now - self._paged > PAGE_SECONDS:
-            self.page()
-            self._paged = time.monotonic()
+        if now - self._tended > TEND_SECONDS:
+            self.tend()
+            self._tended = time.monotonic()
 
     def return_all(self) -> None:
         """Hands everything in flight out again, to another scheduler."""

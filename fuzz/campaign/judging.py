@@ -107,12 +107,15 @@ def judge(work: Work, chunk: Chunk) -> Judged:
     since = time.monotonic()
     results: list[CaseResult] = []
     pool = HELD.pool(work)
-    done = run_asking(
-        pool.results, chunk.cases, list(work.versions), {}, Baseline(), keep=results.append
-    )
-    if done.failed is not None:
+    try:
+        done = run_asking(
+            pool.results, chunk.cases, list(work.versions), {}, Baseline(), keep=results.append
+        )
+        if done.failed is not None:
+            raise InternalError(done.failed)
+    except BaseException:
         HELD.drop()
-        raise InternalError(done.failed)
+        raise
     part = part_of(f"{work.campaign}-{chunk.name}", results, work.head)
     return Judged(results, part, time.monotonic() - since)
 

@@ -65,6 +65,7 @@ class Tally:
     def add(self, number: int, results: Sequence[CaseResult]) -> list[Kind]:
         """Counts a chunk. Returns kinds that it shows first."""
         self.taken.add(number)
+        self.run.findings.clear()  # `finished` may have put the first ones there
         for result in results:
             take(self.run, result, self.versions, self.baseline)
             if (coverage := coverage_of(result)) is not None:

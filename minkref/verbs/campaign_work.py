@@ -6,9 +6,10 @@ import os
 import re
 import signal
 import sys
+import threading
 import time
-from collections.abc import Callable, Mapping
-from contextlib import ExitStack
+from collections.abc import Mapping
+from contextlib import ExitStack, suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ from minkref.fuzz.campaign.folder import FORMAT, campaign_id, head_path, write_j
 from minkref.fuzz.campaign.judging import HELD, Work
 from minkref.fuzz.campaign.tally import Tally
 from minkref.fuzz.isolation.isolation import Isolation, choose
+from minkref.fuzz.ledgers.compaction import compact_if_due
 from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.catalogue import TargetEntry
 from minkref.fuzz.run.declared import declarations_of
@@ -163,13 +165,13 @@ def answer(request: CampaignRequest) -> None:
     goal = campaign.goal
     with held_folder(campaign.folder):
         write_json(head_path(campaign.folder, campaign.id), campaign.head)
-        tally = campaign.tally()
+        tally, notes = campaign.tally(), list[str]()
+        tending = Tending(campaign, notes)
         drive = Drive(
-            campaign.folder, campaign.plan, campaign.work(), tally, goal, page=_page(campaign)
+            campaign.folder, campaign.plan, campaign.work(), tally, goal, tend=tending.look
         )
-        notes: list[str] = []
         _drive(campaign, drive, notes)
-        drive.page()
+        tending.end()
     run = tally.finished()
     if drive.failed:
         run.failed = "; ".join(f"{name}: {why}" for name, why in drive.failed.items())
@@ -185,17 +187,46 @@ def answer(request: CampaignRequest) -> None:
         raise typer.Exit(int(code))
 
 
-def _page(campaign: Campaign) -> Callable[[], None]:
-    site = campaign.request.site
-    if site is None:
-        return lambda: None
-    from minkref.reports.history.page import write_site
+class Tending:
+    """Compacts the ledger and writes pages beside the work; a fault there costs no result."""
 
-    return lambda: _ignored(write_site(campaign.folder, site, live=True))
+    def __init__(self, campaign: Campaign, notes: list[str]) -> None:
+        self._folder, self._site = campaign.folder, campaign.request.site
+        self._notes = notes
+        self._compaction = threading.Thread()
 
+    def look(self) -> None:
+        """Does what is due while the campaign runs."""
+        if not self._compaction.is_alive():
+            self._compaction = threading.Thread(target=self._compact, daemon=True)
+            self._compaction.start()
+        self._write(live=True)
 
-def _ignored(_: object) -> None:
-    pass
+    def end(self) -> None:
+        """Waits, and writes the last pages."""
+        if self._compaction.ident is not None:
+            self._compaction.join()
+        self._write(live=False)
+
+    def _compact(self) -> None:
+        try:
+            compact_if_due(self._folder)
+        except (Refusal, OSError) as error:
+            self._note(f"the ledger was not compacted: {error}")
+
+    def _write(self, live: bool) -> None:
+        if self._site is None:
+            return
+        from minkref.reports.history.page import write_site
+
+        try:
+            write_site(self._folder, self._site, live=live)
+        except (Refusal, OSError) as error:
+            self._note(f"the pages were not written: {error}")
+
+    def _note(self, text: str) -> None:
+        if text not in self._notes:
+            self._notes.append(text)
 
 
 def _drive(campaign: Campaign, drive: Drive, notes: list[str]) -> None:
@@ -234,7 +265,12 @@ def _with_clients(place: Any, drive: Drive, line: CampaignLine, notes: list[str]
                 if has_dashboard():
                     line.say(f"dashboard: {client.dashboard_link}")
                 lost = None
-                drive.run(client, line)
+                try:
+                    drive.run(client, line)
+                except (KeyboardInterrupt, Ended):
+                    with suppress(OSError, TimeoutError, ValueError):
+                        client.unregister_worker_plugin(Processes.name)
+                    raise
                 client.unregister_worker_plugin(Processes.name)
                 return
         except (SchedulerLost, Refusal, OSError, TimeoutError) as error:
