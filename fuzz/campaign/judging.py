@@ -29,7 +29,8 @@ from minkref.version import version
 
 @dataclass(frozen=True)
 class Work:
-    """States what each worker of a campaign has to know. `head`: the campaign's head. Each machine chooses `limits.isolation` anew, of the same `kind`."""
+    """States what each worker of a campaign has to know. `head`: the campaign's head. Each
+    machine chooses `limits.isolation` anew, with the same `kind`."""
 
     campaign: str
     head: Mapping[str, Any]

@@ -30,7 +30,7 @@ MEMORY = 2048  # MiB
 
 @dataclass(frozen=True)
 class Done:
-    """What a compaction did. `files`: written; `rows`, `chunks`: in them."""
+    """Numbers of files that a compaction wrote, and of rows and chunks in them."""
 
     files: int
     rows: int
@@ -75,7 +75,7 @@ def _compact(folder: Path, rows: int) -> Done:
 
 @dataclass(frozen=True)
 class _Taken:
-    """What goes into the next file: loose parts, and compacted files that are small."""
+    """Sources of the next file: loose parts, and compacted files that are small."""
 
     small: list[Compacted]
     loose: list[Path]
@@ -189,6 +189,8 @@ def _alone(folder: Path) -> Iterator[bool]:
     """Whether no other process compacts this ledger."""
     try:
         path = folder / "ledger" / "compaction.lock"
+        if places.is_ledger(folder):
+            path.parent.mkdir(exist_ok=True)
         file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
     except OSError as error:
         what = f"the ledger cannot be written: {error.strerror}"

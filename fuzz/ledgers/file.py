@@ -63,7 +63,7 @@ def columns() -> Any:
 
 @dataclass(frozen=True)
 class Chunk:
-    """What a footer says of a chunk. `cases` were judged; `absent` derived ones do not exist;
+    """A chunk in a footer. `cases` were judged; `absent` derived ones do not exist;
     `untaken` ones no target takes."""
 
     rows: int
@@ -107,7 +107,7 @@ def parts_folder(folder: Path) -> Path:
 
 
 def chunks_of(path: Path) -> dict[str, Chunk]:
-    """What the footer says. Refuses a file that is torn, or no part of a ledger."""
+    """Chunks as the footer names them. Refuses a file that is torn, or no part of a ledger."""
     pa = pyarrow()
     try:
         told = (pa.parquet.read_metadata(path).metadata or {}).get(KEY)

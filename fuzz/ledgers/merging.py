@@ -25,7 +25,7 @@ class Merged:
 
 def merge_parts(sources: Sequence[Path], target: Path) -> Merged:
     """Writes all chunks of the sources to the target, a part each; the first one counts where
-    several have the same. What is in the target stays. Memory: two files. Refuses damaged files;
+    several have the same. The target keeps its own. Memory: two files. Refuses damaged files;
     an interrupted merge goes on when it is asked for again."""
     done = Merged()
     for source in sources:

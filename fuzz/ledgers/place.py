@@ -71,7 +71,8 @@ def compacted_folder(folder: Path) -> Path:
 
 
 def is_ledger(folder: Path) -> bool:
-    return (folder / "ledger").is_dir()
+    """Whether a campaign began there; it may have no results yet."""
+    return any((folder / name).is_dir() for name in ("ledger", "campaigns"))
 
 
 def look(folder: Path) -> Place:

@@ -122,7 +122,7 @@ def _release(version: str, own: dict[str, list[Row]]) -> Release:
 
 
 def meaning(verdict: str, kind: str) -> str:
-    """What a kind of fault means, in words."""
+    """Says in words what a kind of fault means."""
     reasons = {str(reason): text for reason, text in REASONS.items()}
     words = [reasons[word] for word in kind.split() if word in reasons]
     meanings = {str(each): text for each, text in VERDICTS.items()}

@@ -32,7 +32,7 @@ MINUTES = Minutes(0.3, 3, 12)
 
 SEED = 72
 CAMPAIGNS = Counts(1, 6, 20)
-CASES = Counts(60, 300, 400)
+CASES = Counts(60, 600, 1_200)
 WORKERS = 2
 KILLED = ("client", "worker", "scheduler")
 LONGEST = 1.0  # seconds after a drawn part
@@ -51,7 +51,8 @@ def run(findings: Findings, size: Size) -> None:
             size.of(CASES),
             seed=SEED,
             families=["random", "holes", "comb"],
-            chunk=25,
+            derived=False,
+            chunk=15,
             shrink_calls=20,
         )
         whole = run_campaign(file, folder / "whole", "--workers", WORKERS)
