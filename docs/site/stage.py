@@ -37,6 +37,8 @@ GUIDE = (
     "convex-polyhedra",
     "first-finding",
     "verify",
+    "campaigns",
+    "campaigns-ledger",
     "findings",
     "matrix",
     "adapter-protocol",

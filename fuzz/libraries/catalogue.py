@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import os
 import pkgutil
+import re
 import shutil
 import sys
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 
@@ -22,6 +24,7 @@ from minkref.fuzz.libraries.library import Adapter, Library
 
 HERE = Path(__file__).parent
 INSTALL_COMMAND = "minkref adapter install"
+VERSION = re.compile(r"[0-9][0-9A-Za-z.]{0,30}")
 RUN = HERE.parent / "adapters" / "run_program.py"  # beside modules that Python programs import
 OPENSCAD = "openscad"
 ASKED_FOR = ("pyclipr", "coal")  # pip builds it, with sources that the build fetches; 450 MB
@@ -42,6 +45,9 @@ def adapter_named(name: str) -> Adapter:
     """Refuses unknown names, and names with an unknown part."""
     if name in ADAPTERS:
         return ADAPTERS[name]
+    other = _other_version(name)
+    if other is not None:
+        return other
     library = _reader_of(name)
     if library is None or library.read is None:
         raise Refusal(f"there is no adapter {name[:60]!r}", "adapter", choice(name, ADAPTERS))
@@ -50,12 +56,22 @@ def adapter_named(name: str) -> Adapter:
 
 def is_named(name: str) -> bool:
     """Whether the name is listed, or a library reads names that begin so."""
-    return name in ADAPTERS or _reader_of(name) is not None
+    return name in ADAPTERS or _other_version(name) is not None or _reader_of(name) is not None
 
 
 def in_all(name: str) -> bool:
     """Whether the group of all targets has the adapter."""
     return all(each.in_all for each in LIBRARIES.values() if adapter_named(name) in each.adapters)
+
+
+def _other_version(name: str) -> Adapter | None:
+    """The adapter of NAME@VERSION, if NAME is a package of Python: in a folder of its own."""
+    base, _, number = name.partition("@")
+    adapter = ADAPTERS.get(base)
+    if adapter is None or adapter.kind != "python" or not VERSION.fullmatch(number):
+        return None
+    home, title = f"{adapter.home}@{number}", f"{adapter.title}, {adapter.home} {number}"
+    return replace(adapter, name=name, home=home, title=title)
 
 
 def _reader_of(name: str) -> Library | None:

@@ -130,6 +130,12 @@ def _alone(lock: Path) -> Iterator[None]:
 
 def _make_environment(home: Path, program: str) -> None:
     _make_empty_environment(home / "venv")
+    package, at, number = home.name.partition("@")
+    if at:
+        lines = _requirements(program).with_suffix(".in").read_text(encoding="utf-8").split()
+        others = [line for line in lines if line.partition("==")[0] != package]
+        _pip(home / "venv", "install", "--only-binary", ":all:", f"{package}=={number}", *others)
+        return
     requirements = str(_requirements(program))
     _pip(home / "venv", "install", "--require-hashes", "-r", requirements)
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import itertools
 import random
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from enum import Enum
 
@@ -71,6 +71,8 @@ class CaseList:
     features: tuple[str, ...] = ()  # families of sets whose features are asked for
     doubles: bool = False  # no target takes other numbers: each pair on a grid, too
     spent: float = 0.0  # seconds used by an earlier part of the run
+    begin: int = 0  # the first round of generated cases
+    rounds: int | None = None  # how many; None: without end
     notes: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -142,20 +144,27 @@ class CaseList:
             self._learned.append((number, text, coverage))
 
     def _generated(self) -> Iterator[CaseName | Wait]:
-        if not (self.families or self.space or self.unions or self.offsets or self.features):
+        sets = self.families or self.space or self.unions or self.offsets or self.features
+        if not sets and self.rounds is None:
             return
         if not self.derived:
-            for index in itertools.count():
+            for index in self._indices():
                 for family in (*self.families, *self.space):
                     yield CaseName(f"{family}:{self.seed}:{index}", family)
                 if self.invalid:
                     yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
                 yield from self._paths(index)
                 yield from self._of_sets(index)
-        for index in itertools.count():
+            return
+        for index in self._indices():
             yield from self._round(index)
             yield Wait.FOR_ALL
             self._choose_parents()
+
+    def _indices(self) -> Iterable[int]:
+        if self.rounds is None:
+            return itertools.count(self.begin)
+        return range(self.begin, self.begin + self.rounds)
 
     def _round(self, index: int) -> Iterator[CaseName]:
         """Yields one case per family, and cases derived from some."""

@@ -67,7 +67,7 @@ class Ledger:
     def write(self, result: CaseResult) -> None:
         """Writes one line, by one system call: the line is complete, whatever happens to us."""
         spent = round(self.spent + time.monotonic() - self._began, 3)
-        self._append({**_plain(result), "spent": spent})
+        self._append({**plain_of(result), "spent": spent})
 
     def close(self) -> None:
         os.close(self._file)
@@ -104,7 +104,7 @@ class Ledger:
         for number, line in enumerate(lines[1:], 2):
             value = self._value(self._opened(line, number), number)
             try:
-                result = _result(value)
+                result = result_of(value)
                 self.spent = float(value["spent"])
             except (KeyError, IndexError, TypeError, ValueError, AttributeError) as error:
                 what = f"line {number} is no result: {error}"
@@ -174,7 +174,8 @@ def _line(value: dict[str, Any]) -> bytes:
     return json.dumps(value, separators=(",", ":")).encode()
 
 
-def _plain(result: CaseResult) -> dict[str, Any]:
+def plain_of(result: CaseResult) -> dict[str, Any]:
+    """Returns the result as plain JSON, without what is empty."""
     value = asdict(result)
     value["outcomes"] = [
         {name: field for name, field in outcome.items() if field not in (None, "", ())}
@@ -183,7 +184,8 @@ def _plain(result: CaseResult) -> dict[str, Any]:
     return {name: field for name, field in value.items() if field is not None}
 
 
-def _result(value: dict[str, Any]) -> CaseResult:
+def result_of(value: dict[str, Any]) -> CaseResult:
+    """Reads what `plain_of` returned. Raises KeyError, TypeError and such for anything else."""
     fields = {name: field for name, field in value.items() if name != "spent"}
     if type(value["number"]) is not int or {type(n) for n in value["name"].values()} != {str}:
         raise TypeError("its case has no number and name")

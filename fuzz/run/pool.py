@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
-from typing import Any
+from typing import Any, Self
 
 from minkref.fuzz.isolation.isolation import usual
 from minkref.fuzz.run import child
@@ -22,6 +22,7 @@ from minkref.fuzz.targets.asking import JUDGING
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 START_SECONDS = 60.0  # until a started worker reads its job
+KILLED = signal.SIGKILL.name  # by an operator, or by a machine without memory
 
 
 class InternalError(Exception):
@@ -55,7 +56,10 @@ class _Worker:
     def give(self, job: Job) -> None:
         self.job = job
         self.begin(CASE, START_SECONDS)
-        self.pipe.send(job)
+        try:
+            self.pipe.send(job)
+        except OSError:
+            pass  # it died while it was idle, as reading from it will tell
 
     def end(self) -> None:
         try:
@@ -70,51 +74,86 @@ class _Worker:
         self.pipe.close()
 
 
+class Pool:
+    """`jobs` worker processes, kept from one list of cases to the next. Leaving the context kills
+    workers that `end` has not ended; `close` kills them from another thread."""
+
+    def __init__(self, targets: list[str], catalogue: Catalogue, limits: Limits, jobs: int) -> None:
+        self._isolation = limits.isolation or usual()
+        self._given = targets, catalogue, replace(limits, isolation=self._isolation)
+        self._jobs = max(1, jobs)
+        self._workers: list[_Worker] = []
+        self._closed = False
+
+    def results(self, cases: Iterable[Job | Wait]) -> Iterator[CaseResult]:
+        """Yields results for all cases, in the order of completion. After Wait, the next case is
+        requested only when all earlier results have been taken. Raises InternalError if the suite
+        itself fails, and after `close`. Kills workers that are still busy at the end."""
+        queue, workers = _Queue(iter(cases)), self._workers
+        try:
+            while len(workers) < self._jobs:
+                workers.append(_Worker(*self._given))
+            while True:
+                idle = [worker for worker in workers if worker.job is None]
+                for worker in idle:
+                    job = queue.next(any_busy=any(worker.job for worker in workers))
+                    if job is None:
+                        break
+                    worker.give(job)
+                busy = [worker for worker in workers if worker.job]
+                if not busy:
+                    break
+                tick = min(worker.remaining for worker in busy)
+                ready = wait([worker.pipe for worker in busy], timeout=max(0.0, tick))
+                for worker in busy:
+                    if worker.pipe in ready:
+                        result = _read(worker)
+                    elif worker.remaining <= 0:
+                        result = _overdue(worker)
+                    else:
+                        continue
+                    if self._closed:
+                        raise InternalError("the run was closed")
+                    if result is None:
+                        continue
+                    if isinstance(result, CaseResult):
+                        worker.job = None
+                        yield result
+                    else:
+                        workers.append(_replaced(worker, result))
+                        workers.remove(worker)
+        finally:
+            for worker in [worker for worker in workers if worker.job]:
+                workers.remove(worker)
+                worker.kill()
+
+    def end(self) -> None:
+        """Ends idle workers in order: they close their targets."""
+        while self._workers:
+            self._workers.pop().end()
+
+    def close(self) -> None:
+        self._closed = True
+        for worker in list(self._workers):
+            child.end(worker.process)
+        self._isolation.clear()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        while self._workers:
+            self._workers.pop().kill()
+        self._isolation.clear()
+
+
 def run_cases(
     cases: Iterable[Job | Wait], targets: list[str], catalogue: Catalogue, limits: Limits, jobs: int
 ) -> Iterator[CaseResult]:
-    """Yields results for all cases, in the order of completion. After Wait, the next case is
-    requested only when all earlier results have been taken. Raises InternalError if the suite
-    itself fails; always ends its workers."""
-    isolation = limits.isolation or usual()
-    limits = replace(limits, isolation=isolation)
-    queue = _Queue(iter(cases))
-    workers = [_Worker(targets, catalogue, limits) for _ in range(max(1, jobs))]
-    try:
-        while True:
-            idle = [worker for worker in workers if worker.job is None]
-            for worker in idle:
-                job = queue.next(any_busy=any(worker.job for worker in workers))
-                if job is None:
-                    break
-                worker.give(job)
-            busy = [worker for worker in workers if worker.job]
-            if not busy:
-                break
-            tick = min(worker.remaining for worker in busy)
-            ready = wait([worker.pipe for worker in busy], timeout=max(0.0, tick))
-            for worker in busy:
-                if worker.pipe in ready:
-                    result = _read(worker)
-                elif worker.remaining <= 0:
-                    result = _overdue(worker)
-                else:
-                    continue
-                if result is None:
-                    continue
-                if isinstance(result, CaseResult):
-                    worker.job = None
-                    yield result
-                else:
-                    workers.append(_replaced(worker, result))
-                    workers.remove(worker)
-        for worker in workers:
-            worker.end()
-        workers.clear()
-    finally:
-        for worker in workers:
-            worker.kill()
-        isolation.clear()
+    """Yields a Pool's results for these cases; always ends its workers."""
+    with Pool(targets, catalogue, limits, jobs) as pool:
+        yield from pool.results(cases)
+        pool.end()
 
 
 @dataclass
@@ -143,7 +182,7 @@ def _replaced(worker: _Worker, lost: Outcome) -> _Worker:
         raise _internal(worker, "the same step took a worker down twice")
     ours = lost.target == CASE or lost.target.startswith(JUDGING)
     again = lost.verdict is Verdict.TIMED_OUT and (ours or worker.limits.tries > 1)
-    if again and lost.target not in job.overdue:
+    if (again or lost.signal == KILLED) and lost.target not in job.overdue:
         job.overdue.add(lost.target)  # perhaps the machine stood still: once more
     else:
         job.lost[lost.target] = lost
@@ -186,6 +225,8 @@ def _died(worker: _Worker) -> Outcome:
     code = worker.process.exitcode or 0
     name = signal.Signals(-code).name if code < 0 else None
     how = name or f"exit code {code}"
+    if name == KILLED and worker.job and worker.step not in worker.job.overdue:
+        return Outcome(worker.step, Verdict.CRASHED, signal=name)  # perhaps from outside: once more
     if worker.step == CASE:
         raise _internal(worker, f"the worker process died ({how})")
     if worker.step.startswith(JUDGING):

@@ -161,6 +161,25 @@ def run(
     Unresponsive targets rest, unless the cases are named. SIGINT, SIGTERM, SIGHUP, a time limit
     and our own faults end the run: the result holds all cases judged until then, and `ended` or
     `failed` says so."""
+
+    def ask(wanted: Iterator[Job | Wait]) -> Iterator[CaseResult]:
+        return run_cases(wanted, targets, catalogue, limits, jobs)
+
+    return run_asking(ask, cases, targets, versions, baseline, progress, ledger, first)
+
+
+def run_asking(
+    ask: Callable[[Iterator[Job | Wait]], Iterator[CaseResult]],
+    cases: CaseList,
+    targets: list[str],
+    versions: dict[str, str | None],
+    baseline: Baseline,
+    progress: Callable[[Run], None] = lambda _: None,
+    ledger: Ledger | None = None,
+    first: bool = False,
+    keep: Callable[[CaseResult], None] = lambda _: None,
+) -> Run:
+    """Runs all cases by `ask`. `keep` gets each result as it counts, in the order of cases."""
     done = Run(list(targets))
     resting = Resting([] if cases.named else targets, done.resting)
     waiting: dict[int, CaseResult] = {}
@@ -174,15 +193,16 @@ def run(
 
     def take_next(result: CaseResult) -> None:
         result = resting.applied(result)
-        _take(done, result, versions, baseline)
+        keep(result)
+        take(done, result, versions, baseline)
         if not result.is_run:
             cases.miss()
-        cases.learn(result.number, result.name.text, _coverage(result))
+        cases.learn(result.number, result.name.text, coverage_of(result))
         resting.note(result)
 
     with Stoppable() as stoppable:
 
-        def take(result: CaseResult, ledger: Ledger | None = None) -> None:
+        def receive(result: CaseResult, ledger: Ledger | None = None) -> None:
             nonlocal number
             with stoppable.held():
                 if ledger is not None:
@@ -194,9 +214,8 @@ def run(
             progress(done)
 
         try:
-            jobs_of = _jobs(cases, ledger, take, done.resting)
-            for result in run_cases(jobs_of, targets, catalogue, limits, jobs):
-                take(result, ledger)
+            for result in ask(_jobs(cases, ledger, receive, done.resting)):
+                receive(result, ledger)
                 if is_over():
                     break
         except Ended as ended:
@@ -215,7 +234,7 @@ def run(
     return done
 
 
-def _coverage(result: CaseResult) -> str | None:
+def coverage_of(result: CaseResult) -> str | None:
     """Returns the case's coverage, with all faults."""
     if result.coverage is None:
         return None
@@ -246,9 +265,10 @@ def _jobs(
         number += 1
 
 
-def _take(
+def take(
     done: Run, result: CaseResult, versions: dict[str, str | None], baseline: Baseline
 ) -> None:
+    """Adds a result to a run."""
     if result.absent is not None:
         done.absent += 1
         return

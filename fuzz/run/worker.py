@@ -31,7 +31,7 @@ JUDGE_SECONDS = 600.0  # for one judge on one case: slow by design
 @dataclass
 class Job:
     """A case for a worker. `lost` holds targets that took down a worker before, `overdue` targets
-    that ran out of time once; a second time counts."""
+    that ran out of time or were killed once; a second time counts."""
 
     number: int
     name: CaseName

@@ -59,7 +59,7 @@ def shrunk_groups(
         run.ended = int(signal.SIGINT)
     except Ended as ended:
         run.ended = ended.number
-    return _merged(groups)
+    return merged(groups)
 
 
 def _shrink_all(
@@ -74,7 +74,7 @@ def _shrink_all(
         outcome = group.example.outcome
         if outcome.verdict in UNSHRUNK or most_calls <= 0:
             continue
-        calls, examples = _bounds(outcome, most_calls)
+        calls, examples = bounds(outcome, most_calls)
         same = [finding for finding in run.findings if finding.kind == group.example.kind]
         same.sort(key=lambda finding: finding.case.size)
         progress(f"shrinking: {outcome.target} {' '.join(outcome.kinds)}")
@@ -89,7 +89,7 @@ def _shrink_all(
         group.small.sort(key=lambda small: small.result.size)
 
 
-def _bounds(outcome: Outcome, most_calls: int) -> tuple[int, int]:
+def bounds(outcome: Outcome, most_calls: int) -> tuple[int, int]:
     """Bounds the calls for one finding, and the number of findings: fewer for slow calls."""
     faults = (outcome.verdict, outcome.was)
     if Verdict.TIMED_OUT in faults:
@@ -101,7 +101,7 @@ def _bounds(outcome: Outcome, most_calls: int) -> tuple[int, int]:
     return most_calls, EXAMPLES
 
 
-def _merged(groups: list[Group]) -> list[Group]:
+def merged(groups: list[Group]) -> list[Group]:
     """Merges groups with the same target and verdict that shrink to a common case: they have one
     cause."""
     kept: list[Group] = []

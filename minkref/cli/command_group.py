@@ -39,6 +39,7 @@ HEADINGS = {
     },
     "Judging": {
         "verify": "Test implementations against the exact reference.",
+        "campaign": "Verification beyond one machine: run, resume, merge, ask, publish.",
         "adapter": "Write, check and install adapters: programs that connect an implementation to "
         "the tests.",
         "targets": "List what `minkref verify` can test here.",

@@ -162,10 +162,10 @@ def _single(option: CommandOption, value: Any, folder: Path, where: str) -> Any:
         raise Refusal(f"{given} is not {wanted}", where, f"give {wanted}", "settings")
     if option.kind is Path:
         return str(folder / str(value))
-    return _target(folder, str(value)) if option.parameter == "targets" else value
+    return target_from(folder, str(value)) if option.parameter == "targets" else value
 
 
-def _target(folder: Path, name: str) -> str:
+def target_from(folder: Path, name: str) -> str:
     """A target that is named by a relative path, from the current folder."""
     kind, rest = ("so:", name[3:]) if name.startswith("so:") else ("", name)
     if "/" not in rest or name.startswith(("cmd:", "py:")):

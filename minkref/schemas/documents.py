@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 from minkref.schemas.bench.document import BenchDocument
+from minkref.schemas.campaigns import (
+    CampaignCompactDocument,
+    CampaignQueryDocument,
+    CampaignSiteDocument,
+)
 from minkref.schemas.cases import GenerateDocument
 from minkref.schemas.certificates import CertifyDocument, CheckDocument
 from minkref.schemas.disc.closing import DiscClosingDocument, DiscOpeningDocument
@@ -76,12 +81,23 @@ from minkref.schemas.space.values import FlatRing
 from minkref.schemas.space.view import SpaceViewDocument
 from minkref.schemas.values import Digest, Fraction, Number, Point, SpacePoint
 from minkref.schemas.verify.adapter_check import AdapterCheckDocument
+from minkref.schemas.verify.campaign import (
+    CampaignMergeDocument,
+    CampaignRunDocument,
+    CampaignStatusDocument,
+)
 from minkref.schemas.verify.cases import AnyPoint, CaseRing
 from minkref.schemas.verify.document import ShrinkDocument, VerifyDocument
 
 DOCUMENTS = {
     "adapter_check": AdapterCheckDocument,
     "bench": BenchDocument,
+    "campaign_compact": CampaignCompactDocument,
+    "campaign_query": CampaignQueryDocument,
+    "campaign_site": CampaignSiteDocument,
+    "campaign_merge": CampaignMergeDocument,
+    "campaign_run": CampaignRunDocument,
+    "campaign_status": CampaignStatusDocument,
     "certify": CertifyDocument,
     "check": CheckDocument,
     "closing": ClosingDocument,

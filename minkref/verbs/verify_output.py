@@ -91,24 +91,15 @@ def document_of(
         "verify",
         watch,
         exit_code=code,
-        ended_by=_ended_by(run.ended),
+        ended_by=ended_by(run.ended),
         isolation=walls.document(),
         seed=cases.seed,
-        targets=[_target_document(entry, declared[entry.name]) for entry in chosen],
+        targets=[target_document(entry, declared[entry.name]) for entry in chosen],
         absent=[{"name": entry.name, "reason": entry.reason} for entry in absent],
         notes=cases.notes,
         left_out=dict(untaken(run)),
         groups=[{"name": name, "cases": run.cases[name]} for name in run.groups],
-        matrix=[
-            {
-                "target": target,
-                "group": group,
-                "verdicts": dict(cell.verdicts),
-                "skips": dict(cell.skips),
-                "seconds": round(cell.seconds, 6),
-            }
-            for (target, group), cell in run.matrix.items()
-        ],
+        matrix=matrix_document(run),
         findings=[finding_document(finding, versions) for finding in run.findings],
         shrunk=[
             shrunk_document(group, small, versions) for group in groups for small in group.small
@@ -117,13 +108,27 @@ def document_of(
     )
 
 
-def _ended_by(number: int | None) -> str | None:
+def matrix_document(run: Run) -> list[dict[str, Any]]:
+    return [
+        {
+            "target": target,
+            "group": group,
+            "verdicts": dict(cell.verdicts),
+            "skips": dict(cell.skips),
+            "seconds": round(cell.seconds, 6),
+        }
+        for (target, group), cell in run.matrix.items()
+    ]
+
+
+def ended_by(number: int | None) -> str | None:
+    """Names what ended a run."""
     if number is None:
         return None
     return "time-limit" if number == OUT_OF_TIME else signal.Signals(number).name
 
 
-def _target_document(entry: TargetEntry, declared: Declaration) -> dict[str, Any]:
+def target_document(entry: TargetEntry, declared: Declaration) -> dict[str, Any]:
     return {
         "name": entry.name,
         "version": entry.version,

@@ -46,6 +46,12 @@ def arguments() -> argparse.Namespace:
         help="steps at a time (default: as many as there are cores if quick, else 1, since most "
         "larger steps use all cores); those that measure time run alone",
     )
+    parser.add_argument(
+        "--scheduler",
+        metavar="ADDRESS|local:N",
+        help="run steps as tasks of a Dask scheduler, or of N workers here; those that measure "
+        "time run here, alone, afterwards",
+    )
     parser.add_argument("--list", action="store_true", help="name parts and steps, and stop")
     parser.add_argument(
         "--stale", action="store_true",
@@ -81,6 +87,18 @@ def at_once(
             interrupted.set()
             pool.shutdown(cancel_futures=True)
             raise
+
+
+def on_scheduler(
+    place: str, chosen: list[Step], size: Size, console: Console
+) -> dict[str, store.Document]:
+    from minkref.reports.evidence.framework.on_workers import on_workers
+
+    def tell(document: store.Document) -> None:
+        console.print(f"{document['step']}: {document['status']}, {document['seconds']:.1f} s")
+
+    chosen = sorted(chosen, key=lambda step: step.minutes[size] or 0, reverse=True)
+    return on_workers(place, chosen, size, tell)
 
 
 def end_if_interrupted() -> None:
@@ -216,7 +234,11 @@ def main() -> int:
     beside = [step for step in to_run if not step.alone]
     if options.jobs > 1:  # the longest first, so that no core waits for another at the end
         beside.sort(key=lambda step: step.minutes[size] or 0, reverse=True)
-    of_step = kept | at_once(beside, document_of, options.jobs)
+    of_step = kept | (
+        on_scheduler(options.scheduler, beside, size, console)
+        if options.scheduler and beside
+        else at_once(beside, document_of, options.jobs)
+    )
     of_step |= at_once([step for step in to_run if step.alone], document_of, 1)
     documents = [of_step[step.name] for step in chosen]
     table.show(console, documents, absent)

@@ -145,6 +145,24 @@ def test_every_adapter_has_its_files(tmp_path: Path) -> None:
             assert catalogue.command(name, tmp_path) is None
 
 
+def test_another_version_has_a_folder_of_its_own(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """The other packages stay at their pinned versions, and the pinned folder is left alone."""
+    asked: list[tuple[str, ...]] = []
+    monkeypatch.setattr(installation, "_make_empty_environment", lambda folder: folder.mkdir())
+    monkeypatch.setattr(installation, "_pip", lambda *words: asked.append(words[1:]))
+    catalogue.install("manifold3d-offset@3.0.1", tmp_path)
+    assert asked == [("install", "--only-binary", ":all:", "manifold3d==3.0.1", "numpy==2.4.6")]
+    assert sorted(path.name for path in tmp_path.glob("[!.]*")) == ["manifold3d@3.0.1"]
+    assert (
+        catalogue.is_named("geos@2.0.7") and "2.0.7" in catalogue.adapter_named("geos@2.0.7").title
+    )
+    for name in ("geos@", "geos@../x", "geos@2;x", "clipper2@1.0", "no-such@1.0"):
+        with pytest.raises(Refusal, match="no adapter"):
+            catalogue.install(name, tmp_path)
+
+
 def test_an_unknown_name_is_refused() -> None:
     for function in (catalogue.install, catalogue.command, catalogue.absence):
         with pytest.raises(Refusal, match="no adapter 'no-such'"):

@@ -124,6 +124,7 @@ STEPS = (
         code=1,
         files=("found.json",),
     ),
+    step("campaign status .", "no campaign", code=2),
     step("verify minkref --pairs 2 --no-models", extra="judges", optional=True, slow=True),
     step("report degeneracies -o pages", slow=True),
     step("report audit --quick -o audit", extra="reports", slow=True),

@@ -17,7 +17,17 @@ from minkref.reports.evidence.framework.recorded import MODELS, known
 
 Document = dict[str, Any]
 SUMMARY, RESTS_ON = "SUMMARY.md", "rests_on.json"  # in the room
-BOOKKEEPERS = ("child", "includes", "places", "recorded", "stale", "steps", "store", "table")
+BOOKKEEPERS = (
+    "child",
+    "on_workers",
+    "includes",
+    "places",
+    "recorded",
+    "stale",
+    "steps",
+    "store",
+    "table",
+)
 PROSE = (".md", ".svg", RESTS_ON)  # a folder's hash leaves these files out
 
 

@@ -1,0 +1,2 @@
+#!/bin/bash -eu
+exec "$SRC/minkref/tests/fuzzing/oss_fuzz/build.sh"

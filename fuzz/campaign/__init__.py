@@ -1,0 +1,1 @@
+"""Campaigns: runs on many workers and machines, which continue after any death."""

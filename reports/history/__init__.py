@@ -1,0 +1,1 @@
+"""Pages of a campaign's ledger: libraries over their versions."""
