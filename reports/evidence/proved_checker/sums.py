@@ -27,25 +27,33 @@ from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
 RESTS_ON = ("oracle/proved/",)
-MINUTES = Minutes(None, 2, 45)
+MINUTES = Minutes(None, 2, 60)
 
 SEED = 1130
-CASES = Counts(60, 600, 5400)  # about five sums each
-SUMS, POINTS = Counts(150, 2000, 15_000), Counts(200, 2500, 25_000)
+CASES, THIN = Counts(60, 600, 25_600), Counts(2, 20, 1200)  # of all families, and of one more
+PAIRS, THIN_PAIRS = Counts(40, 450, 20_000), Counts(2, 40, 2000)
+SUMS, POINTS = Counts(150, 2000, 60_000), Counts(200, 2500, 150_000)
 EVERY = Counts(60, 10, 1)  # of the corpus's cases
-PROVED_TOO = 40  # each of so many cases has its sum proved by a certificate, too
-MOST_PAIRS, MOST_PAIRS_POINTS = 150, 1600
+PROVED_TOO = 40  # one of so many cases has its sum proved by a certificate, too
+MOST_PAIRS, MOST_PAIRS_POINTS = 150, 1600  # of vertices, for sums and for points
+THIN_FAMILY = "degenerate"
 CORPUS = ROOT / "degeneracies" / "corpus"
 ORIGIN = '{"polygons": [{"outer": [["0", "0"]], "holes": []}]}'
 STARS = Counts((12,), (12, 20), (12, 20, 40))  # corners of each of two stars
 
 
-def judge(index: int) -> dict[str, Any]:
+def names(size: Size) -> list[str]:
+    """Pairs of all families in turn, then of points, segments and empty sets only."""
+    families = list(FAMILIES)
+    rounds = [(families[i % len(families)], i // len(families)) for i in range(size.of(CASES))]
+    more = [(THIN_FAMILY, i) for i in range(size.of(CASES), size.of(CASES) + size.of(THIN))]
+    return [f"{family}:{SEED}:{number}" for family, number in rounds + more]
+
+
+def judge(name: str) -> dict[str, Any]:
     """One pair: points; and if it is small its sums at the given scale, and at, beside and between
     two of its boundary events."""
-    families = list(FAMILIES)
-    family, number = families[index % len(families)], index // len(families)
-    case = naming.load(CaseName(f"{family}:{SEED}:{number}", "evidence"))
+    case = naming.load(CaseName(name, "evidence"))
     tally: Counter[str] = Counter()
     faults: list[str] = []
     if not isinstance(case, Case) or case.vertex_pairs > MOST_PAIRS_POINTS:
@@ -54,9 +62,10 @@ def judge(index: int) -> dict[str, Any]:
     if not all(thin) and case.vertex_pairs <= MOST_PAIRS:
         for scale in _scales(case):
             _compare(tally, faults, case, scale)
-        if index % PROVED_TOO == 0:
+        if int(name.rpartition(":")[2]) % PROVED_TOO == 0:
             _prove(tally, faults, case)
-    tally["with a point or a segment"] += any(thin)
+        tally["pairs"] += 1
+        tally["with a point or a segment"] += any(thin)
     _decide(tally, faults, case)
     return {"tally": tally, "faults": faults}
 
@@ -174,18 +183,20 @@ def run(findings: Findings, size: Size) -> None:
         return
     tally: Counter[str] = Counter()
     faults: list[str] = []
-    for found in in_processes(judge, range(size.of(CASES)), 500, "pairs"):
+    for found in in_processes(judge, names(size), 500, "pairs"):
         tally += found["tally"]
         faults += found["faults"]
     findings.none(f"sums or points on which the program and the reference differ ({SEED=})", faults)
     points = tally["in"] + tally["out"]
+    thin = tally["with a point or a segment"]
     for what, wanted, reached in (
+        ("pairs, of which sums are", size.of(PAIRS), tally["pairs"]),
+        ("pairs with a point or a segment", size.of(THIN_PAIRS), thin),
         ("sums, at, beside and between events", size.of(SUMS), tally["sums"]),
         ("points", size.of(POINTS), points),
     ):
         findings.law(f"{what}, compared", reached >= wanted, f"{wanted:,}", f"{reached:,}")
     findings.figures["points of these in the sum"] = f"{tally['in']:,}"
-    findings.figures["pairs with a point or a segment"] = tally["with a point or a segment"]
     findings.figures["answers whose digest a certificate proves, too"] = tally["proved"]
     results = list(in_processes(judge_corpus, corpus()[:: size.of(EVERY)], 100, "of the corpus"))
     faulty = [fault for found in results for fault in found["faults"]]
