@@ -176,10 +176,17 @@ def _has_sums(path: Path) -> bool:
     return case.get("schema") == "case-v1" and case["dimension"] == 2 and bool(case.get("expected"))
 
 
+def is_absent(findings: Findings) -> bool:
+    """Whether the program is not built, which is then told."""
+    if proved_program.found() is not None:
+        return False
+    findings.note(f"{proved_program.BUILT_BY}: nothing of this step was run")
+    findings.target(f"{proved_program.PROGRAM} is built", False, "built", "absent")
+    return True
+
+
 def run(findings: Findings, size: Size) -> None:
-    if proved_program.found() is None:
-        findings.note(f"{proved_program.BUILT_BY}: nothing of this step was run")
-        findings.target(f"{proved_program.PROGRAM} is built", False, "built", "absent")
+    if is_absent(findings):
         return
     tally: Counter[str] = Counter()
     faults: list[str] = []

@@ -1,0 +1,152 @@
+"""Operands that the extracted program takes: legal ones are answered, illegal ones refused, as by
+the reference. Lists of rings on small lattices, and the family `invalid` of `verify`."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from typing import Any
+
+from minkref import _core, proved_program
+from minkref.exact import digest
+from minkref.fuzz.geometry.plane import Ring, Shape, doubled_area
+from minkref.fuzz.invalid.family import invalid_pair
+from minkref.fuzz.plane.families.dice import Dice
+from minkref.fuzz.plane.families.integer_rings import scattered, untangled
+from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
+from minkref.reports.evidence.proved_checker.sums import is_absent
+
+RESTS_ON = ("oracle/proved/",)
+MINUTES = Minutes(0.2, 1, 10)
+
+SEED = 1132
+LISTS, INVALID = Counts(300, 5000, 50_000), Counts(40, 400, 2000)
+LEAST = 0.25  # of the lists are legal, and as many are not
+LATTICES = (4, 6, 8)  # steps along a side
+POINT = '{"polygons":[{"outer":[["0","0"]],"holes":[]}]}'
+TRIANGLE = '{"polygons":[{"outer":[["0","0"],["1","0"],["0","1"]],"holes":[]}]}'
+TAKEN, REFUSED = 0, 2  # exit codes
+WHYS = ("is not legal", "runs the wrong way", "of too few vertices")
+
+
+def drawn(index: int) -> tuple[str, str]:
+    """A list of one to three rings, beside a point or a triangle; no rule is kept but by chance."""
+    dice = Dice(f"minkref legality {SEED} {index}")
+    side = dice.choice(LATTICES)
+    shape: Shape = []
+    windows = [(0, side)]  # where rings are drawn; later ones within earlier ones
+    count = dice.choice((1, 1, 2, 2, 3, 3, 3))
+    for more in reversed(range(count)):
+        low, high = windows[-1] if dice.random() < 0.85 else (0, side)
+        ring = _ring(dice, low, high, 0.7 if more else 0.1)
+        is_hole = bool(shape) and dice.random() < (0.8 if len(shape[-1]) == 1 else 0.4)
+        if ((doubled_area(ring) < 0) == is_hole) == (dice.random() < 0.03):
+            ring = ring[::-1]
+        if is_hole:
+            shape[-1].append(ring)
+        else:
+            shape.append([ring])
+        if high - low > 2:
+            windows.append((low + (dice.random() < 0.8), high - 1))
+    is_thin = len(shape) == 1 and len(shape[0]) == 1 and len(shape[0][0]) < 3
+    return _text(shape), TRIANGLE if is_thin or dice.random() < 0.5 else POINT
+
+
+def _ring(dice: Dice, low: int, high: int, frames: float) -> Ring:
+    """The frame of its window, a simple ring, or any points one after another."""
+    width = high - low
+    if dice.random() < frames:
+        return [(low, low), (high, low), (high, high), (low, high)]
+    if dice.random() < 0.75:
+        found = untangled(scattered(dice, dice.randint(3, 7), width, width))
+        if found is not None:
+            return [(x + low, y + low) for x, y in found]
+    count = dice.randint(1, 2) if dice.random() < 0.05 else dice.randint(3, 6)
+    return [(dice.randint(low, high), dice.randint(low, high)) for _ in range(count)]
+
+
+def _text(shape: Shape) -> str:
+    """JSON, rings as they are drawn."""
+    rows = [[[[str(x), str(y)] for x, y in ring] for ring in polygon] for polygon in shape]
+    polygons = [{"outer": outer, "holes": holes} for outer, *holes in rows]
+    return json.dumps({"polygons": polygons}, separators=(",", ":"))
+
+
+def judge(task: tuple[str, int]) -> dict[str, Any]:
+    """Both sets as the first and as the second operand."""
+    family, index = task
+    if family == "invalid":
+        _, P, Q = invalid_pair(SEED, index)
+    else:
+        P, Q = drawn(index)
+        P, Q = (P, Q) if index % 2 else (Q, P)
+    tally: Counter[str] = Counter()
+    why = _refusal(P) or _refusal(Q)
+    told = _asked(P, Q)
+    faults = []
+    if why:
+        tally[f"illegal: {why}"] += 1
+        if told["code"] != REFUSED or "polygons" in told:
+            faults.append(f"{family} {index}, {why}: taken")
+        found = [each for each in WHYS if each in told.get("why", "")]
+        tally[f"refused: {found[0] if found else 'for another reason'}"] += 1
+    else:
+        first, second = (_core.PolygonSet.from_json(text) for text in (P, Q))
+        ours = _core.minkowski_sum(first, second, "1")
+        rings = sum(1 + len(each["holes"]) for text in (P, Q) for each in _polygons(text)) - 1
+        tally["legal"] += 1
+        tally[f"legal of {rings} ring{'s'[: rings > 1]}"] += 1
+        expected = (digest(ours.region.canonical_json()), ours.components, ours.holes)
+        if (told.get("digest"), told.get("components"), told.get("holes")) != expected:
+            faults.append(f"{family} {index}, legal: not answered as by the reference")
+    return {"tally": tally, "faults": faults}
+
+
+def _polygons(text: str) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = json.loads(text)["polygons"]
+    return found
+
+
+def _refusal(text: str) -> str:
+    """The code of the reference's refusal; empty if the operand is legal."""
+    try:
+        _core.PolygonSet.from_json(text).validate("an operand")
+    except _core.BadInput as error:
+        return str(error.code)
+    return ""
+
+
+def _asked(P: str, Q: str) -> dict[str, Any]:
+    """The program's exit code and answer."""
+    command = [proved_program.program(), "--sum", "--json", *proved_program.NO_LIMIT, "-"]
+    ran = proved_program.run(command, f'{{"P": {P}, "Q": {Q}, "scale": "1"}}'.encode())
+    told: dict[str, Any] = json.loads(ran.stdout) if ran.returncode in (TAKEN, REFUSED) else {}
+    return told | {"code": ran.returncode}
+
+
+def run(findings: Findings, size: Size) -> None:
+    if is_absent(findings):
+        return
+    for family, what, count in (
+        ("lists", "lists of one to three rings", size.of(LISTS)),
+        ("invalid", "pairs of the family `invalid`", size.of(INVALID)),
+    ):
+        tally: Counter[str] = Counter()
+        faults: list[str] = []
+        tasks = [(family, index) for index in range(count)]
+        for found in in_processes(judge, tasks, 1000, what):
+            tally += found["tally"]
+            faults += found["faults"]
+        findings.none(f"{what} on which the program and the reference differ ({SEED=})", faults)
+        legal, illegal = tally["legal"], count - tally["legal"]
+        if family == "lists":
+            least = round(LEAST * count)
+            for name, reached in (("legal", legal), ("illegal", illegal)):
+                findings.law(f"{what}: {name}", reached >= least, f"{least:,}", f"{reached:,}")
+        else:
+            findings.equal(f"{what}: illegal", count, illegal)
+        findings.none(f"{what}: refused for another reason", tally["refused: for another reason"])
+        for name in sorted(tally):
+            if name != "legal" and "another" not in name:
+                findings.figures[f"{what}: {name}"] = f"{tally[name]:,}"
