@@ -19,6 +19,7 @@ from minkref.fuzz.judges.plane import proved_sums
 from minkref.fuzz.judges.plane.slow_points import points_of
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.reports.evidence.proved_checker import legality
 from minkref.schemas import schema
 from named_cases import named
 
@@ -126,6 +127,17 @@ def test_legal_is_what_the_reference_finds_legal(ask: Ask) -> None:
         legal += is_legal
         refused += not is_taken
     assert legal >= 20 and refused >= 20
+
+
+@pytest.mark.parametrize("takes", [True, False])
+def test_the_evidence_finds_a_program_that_takes_or_refuses_all(
+    monkeypatch: pytest.MonkeyPatch, takes: bool
+) -> None:
+    said = {"code": 0, "polygons": []} if takes else {"code": 2, "why": "P or Q is not legal"}
+    monkeypatch.setattr(legality, "_asked", lambda P, Q: said)
+    found = [legality.judge(task) for task in [("lists", k) for k in range(40)] + [("invalid", 3)]]
+    assert all(each["faults"] for each in found if takes or each["tally"]["legal"])
+    assert sum(each["tally"]["legal"] for each in found) >= 10
 
 
 def _turned(dice: random.Random, sign: int) -> Ring:
