@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from collections.abc import Sequence
 from typing import Any
 
-from minkref import _core, proved_program
+from minkref import _core
 from minkref.exact import digest
 from minkref.fuzz.geometry.plane import Ring, Shape, doubled_area
 from minkref.fuzz.invalid.family import invalid_pair
@@ -15,18 +16,19 @@ from minkref.fuzz.plane.families.dice import Dice
 from minkref.fuzz.plane.families.integer_rings import scattered, untangled
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
-from minkref.reports.evidence.proved_checker.sums import is_absent
+from minkref.reports.evidence.proved_checker.sums import answers, is_absent
 
 RESTS_ON = ("oracle/proved/",)
-MINUTES = Minutes(0.2, 1, 10)
+MINUTES = Minutes(0.1, 0.4, 4)
 
 SEED = 1132
-LISTS, INVALID = Counts(300, 5000, 50_000), Counts(40, 400, 2000)
+LISTS, PAIRS = Counts(300, 5000, 50_000), Counts(40, 400, 2000)
 LEAST = 0.25  # of the lists are legal, and as many are not
 LATTICES = (4, 6, 8)  # steps along a side
 POINT = '{"polygons":[{"outer":[["0","0"]],"holes":[]}]}'
 TRIANGLE = '{"polygons":[{"outer":[["0","0"],["1","0"],["0","1"]],"holes":[]}]}'
-TAKEN, REFUSED = 0, 2  # exit codes
+INVALID, REFUSED, OTHERWISE = "invalid", "malformed", "for another reason"
+BATCH = 50  # for one run of the program
 WHYS = ("is not legal", "runs the wrong way", "of too few vertices")
 
 
@@ -73,34 +75,37 @@ def _text(shape: Shape) -> str:
     return json.dumps({"polygons": polygons}, separators=(",", ":"))
 
 
-def judge(task: tuple[str, int]) -> dict[str, Any]:
-    """Both sets as the first and as the second operand."""
-    family, index = task
-    if family == "invalid":
-        _, P, Q = invalid_pair(SEED, index)
-    else:
-        P, Q = drawn(index)
-        P, Q = (P, Q) if index % 2 else (Q, P)
+def judge(tasks: Sequence[tuple[str, int]]) -> dict[str, Any]:
+    """Both sets as the first and as the second operand, in one run of the program."""
+    pairs = [_pair(*task) for task in tasks]
     tally: Counter[str] = Counter()
-    why = _refusal(P) or _refusal(Q)
-    told = _asked(P, Q)
     faults = []
-    if why:
-        tally[f"illegal: {why}"] += 1
-        if told["code"] != REFUSED or "polygons" in told:
-            faults.append(f"{family} {index}, {why}: taken")
-        found = [each for each in WHYS if each in told.get("why", "")]
-        tally[f"refused: {found[0] if found else 'for another reason'}"] += 1
-    else:
+    told = answers("--sum", [f'{{"P": {P}, "Q": {Q}, "scale": "1"}}' for P, Q in pairs])
+    for (family, index), (P, Q), said in zip(tasks, pairs, told, strict=True):
+        name = f"{family} {index}"
+        if why := _refusal(P) or _refusal(Q):
+            tally[f"illegal: {why}"] += 1
+            if said.get("verdict") != REFUSED or "polygons" in said:
+                faults.append(f"{name}, {why}: taken")
+            found = [each for each in WHYS if each in said.get("why", "")]
+            tally[f"refused: {found[0] if found else OTHERWISE}"] += 1
+            continue
         first, second = (_core.PolygonSet.from_json(text) for text in (P, Q))
         ours = _core.minkowski_sum(first, second, "1")
         rings = sum(1 + len(each["holes"]) for text in (P, Q) for each in _polygons(text)) - 1
         tally["legal"] += 1
         tally[f"legal of {rings} ring{'s'[: rings > 1]}"] += 1
         expected = (digest(ours.region.canonical_json()), ours.components, ours.holes)
-        if (told.get("digest"), told.get("components"), told.get("holes")) != expected:
-            faults.append(f"{family} {index}, legal: not answered as by the reference")
+        if (said.get("digest"), said.get("components"), said.get("holes")) != expected:
+            faults.append(f"{name}, legal: not answered as by the reference")
     return {"tally": tally, "faults": faults}
+
+
+def _pair(family: str, index: int) -> tuple[str, str]:
+    if family == INVALID:
+        return invalid_pair(SEED, index)[1:]
+    P, Q = drawn(index)
+    return (P, Q) if index % 2 else (Q, P)
 
 
 def _polygons(text: str) -> list[dict[str, Any]]:
@@ -117,25 +122,18 @@ def _refusal(text: str) -> str:
     return ""
 
 
-def _asked(P: str, Q: str) -> dict[str, Any]:
-    """The program's exit code and answer."""
-    command = [proved_program.program(), "--sum", "--json", *proved_program.NO_LIMIT, "-"]
-    ran = proved_program.run(command, f'{{"P": {P}, "Q": {Q}, "scale": "1"}}'.encode())
-    told: dict[str, Any] = json.loads(ran.stdout) if ran.returncode in (TAKEN, REFUSED) else {}
-    return told | {"code": ran.returncode}
-
-
 def run(findings: Findings, size: Size) -> None:
     if is_absent(findings):
         return
     for family, what, count in (
         ("lists", "lists of one to three rings", size.of(LISTS)),
-        ("invalid", "pairs of the family `invalid`", size.of(INVALID)),
+        (INVALID, "pairs of the family `invalid`", size.of(PAIRS)),
     ):
         tally: Counter[str] = Counter()
         faults: list[str] = []
         tasks = [(family, index) for index in range(count)]
-        for found in in_processes(judge, tasks, 1000, what):
+        batches = [tasks[k : k + BATCH] for k in range(0, count, BATCH)]
+        for found in in_processes(judge, batches, 20, f"batches of {BATCH} {what}"):
             tally += found["tally"]
             faults += found["faults"]
         findings.none(f"{what} on which the program and the reference differ ({SEED=})", faults)
@@ -146,7 +144,7 @@ def run(findings: Findings, size: Size) -> None:
                 findings.law(f"{what}: {name}", reached >= least, f"{least:,}", f"{reached:,}")
         else:
             findings.equal(f"{what}: illegal", count, illegal)
-        findings.none(f"{what}: refused for another reason", tally["refused: for another reason"])
+        findings.none(f"{what}: refused {OTHERWISE}", tally[f"refused: {OTHERWISE}"])
         for name in sorted(tally):
-            if name != "legal" and "another" not in name:
+            if name != "legal" and OTHERWISE not in name:
                 findings.figures[f"{what}: {name}"] = f"{tally[name]:,}"
