@@ -29,7 +29,11 @@ POINT = '{"polygons":[{"outer":[["0","0"]],"holes":[]}]}'
 TRIANGLE = '{"polygons":[{"outer":[["0","0"],["1","0"],["0","1"]],"holes":[]}]}'
 INVALID, REFUSED, OTHERWISE = "invalid", "malformed", "for another reason"
 BATCH = 50  # for one run of the program
-WHYS = ("is not legal", "runs the wrong way", "of too few vertices")
+WHYS = {
+    "is not legal": "by the test that is proved",
+    "runs the wrong way": "by the reader: wrong way around",
+    "of too few vertices": "by the reader: too few vertices",
+}
 
 
 def drawn(index: int) -> tuple[str, str]:
@@ -87,7 +91,7 @@ def judge(tasks: Sequence[tuple[str, int]]) -> dict[str, Any]:
             tally[f"illegal: {why}"] += 1
             if said.get("verdict") != REFUSED or "polygons" in said:
                 faults.append(f"{name}, {why}: taken")
-            found = [each for each in WHYS if each in said.get("why", "")]
+            found = [by for part, by in WHYS.items() if part in said.get("why", "")]
             tally[f"refused: {found[0] if found else OTHERWISE}"] += 1
             continue
         first, second = (_core.PolygonSet.from_json(text) for text in (P, Q))
@@ -145,6 +149,10 @@ def run(findings: Findings, size: Size) -> None:
         else:
             findings.equal(f"{what}: illegal", count, illegal)
         findings.none(f"{what}: refused {OTHERWISE}", tally[f"refused: {OTHERWISE}"])
-        for name in sorted(tally):
-            if name != "legal" and OTHERWISE not in name:
-                findings.figures[f"{what}: {name}"] = f"{tally[name]:,}"
+        for kind in ("legal", "illegal", "refused"):
+            kinds = [name for name in sorted(tally) if name.startswith((f"{kind}:", f"{kind} "))]
+            if kinds:
+                counts = ", ".join(
+                    f"{tally[name]:,} {name[len(kind) + 1 :].strip()}" for name in kinds
+                )
+                findings.note(f"{what}: {kind}: {counts}")
