@@ -19,6 +19,7 @@ from minkref.fuzz.judges.plane import proved_sums
 from minkref.fuzz.judges.plane.slow_points import points_of
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.reports.evidence.proved_checker import legality
 from minkref.schemas import schema
 from named_cases import named
 
@@ -126,6 +127,18 @@ def test_legal_is_what_the_reference_finds_legal(ask: Ask) -> None:
         legal += is_legal
         refused += not is_taken
     assert legal >= 20 and refused >= 20
+
+
+@pytest.mark.parametrize("takes", [True, False])
+def test_the_evidence_finds_a_program_that_takes_or_refuses_all(
+    monkeypatch: pytest.MonkeyPatch, takes: bool
+) -> None:
+    said = {"verdict": "computed", "polygons": []} if takes else {"verdict": "malformed"}
+    monkeypatch.setattr(legality, "answers", lambda verb, asked: [said for _ in asked])
+    found = legality.judge([*(("lists", k) for k in range(40)), ("invalid", 3)])
+    legal = found["tally"]["legal"]
+    assert legal >= 10
+    assert len(found["faults"]) == (41 if takes else legal)
 
 
 def _turned(dice: random.Random, sign: int) -> Ring:
