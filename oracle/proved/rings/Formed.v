@@ -3,8 +3,8 @@ From Coq Require Import Lra Lia Psatz Bool QArith Qreals ZArith Permutation Clas
 From Proved Require Import Definitions Form Sums Crossings Local Across Overlaps Components OneForm
   Paths Decomposed Gaps Unique Rounds.
 From Proved Require Import Points Decided Member Pieces Slabs Along Cuts Lone Flanks Frontier
-  Slabbed Parted Disjoint Linked Coloured Wound Traced Bordered Rows Ringed
-  Transfer.
+  Slabbed Parted Disjoint Linked Coloured Upright Wound Traced Bordered Rows
+  Ringed Transfer.
 Open Scope R_scope.
 
 Section Formed.

@@ -4,8 +4,21 @@ From Coq Require Import Lra Lia Psatz Bool QArith Qreals ZArith Permutation Clas
 From Proved Require Import Definitions Form Sums Crossings Curves Local Across Overlaps Components
   Paths Decomposed Gaps Unique.
 From Proved Require Import Points Member Pieces Slabs Along Cuts Lone Flanks Frontier Stacks
-  Slabbed Cells Coloured Traced Permuted Bounding Areas Upright.
+  Slabbed Cells Coloured Upright Traced Permuted Bounding Areas.
 Open Scope R_scope.
+
+Lemma generic_line G (few : list point) lo hi : lo < hi -> exists X, lo < X < hi /\
+  (forall e, In e G -> X <> fst (start e) /\ X <> fst (finish e)) /\
+  forall p : point, In p few -> fst p <> X.
+Proof.
+  intros H. destruct (free_between ((map (fun e => fst (start e)) G ++
+    map (fun e => fst (finish e)) G) ++ map (fun p : point => fst p) few) lo hi H) as (X & D & N).
+  exists X. split; auto. split.
+  - intros e I. split; intros ->; apply N, in_or_app; left; apply in_or_app; [left|right];
+      [exact (in_map (fun e => fst (start e)) _ _ I)|
+       exact (in_map (fun e => fst (finish e)) _ _ I)].
+  - intros p I <-. apply N, in_or_app. right. exact (in_map (fun p : point => fst p) _ _ I).
+Qed.
 
 Section Circled.
 Variable C : point -> Prop.
@@ -41,33 +54,9 @@ Proof.
   { split; cbn [x fst snd]; [apply Rabs_def1; lra|]. rewrite Rminus_diag_eq, Rabs_R0; auto. }
   apply near_min in Nx. destruct Nx as [Nr Ns]. pose proof (Op x Ns) as Cx.
   destruct (K x Nr) as [Off Wx]. fold W in Wx. rewrite <- Wx.
-  set (T := fun y => (C y /\ W y = 1%Z) \/ (~ C y /\ W y = 0%Z)).
-  assert (Ev : forall t, exists r, 0 < r /\ forall y z, near r (X, t) y -> near r (X, t) z ->
-    ~ over_some E y -> ~ over_some E z -> T y -> T z).
-  { intros t. destruct (classic (over_some E (X, t))) as [(e & I & O)|No].
-    - destruct (line_across E apart closes X Ge e t I O) as (r1 & n & R1 & K1).
-      destruct (sided e (X, t) I (line_inside E X Ge e t I O)) as (r2 & R2 & K2).
-      exists (Rmin r1 r2). split; [apply Rmin_glb_lt; auto|]. intros y z Y Z Ny Nz.
-      apply near_min in Y. apply near_min in Z.
-      destruct (K1 y (proj1 Y) Ny) as [[Y1 Y2]|[Y1 Y2]],
-        (K1 z (proj1 Z) Nz) as [[Z1 Z2]|[Z1 Z2]];
-        pose proof (K2 y (proj2 Y)); pose proof (K2 z (proj2 Z)); unfold T, W in *;
-        intros [[U1 U2]|[U1 U2]]; try tauto; [left|right|left|right];
-        (split; [tauto|lia]).
-    - destruct (wound_near E closes _ No) as (r1 & R1 & K1).
-      destruct (steady_off (X, t) No) as (r2 & R2 & K2); [intros I; apply (Fe _ I); reflexivity|].
-      exists (Rmin r1 r2). split; [apply Rmin_glb_lt; auto|]. intros y z Y Z _ _.
-      apply near_min in Y. apply near_min in Z. unfold T, W.
-      rewrite (proj2 (K1 y (proj1 Y))), (proj2 (K1 z (proj1 Z))), (K2 y (proj2 Y)),
-        (K2 z (proj2 Z)). auto. }
-  destruct (winding_above (map R2e E)) as (h & H). set (m := Rmax h high + 1).
-  assert (Far : all_near E X T m).
-  { exists (1 / 2). split; [lra|]. intros y [_ Y] _. cbn [snd] in Y. apply Rabs_def2 in Y.
-    pose proof (Rmax_l h high). pose proof (Rmax_r h high). unfold m in Y. right. split.
-    - intros Cy. apply to_high in Cy. lra.
-    - apply H. lra. }
-  destruct (even_line E long X T Ev m (snd centre) Far) as (q & Q & L).
-  destruct (L x (near_self q x Q) Off) as [[_ U]|[U _]]; [exact U|contradiction].
+  destruct (wound_on_line E long apart closes X Ge C high to_high sided) with (t := snd centre)
+    as [[_ U]|[U _]]; auto; [|contradiction].
+  intros t No. apply steady_off; auto. intros I. apply (Fe _ I). reflexivity.
 Qed.
 End Together.
 

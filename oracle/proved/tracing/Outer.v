@@ -4,8 +4,8 @@ From Coq Require Import Lra Lia Bool QArith Qreals ZArith Permutation Classical.
 From Proved Require Import Definitions Form Sums Crossings Local Across Overlaps Components Paths
   Decomposed Gaps Unique Beside.
 From Proved Require Import Points Member Pieces Slabs Sorting Along Cuts Lone Flanks Kept Frontier
-  Linked Coloured Traced Bordered Rows Ringed Permuted Cycles Passing Bounding Outlined Outlines
-  Areas Upright Circled.
+  Linked Coloured Upright Traced Bordered Rows Ringed Permuted Cycles Passing Bounding Outlined
+  Outlines Areas Circled.
 Open Scope R_scope.
 
 (** ** Lists *)
@@ -89,23 +89,9 @@ Proof.
   destruct (In_nth K A [] A_class) as (i & L & Q). destruct falls as [_ Each].
   destruct (Each i L) as (Some_ & _). cbv beta in Some_. rewrite Q in Some_. exact Some_.
 Qed.
-Lemma class_nexts a b : In a E -> next_piece E a = Some b -> In b E /\ finish a = start b.
-Proof.
-  destruct (class_next S is_in all all_forward decided constant steady_off K falls A A_class)
-    as (N & Q & PN & SN). intros Ia Nb. fold B E in Q, PN, SN.
-  assert (G : forall l M, map (next_piece E) l = map Some M -> map start M = map finish l ->
-    In a l -> In b M /\ finish a = start b).
-  { induction l as [|c l IH]; intros [|m M] H1 H2 J; try discriminate; [destruct J|].
-    cbn [map] in H1, H2. injection H1; intros T1 N1.
-    pose proof (f_equal (@tl point) H2) as T2.
-    pose proof (f_equal (hd (finish a)) H2) as S1. cbn [tl hd] in T2, S1.
-    destruct J as [->|J].
-    - rewrite Nb in N1. injection N1; intros <-. split; [left; auto|symmetry; exact S1].
-    - destruct (IH M T1 T2 J) as [G1 G2]. split; [right; auto|auto]. }
-  destruct (G E N Q SN Ia) as [G1 G2]. split; [exact (Permutation_in _ PN G1)|exact G2].
-Qed.
 
 Section Loop.
+Let nexts := class_nexts S is_in all all_forward decided constant steady_off K falls A A_class.
 Variable l : list edge.
 Hypothesis traced : In l loops.
 Lemma loop_cycle : is_cycle E l.
@@ -133,7 +119,7 @@ Lemma run_ends e k z : run E e k z -> (forall a, In a k -> In a E) ->
   Permutation (finish z :: map start k) (start e :: map finish k).
 Proof.
   induction 1 as [e|e f k z N R IH]; intros Sub; [apply perm_swap|]. cbn [map].
-  destruct (class_nexts e f) as [_ Q]; auto; [apply Sub; simpl; auto|].
+  destruct (nexts e f) as [_ Q]; auto; [apply Sub; simpl; auto|].
   apply Permutation_trans with (start e :: finish z :: map start k); [apply perm_swap|].
   apply perm_skip. rewrite Q. apply IH. intros a I. apply Sub. simpl. auto.
 Qed.
@@ -142,7 +128,7 @@ Proof.
   destruct loop_cycle as (e & z & R & N & _). unfold closed. rewrite !map_map.
   change (Permutation (map start l) (map finish l)).
   pose proof (run_ends e l z R loop_within) as P.
-  destruct (class_nexts z e) as [_ Q]; auto; [apply loop_within, (run_last E _ _ _ R)|].
+  destruct (nexts z e) as [_ Q]; auto; [apply loop_within, (run_last E _ _ _ R)|].
   rewrite Q in P. exact (Permutation_cons_inv P).
 Qed.
 

@@ -21,6 +21,21 @@ Variable A : list cell.
 Hypothesis A_class : In A K.
 Let E := filter (bounds all A) B.
 
+Lemma class_nexts a b : In a E -> next_piece E a = Some b -> In b E /\ finish a = start b.
+Proof.
+  destruct (class_next S is_in all all_forward decided constant steady_off K falls A A_class)
+    as (N & Q & PN & SN). intros Ia Nb. fold B E in Q, PN, SN.
+  assert (G : forall l M, map (next_piece E) l = map Some M -> map start M = map finish l ->
+    In a l -> In b M /\ finish a = start b).
+  { induction l as [|c l IH]; intros [|m M] H1 H2 J; try discriminate; [destruct J|].
+    cbn [map] in H1, H2. injection H1; intros T1 N1.
+    pose proof (f_equal (@tl point) H2) as T2.
+    pose proof (f_equal (hd (finish a)) H2) as S1. cbn [tl hd] in T2, S1.
+    destruct J as [->|J].
+    - rewrite Nb in N1. injection N1; intros <-. split; [left; auto|symmetry; exact S1].
+    - destruct (IH M T1 T2 J) as [G1 G2]. split; [right; auto|auto]. }
+  destruct (G E N Q SN Ia) as [G1 G2]. split; [exact (Permutation_in _ PN G1)|exact G2].
+Qed.
 Theorem class_rings_pass ring : In ring (traces (length E) E E) ->
   is_closed_ring (in_rows (from_least ring)) = true /\
   begins_least (in_rows (from_least ring)) = true.
@@ -28,23 +43,10 @@ Proof.
   intros I.
   destruct (class_traces S is_in all all_forward decided constant steady_off K falls A A_class)
     as [P Cy].
-  destruct (class_next S is_in all all_forward decided constant steady_off K falls A A_class)
-    as (N & Q & PN & SN).
   apply (ring_passes E).
   - exact (class_long S is_in all all_forward decided A).
   - apply pairs_filter, (boundary_apart is_in all all_forward).
-  - intros a b Ia Nb.
-    assert (G : forall l M, map (next_piece E) l = map Some M -> map start M = map finish l ->
-      In a l -> In b M /\ finish a = start b).
-    { induction l as [|c l IH]; intros [|m M] H1 H2 J; try discriminate; [destruct J|].
-      cbn [map] in H1, H2. injection H1; intros T1 N1.
-      pose proof (f_equal (@tl point) H2) as T2.
-      pose proof (f_equal (hd (finish a)) H2) as S1.
-      cbn [tl hd] in T2, S1.
-      destruct J as [->|J].
-      - rewrite Nb in N1. injection N1; intros <-. split; [left; auto|symmetry; exact S1].
-      - destruct (IH M T1 T2 J) as [G1 G2]. split; [right; auto|auto]. }
-    destruct (G E N Q SN Ia) as [G1 G2]. split; [exact (Permutation_in _ PN G1)|exact G2].
+  - exact class_nexts.
   - apply Cy, I.
   - intros e J. apply (Permutation_in _ P). apply in_concat. exists ring. auto.
   - intros a b. exact (class_passed_once S is_in all all_forward decided constant steady_off K falls

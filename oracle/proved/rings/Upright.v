@@ -1,20 +1,20 @@
-(** Up an upright line that meets no end of a piece: what holds near one of its points off closed
-    pieces holds near all, where it passes from one side of each piece to the other. *)
+(** Closed pieces along an upright line that meets no end of one: what they wind changes by one at
+    each piece. So they wind once around a set that they bound, and not around what is beside it. *)
 From Coq Require Import Lra Lia Psatz Bool QArith Qreals ZArith Permutation Classical.
 From Proved Require Import Definitions Form Sums Crossings Local Across Overlaps Components Paths
   Decomposed Gaps Unique.
 From Proved Require Import Points Legal Member Pieces Slabs Along Cuts Lone Flanks Frontier Stacks
-  Slabbed Cells Traced Permuted Bounding Areas.
+  Slabbed Cells.
 Open Scope R_scope.
 
 Section Line.
 Variable G : list edge.
 Hypothesis long : forall e, In e G -> start e <> finish e.
-Hypothesis apart : ForallOrdPairs no_common G.
+Hypothesis apart : ForallOrdPairs (fun e f => forall x, inside e x -> inside f x -> False) G.
 Let W := winding (map R2e G).
 Hypothesis closes : closed (map R2e G).
 
-Lemma over_pieces y : over_some G y <-> on_some (map R2e G) y.
+Lemma over_real y : over_some G y <-> on_some (map R2e G) y.
 Proof.
   unfold over_some, on_some. split.
   - intros (e & I & O). exists (start e), (finish e). split; [exact (in_map R2e _ _ I)|exact O].
@@ -25,7 +25,7 @@ Lemma wound_near y : ~ over_some G y -> exists r, 0 < r /\ forall z, near r y z 
   ~ over_some G z /\ W z = W y.
 Proof.
   intros N. destruct (over_near G y N) as (r & Hr & K).
-  destruct (winding_here (map R2e G) y closes) as (s & Hs & L); [rewrite <- over_pieces; exact N|].
+  destruct (winding_here (map R2e G) y closes) as (s & Hs & L); [rewrite <- over_real; exact N|].
   exists (Rmin r s). split; [apply Rmin_glb_lt; auto|]. intros z Z. apply near_min in Z.
   split; [apply K|apply L]; tauto.
 Qed.
@@ -89,6 +89,7 @@ Proof.
   rewrite orient_line in H by exact Ne. apply Rmult_integral in H. lra.
 Qed.
 
+Section Even.
 Variable T : point -> Prop.
 Definition all_near (t : R) : Prop := exists r, 0 < r /\ forall y, near r (X, t) y ->
   ~ over_some G y -> T y.
@@ -112,16 +113,42 @@ Proof.
   assert (U : Rabs (u - u) < r / 2) by (rewrite Rminus_diag_eq, Rabs_R0; auto; lra).
   split; apply Go; auto.
 Qed.
-End Line.
-Lemma generic_line G (few : list point) lo hi : lo < hi -> exists X, lo < X < hi /\
-  (forall e, In e G -> X <> fst (start e) /\ X <> fst (finish e)) /\
-  forall p : point, In p few -> fst p <> X.
+End Even.
+
+(** A set with the pieces along it, on their left *)
+Variable S : point -> Prop.
+Variable high : R.
+Hypothesis to_high : forall y, S y -> snd y <= high.
+Hypothesis sided : forall e x, In e G -> inside e x -> exists r, 0 < r /\ forall y, near r x y ->
+  (0 < orient (start e) (finish e) y -> S y) /\ (orient (start e) (finish e) y < 0 -> ~ S y).
+Hypothesis steady_off : forall t, ~ over_some G (X, t) -> steady S (X, t).
+Theorem wound_on_line t : ~ over_some G (X, t) ->
+  (S (X, t) /\ W (X, t) = 1%Z) \/ (~ S (X, t) /\ W (X, t) = 0%Z).
 Proof.
-  intros H. destruct (free_between ((map (fun e => fst (start e)) G ++
-    map (fun e => fst (finish e)) G) ++ map (fun p : point => fst p) few) lo hi H) as (X & D & N).
-  exists X. split; auto. split.
-  - intros e I. split; intros ->; apply N, in_or_app; left; apply in_or_app; [left|right];
-      [exact (in_map (fun e => fst (start e)) _ _ I)|
-       exact (in_map (fun e => fst (finish e)) _ _ I)].
-  - intros p I <-. apply N, in_or_app. right. exact (in_map (fun p : point => fst p) _ _ I).
+  intros N. set (T := fun y => (S y /\ W y = 1%Z) \/ (~ S y /\ W y = 0%Z)).
+  assert (Ev : forall t, exists r, 0 < r /\ forall y z, near r (X, t) y -> near r (X, t) z ->
+    ~ over_some G y -> ~ over_some G z -> T y -> T z).
+  { clear t N. intros t. destruct (classic (over_some G (X, t))) as [(e & I & O)|No].
+    - destruct (line_across e t I O) as (r1 & n & R1 & K1).
+      destruct (sided e (X, t) I (line_inside e t I O)) as (r2 & R2 & K2).
+      exists (Rmin r1 r2). split; [apply Rmin_glb_lt; auto|]. intros y z Y Z Ny Nz.
+      apply near_min in Y. apply near_min in Z.
+      destruct (K1 y (proj1 Y) Ny) as [[Y1 Y2]|[Y1 Y2]],
+        (K1 z (proj1 Z) Nz) as [[Z1 Z2]|[Z1 Z2]];
+        pose proof (K2 y (proj2 Y)); pose proof (K2 z (proj2 Z)); unfold T, W in *;
+        intros [[U1 U2]|[U1 U2]]; try tauto; [left|right|left|right];
+        (split; [tauto|lia]).
+    - destruct (wound_near _ No) as (r1 & R1 & K1). destruct (steady_off t No) as (r2 & R2 & K2).
+      exists (Rmin r1 r2). split; [apply Rmin_glb_lt; auto|]. intros y z Y Z _ _.
+      apply near_min in Y. apply near_min in Z. unfold T.
+      rewrite (proj2 (K1 y (proj1 Y))), (proj2 (K1 z (proj1 Z))), (K2 y (proj2 Y)),
+        (K2 z (proj2 Z)). auto. }
+  destruct (winding_above (map R2e G)) as (h & H). set (m := Rmax h high + 1).
+  assert (Far : all_near T m).
+  { exists (1 / 2). split; [lra|]. intros y [_ Y] _. cbn [snd] in Y. apply Rabs_def2 in Y.
+    pose proof (Rmax_l h high). pose proof (Rmax_r h high). unfold m in Y. right. split.
+    - intros Sy. apply to_high in Sy. lra.
+    - apply H. lra. }
+  destruct (even_line T Ev m t Far) as (q & Q & L). exact (L (X, t) (near_self q _ Q) N).
 Qed.
+End Line.
