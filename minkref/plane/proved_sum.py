@@ -32,7 +32,7 @@ class ProvedSum:
 def proved_sum(P: Operand, Q: Operand, scale: PlaneScale) -> ProvedSum:
     """An answer is proved to be the sum in canonical form (docs/proved.md). Raises Refusal of two
     points or segments, and where the program is absent; MemoryError, and RuntimeError where it
-    breaks down, does not answer, or answers otherwise than it was read back."""
+    breaks down, or answers otherwise than it was read back."""
     if not any(each.set.is_region or each.set.is_empty for each in (P, Q)):
         what = "no theorem speaks of the sum of two points or segments"
         raise Refusal(what, f"--route {ROUTE}", "take another route", "not-proved")

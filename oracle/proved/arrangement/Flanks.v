@@ -145,111 +145,87 @@ Definition step_to (m n : point) (t : R) : point := (fst m + t * fst n, snd m + 
 Lemma at_distance_real m n t : R2 (at_distance m n t) = step_to (R2 m) (R2 n) (Q2R t).
 Proof. unfold at_distance. rewrite qadd_real, by_scale_real. reflexivity. Qed.
 
-Lemma axis_over m n f t : fst (R2 n) = 0 \/ snd (R2 n) = 0 ->
-  lies_on f (step_to (R2 m) (R2 n) t) ->
-  let c : vertex -> Q := if Qeq_bool (fst n) 0 then fst else snd in
-  apart_on_axis (c m) (c m) (c (fst f)) (c (snd f)) = false.
-Proof.
-  intros Axis O. apply segment_range in O. destruct O as (_ & X & Y).
-  unfold step_to in X, Y; cbn [fst snd] in X, Y.
-  assert (L : forall x a b, (a <= x <= b \/ b <= x <= a) -> over_lap x x a b).
-  { intros x a b H. unfold over_lap, Rmin, Rmax.
-    destruct (Rle_dec x x), (Rle_dec a b); lra. }
-  destruct (Qeq_bool (fst n) 0) eqn:Q; cbv zeta; apply disjoint_intervals, L.
-  - apply equal_real in Q. rewrite zero_real in Q. change (fst (R2 n) = 0) in Q.
-    rewrite Q, Rmult_0_r, Rplus_0_r in X. exact X.
-  - apply not_true_iff_false in Q. rewrite equal_real, zero_real in Q.
-    destruct Axis as [A|A]; [contradiction|]. rewrite A, Rmult_0_r, Rplus_0_r in Y. exact Y.
-Qed.
 (** Where a segment is met from m along an axis: there a distance is on the list, unless the segment
     passes over m. *)
-Lemma met_from m n f t : fst (R2 n) * fst (R2 n) + snd (R2 n) * snd (R2 n) = 1 ->
-  fst (R2 n) = 0 \/ snd (R2 n) = 0 -> t <> 0 ->
+Section Axis.
+Variables along across : vertex -> Q.
+Variables L C : point -> R.
+Hypothesis along_real : forall v, Q2R (along v) = L (R2 v).
+Hypothesis across_real : forall v, Q2R (across v) = C (R2 v).
+Hypothesis L_at : forall a b u, L (at_ a b u) = L a + u * (L b - L a).
+Hypothesis C_at : forall a b u, C (at_ a b u) = C a + u * (C b - C a).
+Hypothesis both : forall p q, L p = L q -> C p = C q -> p = q.
+Lemma met_along_from m f p t : t <> 0 -> lies_on f p -> L p = L (R2 m) + t -> C p = C (R2 m) ->
+  lies_on f (R2 m) \/
+  exists v, In v (met_along along across m f) /\ (0 < Q2R v <= t \/ t <= Q2R v < 0).
+Proof.
+  destruct f as [a b]. unfold lies_on, start, finish, met_along; cbn [fst snd].
+  intros T (u & U & E) Lp Cp. change (p = at_ (R2 a) (R2 b) u) in E. rewrite E in Lp, Cp. clear E.
+  rewrite L_at in Lp. rewrite C_at in Cp.
+  destruct (Qeq_bool (across a) (across b)) eqn:Q.
+  - apply equal_real in Q. rewrite !across_real in Q. rewrite <- Q in Cp.
+    set (v := L (R2 a) - L (R2 m)) in *. set (w := L (R2 b) - L (R2 m)) in *.
+    assert (Et : t = v + u * (w - v)) by (unfold v, w; lra).
+    destruct (Rle_dec (v * w) 0) as [M|M].
+    + left. (* the ends are on both sides of m, or one is m *)
+      assert (N : v - w <> 0).
+      { intros N. assert (W : w = v) by lra. rewrite W in M, Et. assert (v = 0) by nra. lra. }
+      exists (v / (v - w)). assert (G : v / (v - w) * (v - w) = v) by (field; exact N).
+      set (k := v / (v - w)) in *. clearbody k. split.
+      { assert (H : (w <= 0 <= v /\ 0 < v - w) \/ (v <= 0 <= w /\ v - w < 0)).
+        { destruct (Rtotal_order v w) as [H|[H|H]]; [right|exfalso; lra|left];
+            (split; [|lra]); split; apply Rnot_lt_le; intros H'; nra. }
+        destruct H; split; apply Rnot_lt_le; intros H'; nra. }
+      change (R2 m = at_ (R2 a) (R2 b) k). apply both; rewrite ?L_at, ?C_at.
+      * unfold v, w in G. lra.
+      * rewrite <- Q. lra.
+    + right. assert (H : 0 < v /\ 0 < w \/ v < 0 /\ w < 0).
+      { destruct (Rtotal_order v 0) as [H|[H|H]]; [right|exfalso|left]; nra. }
+      destruct (Rle_dec (v * v) (w * w)).
+      * exists (Qred (along a - along m)). split; [simpl; auto|].
+        rewrite Q2R_red, Q2R_minus, !along_real. fold v. rewrite Et.
+        destruct H; [left|right]; (assert (0 <= w - v \/ w - v <= 0) by lra); nra.
+      * exists (Qred (along b - along m)). split; [simpl; auto|].
+        rewrite Q2R_red, Q2R_minus, !along_real. fold w.
+        assert (Et' : t = w + (1 - u) * (v - w)) by lra. rewrite Et'.
+        destruct H; [left|right]; nra.
+  - right. eexists. split; [left; reflexivity|].
+    assert (N : Q2R (across b) - Q2R (across a) <> 0).
+    { intros N. apply not_true_iff_false in Q. apply Q, equal_real. lra. }
+    rewrite Q2R_red, Q2R_plus, Q2R_mult, Q2R_div, !Q2R_minus.
+    + rewrite !across_real, !along_real in *.
+      assert (G : (C (R2 m) - C (R2 a)) * ((L (R2 b) - L (R2 a)) / (C (R2 b) - C (R2 a))) =
+        u * (L (R2 b) - L (R2 a))) by (rewrite <- Cp; field; exact N).
+      rewrite G. lra.
+    + intros Z. apply Qeq_eqR in Z. rewrite Q2R_minus, zero_real in Z. contradiction.
+Qed.
+End Axis.
+Lemma met_from m n f t : R2 n = (0, 1) \/ R2 n = (-1, 0) -> forward f -> t <> 0 ->
   lies_on f (step_to (R2 m) (R2 n) t) -> lies_on f (R2 m) \/
   exists v, In v (met_at m n f) /\ (0 < Q2R v <= t \/ t <= Q2R v < 0).
 Proof.
-  intros Unit Axis T O. pose proof (axis_over m n f t Axis O) as Over.
-  destruct O as (u & U & E).
-  set (a := minus_ (R2 (fst f)) (R2 m)). set (b := minus_ (R2 (snd f)) (R2 m)).
-  assert (E1 : t * fst (R2 n) = (1 - u) * fst a + u * fst b).
-  { apply (f_equal fst) in E. unfold step_to, a, b, minus_ in *; cbn [fst snd] in *. lra. }
-  assert (E2 : t * snd (R2 n) = (1 - u) * snd a + u * snd b).
-  { apply (f_equal snd) in E. unfold step_to, a, b, minus_ in *; cbn [fst snd] in *. lra. }
-  set (x := turn_of (R2 n) a). set (y := turn_of (R2 n) b).
-  set (v := fst (R2 n) * fst a + snd (R2 n) * snd a).
-  set (w := fst (R2 n) * fst b + snd (R2 n) * snd b).
-  assert (C : (1 - u) * x + u * y = 0).
-  { unfold x, y, turn_of. transitivity (fst (R2 n) * ((1 - u) * snd a + u * snd b) -
-      snd (R2 n) * ((1 - u) * fst a + u * fst b)); [ring|]. rewrite <- E1, <- E2. ring. }
-  assert (D : (1 - u) * v + u * w = t).
-  { unfold v, w. transitivity (fst (R2 n) * ((1 - u) * fst a + u * fst b) +
-      snd (R2 n) * ((1 - u) * snd a + u * snd b)); [ring|]. rewrite <- E1, <- E2.
-    transitivity (t * (fst (R2 n) * fst (R2 n) + snd (R2 n) * snd (R2 n))); [ring|].
-    rewrite Unit. ring. }
-  unfold met_at. cbv zeta. rewrite Over.
-  set (qx := Qred (qcross n (sub (fst f) m))). set (qy := Qred (qcross n (sub (snd f) m))).
-  assert (X : Q2R qx = x).
-  { unfold qx. rewrite Q2R_red, qcross_real, sub_real. reflexivity. }
-  assert (Y : Q2R qy = y).
-  { unfold qy. rewrite Q2R_red, qcross_real, sub_real. reflexivity. }
-  assert (V : Q2R (Pieces.dot n (sub (fst f) m)) = v) by (rewrite dot_real, sub_real; reflexivity).
-  assert (W : Q2R (Pieces.dot n (sub (snd f) m)) = w) by (rewrite dot_real, sub_real; reflexivity).
-  destruct (Qeq_bool qx qy) eqn:Q.
-  - apply equal_real in Q. rewrite X, Y in Q. assert (X0 : x = 0) by nra.
-      assert (Y0 : y = 0) by lra.
-    destruct (Rle_dec (v * w) 0) as [M|M].
-    + left. (* the ends are on both sides of m, or one is m *)
-      assert (Fa : forall p, turn_of (R2 n) p = 0 ->
-        p = ((fst (R2 n) * fst p + snd (R2 n) * snd p) * fst (R2 n),
-             (fst (R2 n) * fst p + snd (R2 n) * snd p) * snd (R2 n))).
-      { intros p Z. unfold turn_of in Z. apply point_eq; cbn [fst snd].
-        - transitivity (fst p * (fst (R2 n) * fst (R2 n) + snd (R2 n) * snd (R2 n)));
-            [rewrite Unit; ring|].
-          transitivity ((fst (R2 n) * fst p + snd (R2 n) * snd p) * fst (R2 n) -
-            snd (R2 n) * (fst (R2 n) * snd p - snd (R2 n) * fst p)); [ring|]. rewrite Z. ring.
-        - transitivity (snd p * (fst (R2 n) * fst (R2 n) + snd (R2 n) * snd (R2 n)));
-            [rewrite Unit; ring|].
-          transitivity ((fst (R2 n) * fst p + snd (R2 n) * snd p) * snd (R2 n) +
-            fst (R2 n) * (fst (R2 n) * snd p - snd (R2 n) * fst p)); [ring|]. rewrite Z. ring. }
-      pose proof (Fa a X0) as Ea. pose proof (Fa b Y0) as Eb. fold v in Ea. fold w in Eb.
-      assert (Nvw : v <> w) by (intros <-; nra).
-      assert (L1 : fst (R2 (fst f)) = fst (R2 m) + v * fst (R2 n)).
-      { transitivity (fst (R2 m) + fst a); [unfold a, minus_; simpl; ring|]. rewrite Ea at 1.
-        reflexivity. }
-      assert (L2 : snd (R2 (fst f)) = snd (R2 m) + v * snd (R2 n)).
-      { transitivity (snd (R2 m) + snd a); [unfold a, minus_; simpl; ring|]. rewrite Ea at 1.
-        reflexivity. }
-      assert (L3 : fst (R2 (snd f)) = fst (R2 m) + w * fst (R2 n)).
-      { transitivity (fst (R2 m) + fst b); [unfold b, minus_; simpl; ring|]. rewrite Eb at 1.
-        reflexivity. }
-      assert (L4 : snd (R2 (snd f)) = snd (R2 m) + w * snd (R2 n)).
-      { transitivity (snd (R2 m) + snd b); [unfold b, minus_; simpl; ring|]. rewrite Eb at 1.
-        reflexivity. }
-      exists (v / (v - w)). assert (G : v / (v - w) * (v - w) = v) by (field; lra).
-      set (k := v / (v - w)) in *. clearbody k. split.
-      { assert (H : (w <= 0 <= v /\ 0 < v - w) \/ (v <= 0 <= w /\ v - w < 0)).
-        { destruct (Rtotal_order v w) as [H|[H|H]]; [right|contradiction|left];
-            (split; [|lra]); split; apply Rnot_lt_le; intros H'; nra. }
-        destruct H; split; apply Rnot_lt_le; intros H'; nra. }
-      apply point_eq; cbn [fst snd]; rewrite ?L1, ?L2, ?L3, ?L4.
-      * transitivity (fst (R2 m) + fst (R2 n) * (v - k * (v - w))); [rewrite G; ring|ring].
-      * transitivity (snd (R2 m) + snd (R2 n) * (v - k * (v - w))); [rewrite G; ring|ring].
-    + right. assert (O : forall q, Q2R (Qred q) = Q2R q) by apply Q2R_red.
-      assert (H : 0 < v /\ 0 < w \/ v < 0 /\ w < 0).
-      { destruct (Rtotal_order v 0) as [H|[H|H]]; [right|exfalso|left]; nra. }
-      assert (C1 : t = v + u * (w - v)) by lra. assert (C2 : t = w + (1 - u) * (v - w)) by lra.
-      destruct (Rle_dec (v * v) (w * w)).
-      * exists (Qred (Pieces.dot n (sub (fst f) m))). split; [simpl; auto|]. rewrite O, V, C1.
-        destruct H; [left|right]; (assert (0 <= w - v \/ w - v <= 0) by lra); nra.
-      * exists (Qred (Pieces.dot n (sub (snd f) m))). split; [simpl; auto|]. rewrite O, W, C2.
-        destruct H; [left|right]; nra.
-  - right. eexists. split; [left; reflexivity|].
-    assert (N : x - y <> 0).
-    { intros N. apply not_true_iff_false in Q. apply Q, equal_real. lra. }
-    rewrite Q2R_red, Q2R_div, !Q2R_minus, !Q2R_mult, V, W, X, Y.
-    + assert (G : (x * w - y * v) / (x - y) = t); [|rewrite G; lra].
-      apply Rmult_eq_reg_r with (x - y); auto. transitivity (x * w - y * v); [field; auto|].
-      assert (Cu : u * (x - y) = x) by lra. rewrite <- D.
-      transitivity (v * (x - y) + u * (x - y) * (w - v)); [rewrite Cu; ring|ring].
-    + intros Z. apply Qeq_eqR in Z. rewrite Q2R_minus, X, Y, zero_real in Z. contradiction.
+  intros Axis F T O. pose proof (segment_range _ _ _ O) as (_ & X & Y).
+  unfold met_at. destruct Axis as [A|A]; rewrite A in O, X, Y; unfold step_to in O, X, Y;
+    cbn [fst snd] in O, X, Y; pose proof (f_equal fst A) as A1; cbn [fst] in A1.
+  - assert (Q : Qeq_bool (fst n) 0 = true) by (apply equal_real; rewrite zero_real; exact A1).
+    rewrite Q. unfold forward, before in F. unfold point_of in X, F; cbn [fst snd] in X, F.
+    assert (M : less (fst m) (fst (fst f)) || less (fst (snd f)) (fst m) = false).
+    { apply orb_false_iff. rewrite <- !not_true_iff_false, !less_real. lra. }
+    rewrite M. apply (met_along_from snd fst snd fst) with (p := (fst (R2 m) + t * 0,
+      snd (R2 m) + t * 1)); auto; cbn [fst snd]; try ring.
+    intros p q H K. apply point_eq; auto.
+  - assert (Q : Qeq_bool (fst n) 0 = false).
+    { apply not_true_iff_false. rewrite equal_real, zero_real. change (fst (R2 n) <> 0). lra. }
+    rewrite Q.
+    assert (M : apart_on_axis (snd m) (snd m) (snd (fst f)) (snd (snd f)) = false).
+    { apply disjoint_intervals. unfold over_lap, Rmin, Rmax. unfold point_of in Y.
+      cbn [fst snd] in Y.
+      destruct (Rle_dec (Q2R (snd m)) (Q2R (snd m))),
+        (Rle_dec (Q2R (snd (fst f))) (Q2R (snd (snd f)))); lra. }
+    rewrite M.
+    destruct (met_along_from fst snd fst snd ltac:(reflexivity) ltac:(reflexivity)
+      ltac:(reflexivity) ltac:(reflexivity) point_eq m f
+      (fst (R2 m) + t * -1, snd (R2 m) + t * 0) (- t)) as [H|(v & I & H)]; auto;
+      cbn [fst snd]; try lra.
+    right. exists (- v)%Q. split; [apply in_map, I|]. rewrite Q2R_opp. lra.
 Qed.

@@ -19,12 +19,8 @@ Lemma axis_real : n = if Qeq_bool (fst (fst e)) (fst (snd e)) then (-1, 0) else 
 Proof.
   unfold n, left_axis. destruct (Qeq_bool _ _); unfold point_of, Q2R; simpl; f_equal; lra.
 Qed.
-Lemma axis_unit : fst n * fst n + snd n * snd n = 1.
-Proof.
-  rewrite axis_real. destruct (Qeq_bool _ _); simpl; lra.
-Qed.
-Lemma axis_one : fst n = 0 \/ snd n = 0.
-Proof. rewrite axis_real. destruct (Qeq_bool _ _); simpl; auto. Qed.
+Lemma axis_either : n = (0, 1) \/ n = (-1, 0).
+Proof. rewrite axis_real. destruct (Qeq_bool _ _); auto. Qed.
 Lemma axis_left : 0 < turn_of (minus_ b a) n.
 Proof.
   pose proof (piece_forward all all_forward e piece) as B. unfold forward in B.
@@ -71,8 +67,8 @@ Let found := flat_map (met_at (middle e) (left_axis e)) all.
 Lemma way_clear t : t <> 0 -> 2 * t <= Q2R (least found) ->
   - Q2R (least (map Qopp found)) <= 2 * t -> ~ over_some all (step_to m n t).
 Proof.
-  intros T H L (f & If & O). destruct (met_from _ _ f t axis_unit axis_one T O) as [Fm|(v & Iv &
-    V)].
+  intros T H L (f & If & O). destruct (met_from _ _ f t axis_either (all_forward f If) T O)
+    as [Fm|(v & Iv & V)].
   - pose proof (all_lone f m If middle_inside Fm _ O) as Z. rewrite steps_left in Z.
     pose proof axis_left. apply Rmult_integral in Z. destruct Z; lra.
   - assert (Jv : In v found) by (apply in_flat_map; exists f; auto).

@@ -110,15 +110,20 @@ Definition middle (e : edge) : vertex :=
 (** Left along an axis, for pieces from the left: up, or leftward if the piece is upright *)
 Definition left_axis (e : edge) : vertex :=
   if Qeq_bool (fst (fst e)) (fst (snd e)) then (-1, 0) else (0, 1).
-(** How far from m, in the direction of an axis n, a segment is met; of a segment in this direction,
-    how far its ends are *)
+(** How far along an axis from m a segment is met that has points of as much as m across it; of a
+    segment along the axis, how far its ends are *)
+Definition met_along (along across : vertex -> Q) (m : vertex) (f : edge) : list Q :=
+  let (a, b) := f in
+  if Qeq_bool (across a) (across b) then [Qred (along a - along m); Qred (along b - along m)]
+  else [Qred (along a - along m +
+    (across m - across a) * ((along b - along a) / (across b - across a)))].
+(** How far from m, in the direction n of an axis, up or leftward, a segment is met that runs from
+    the left *)
 Definition met_at (m n : vertex) (f : edge) : list Q :=
-  let c : vertex -> Q := if Qeq_bool (fst n) 0 then fst else snd in
-  if apart_on_axis (c m) (c m) (c (fst f)) (c (snd f)) then [] else
-  let a := sub (fst f) m in let b := sub (snd f) m in
-  let x := Qred (qcross n a) in let y := Qred (qcross n b) in
-  if Qeq_bool x y then [Qred (dot n a); Qred (dot n b)]
-  else [Qred ((x * dot n b - y * dot n a) / (x - y))].
+  if Qeq_bool (fst n) 0 then
+    if less (fst m) (fst (fst f)) || less (fst (snd f)) (fst m) then [] else met_along snd fst m f
+  else if apart_on_axis (snd m) (snd m) (snd (fst f)) (snd (snd f)) then []
+  else map Qopp (met_along fst snd m f).
 Definition at_distance (m n : vertex) (t : Q) : vertex := qadd m (by_scale t n).
 Definition beside (all : list edge) (e : edge) : vertex * vertex :=
   let m := middle e in let n := left_axis e in

@@ -30,6 +30,7 @@ Print Assumptions verified_sum_is_the_only_one_holds.
 Print Assumptions verified_sum_is_complete_holds.
 Print Assumptions verified_combination_is_sound_holds.
 Print Assumptions verified_combination_is_complete_holds.
+Print Assumptions verified_combination_is_the_only_one_holds.
 Print Assumptions verified_union_is_sound_holds.
 Print Assumptions gap_separation.
 Print Assumptions forms_agree.

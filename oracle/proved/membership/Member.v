@@ -43,11 +43,11 @@ Proof.
   - apply Qle_Rle. unfold Qle. simpl. lia.
   - apply Rle_Qle in H. unfold Qle in H. simpl in H. lia.
 Qed.
-Definition qturn a b p : Q := Points.qcross (sub b a) (sub p a).
+Definition qturn a b p : Q := Points.qcross (difference b a) (difference p a).
 Lemma qturn_real a b p : Q2R (qturn a b p) = orient (R2 a) (R2 b) (R2 p).
 Proof.
-  unfold qturn, Points.qcross, sub, orient, point_of. cbn [fst snd].
-  rewrite Q2R_minus, !Q2R_mult, !Q2R_red, !Q2R_minus. ring.
+  unfold qturn, Points.qcross, difference, orient, point_of. cbn [fst snd].
+  rewrite Q2R_minus, !Q2R_mult, !Q2R_minus. ring.
 Qed.
 Lemma sub_real x p : R2 (sub x p) = minus_ (R2 x) (R2 p).
 Proof. unfold sub, minus_, point_of. cbn [fst snd]. rewrite !Q2R_red, !Q2R_minus. reflexivity.
@@ -74,13 +74,11 @@ Qed.
 Lemma disjoint_intervals a b c d : apart_on_axis a b c d = false <->
   over_lap (Q2R a) (Q2R b) (Q2R c) (Q2R d).
 Proof.
-  unfold apart_on_axis, over_lap. rewrite !le_decides.
-  destruct (Rle_dec (Q2R a) (Q2R b)), (Rle_dec (Q2R c) (Q2R d)); rewrite orb_false_iff,
-    !less_decides;
-    unfold Rmin, Rmax;
-    repeat match goal with |- context [Rle_dec ?x ?y] => destruct (Rle_dec x y) end; try lra;
-    repeat match goal with |- context [Rlt_dec ?x ?y] => destruct (Rlt_dec x y) end;
-    split; intros [K1 K2]; try discriminate; split; auto; lra.
+  unfold apart_on_axis, over_lap, Rmin, Rmax. rewrite !less_decides.
+  destruct (Rle_dec (Q2R a) (Q2R b)), (Rle_dec (Q2R c) (Q2R d));
+    repeat match goal with |- context [Rlt_dec ?x ?y] => destruct (Rlt_dec x y) end; simpl;
+    (split; [intros H|intros [K1 K2]]); try discriminate; try reflexivity; try (split; lra);
+    exfalso; lra.
 Qed.
 Theorem cross_real e f : have_common e f = true <->
   exists p, on_segment (R2 (fst e)) (R2 (snd e)) p /\ on_segment (R2 (fst f)) (R2 (snd f)) p.

@@ -9,7 +9,9 @@ Definition less (x y : Q) : bool := negb (Qle_bool y x).
 Definition sub (p q : vertex) : vertex := (Qred (fst p - fst q), Qred (snd p - snd q)).
 Definition sg (q : Q) : Z := Z.sgn (Qnum q).
 Definition qcross (u v : vertex) : Q := fst u * snd v - snd u * fst v.
-Definition side (a b p : vertex) : Z := sg (qcross (sub b a) (sub p a)).
+(** A sign does not change when numbers are reduced. *)
+Definition difference (p q : vertex) : vertex := (fst p - fst q, snd p - snd q).
+Definition side (a b p : vertex) : Z := sg (qcross (difference b a) (difference p a)).
 
 (** As [Definitions.crossing] and [winding] *)
 Definition crossing_of (y : vertex) (e : edge) : Z :=
@@ -21,8 +23,8 @@ Definition winding_of (E : list edge) (y : vertex) : Z :=
   fold_right (fun e n => (crossing_of y e + n)%Z) 0%Z E.
 (** Two intervals, given by their ends in any order, have no point in common. *)
 Definition apart_on_axis (a b c d : Q) : bool :=
-  let (l, h) := if Qle_bool a b then (a, b) else (b, a) in
-  let (m, i) := if Qle_bool c d then (c, d) else (d, c) in less h m || less i l.
+  if less a c then less a d && less b c && less b d
+  else less c a && less c b && less d a && less d b.
 (** Two segments have a point in common. *)
 Definition have_common (e f : edge) : bool :=
   if apart_on_axis (fst (fst e)) (fst (snd e)) (fst (fst f)) (fst (snd f)) then false else

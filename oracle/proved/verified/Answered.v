@@ -92,6 +92,14 @@ Proof.
   exact (traced_set_is_right _ _ _ R holes (combination_is_arranged o P others Legal_) Answer).
 Qed.
 
+Theorem verified_combination_is_the_only_one_holds : verified_combination_is_the_only_one.
+Proof.
+  intros o P others R holes ps Answer Set_ Can.
+  destruct (verified_combination_is_sound_holds o P others R holes Answer) as (Set' & _ & _ & Can').
+  apply (another_form_is_another_set_holds ps (figure R) Can Can').
+  intros x. rewrite (Set_ x), <- (Set' x). reflexivity.
+Qed.
+
 Theorem verified_union_is_sound_holds : verified_union_is_sound.
 Proof.
   intros P others R holes Answer x.

@@ -15,8 +15,8 @@ Definition decide_points (s : Q) (P K : list (polygon vertex)) (xs : list vertex
 (** Legal operands that are a point or a segment *)
 Definition thin (ps : list (polygon vertex)) : bool :=
   match ps with [([_], [])] | [([_; _], [])] => true | _ => false end.
-(** The sum s P + Q and how many holes it has; None: the operands are not legal, both are thin, or
-    what was traced has not passed the test of Traced.v *)
+(** The sum s P + Q and how many holes it has; None: the operands are not legal, or both are
+    thin. What is traced never fails the test of Traced.v (Always.v). *)
 Definition verified_sum (s : Q) (P K : list (polygon vertex)) :
     option (list (polygon vertex) * nat) :=
   if are_legal s P K && negb (thin P && thin K) then exact_sum s (rings_of P) (rings_of K)

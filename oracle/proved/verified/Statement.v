@@ -56,6 +56,11 @@ Definition verified_combination_is_sound : Prop := forall o P others R holes,
   (forall x, in_set R x <-> regularised (combination o P others) x) /\
   has_components (in_set R) (length R) /\ has_holes (in_set R) holes /\
   is_canonical (in_set R) (figure R).
+(** And nothing else is. *)
+Definition verified_combination_is_the_only_one : Prop := forall o P others R holes ps,
+  verified_combination o P others = Some (R, holes) ->
+  (forall x, set_of (rings_of ps) x <-> regularised (combination o P others) x) ->
+  is_canonical (set_of (rings_of ps)) ps -> ps = figure R.
 (** A union is closed as it is. *)
 Definition verified_union_is_sound : Prop := forall P others R holes,
   verified_combination unite P others = Some (R, holes) ->
