@@ -64,13 +64,23 @@ def whole_sum(P: str, Q: str, scale: str | list[str]) -> dict[str, Any]:
     return _answer(P, Q, scale, "--sum", None)
 
 
+def combination(operation: str, sets: Iterable[str]) -> dict[str, Any]:
+    """The union, intersection or difference of polygon sets, given as JSON: members and errors as
+    of `whole_sum`."""
+    question = f'{{"operation": {json.dumps(operation)}, "sets": [{", ".join(sets)}]}}'
+    return _told(question, "--combination", "--proved")
+
+
 def _answer(
     P: str, Q: str, scale: str | list[str], verb: str, places: list[list[str]] | None
 ) -> dict[str, Any]:
     asked = {} if places is None else {"points": places}
     rest = json.dumps({"scale": scale, **asked})
     question = f'{{"P": {P}, "Q": {Q}, {rest[1:]}'
-    asks = "--route proved" if places is None else "--proved"
+    return _told(question, verb, "--route proved" if places is None else "--proved")
+
+
+def _told(question: str, verb: str, asks: str) -> dict[str, Any]:
     ran = run([program(asks), verb, "--json", *NO_LIMIT, "-"], question.encode())
     if ran.returncode == OUT_OF_BUDGET or ran.returncode < 0:
         raise MemoryError(f"{PROGRAM} has no more memory")

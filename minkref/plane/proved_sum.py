@@ -1,9 +1,11 @@
-"""The sum by the program that `make proofs` extracts, read back as a set: `--route proved`."""
+"""Sums, and sets that are combined, by the program that `make proofs` extracts, read back as sets:
+`--route proved` and `--proved`."""
 
 from __future__ import annotations
 
 import json
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -37,8 +39,20 @@ def proved_sum(P: Operand, Q: Operand, scale: PlaneScale) -> ProvedSum:
     began = time.perf_counter()
     told = proved_program.whole_sum(P.set.to_json(), Q.set.to_json(), document_of(scale))
     seconds = time.perf_counter() - began
+    return ProvedSum(_read_back(told), told["components"], told["holes"], seconds)
+
+
+def proved_combination(
+    operation: str, sets: Sequence[_core.PolygonSet]
+) -> tuple[_core.PolygonSet, int, int]:
+    """As `_core.combined`, proved to be that set in canonical form. Raises as `proved_sum`."""
+    told = proved_program.combination(operation, [each.to_json() for each in sets])
+    return _read_back(told), told["components"], told["holes"]
+
+
+def _read_back(told: dict[str, Any]) -> _core.PolygonSet:
     text = json.dumps({"polygons": told["polygons"]})
     region = _core.read_text(text, "json", proved_program.PROGRAM)
     if digest(region.canonical_json()) != told["digest"]:
-        raise RuntimeError(f"{proved_program.PROGRAM}: the sum is not in canonical form")
-    return ProvedSum(region, told["components"], told["holes"], seconds)
+        raise RuntimeError(f"{proved_program.PROGRAM}: the set is not in canonical form")
+    return region

@@ -36,6 +36,14 @@ Format = Annotated[
 Plot = Annotated[
     bool, typer.Option("--plot", help="Draw a small picture of the set below the table.")
 ]
+Proved = Annotated[
+    bool,
+    typer.Option(
+        "--proved",
+        help="By the program that is proved right in Coq (`make proofs` builds it). Says what is "
+        "proved and what is trusted.",
+    ),
+]
 
 
 CertifyUnion = Annotated[
@@ -56,6 +64,7 @@ class SetRequest:
     output: Output = None
     form: Format = None
     plot: Plot = False
+    proved: Proved = False
     memory: Memory = None
     json: Json = False
 

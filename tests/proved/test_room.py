@@ -16,6 +16,7 @@ SHORT = (
     ("Predicates.v", 60),
     ("Moving.v", 65),
     ("Legality.v", 50),
+    ("Operations.v", 20),
     ("Ways.v", 60),
     ("Space.v", 115),
 )

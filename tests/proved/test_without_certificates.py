@@ -1,5 +1,5 @@
-"""Points and sums by the extracted programs, without certificates: they answer like the reference,
-and take no operand that is not legal."""
+"""Points, sums and sets that are combined, by the extracted programs, without certificates: they
+answer like the reference, and take no operand that is not legal."""
 
 from __future__ import annotations
 
@@ -103,6 +103,10 @@ def test_no_illegal_operand_is_taken(ask: Ask, what: str, set: dict[str, Any], f
     assert (code, said["verdict"]) == (2, "malformed") and "points" not in said, (what, said)
     code, said = ask("--sum", {"P": P, "Q": Q, "scale": "1"})
     assert (code, said["verdict"]) == (2, "malformed") and "polygons" not in said, (what, said)
+    sets = [set, operand((SQUARE,))][:: 1 if first else -1]
+    code, said = ask("--combination", {"operation": "union", "sets": sets})
+    assert (code, said["verdict"]) == (2, "malformed") and "polygons" not in said, (what, said)
+    assert f"set {0 if first else 1} " in said["why"]
 
 
 def test_legal_is_what_the_reference_finds_legal(ask: Ask) -> None:
@@ -186,6 +190,60 @@ def test_the_route(capsys: Any) -> None:
     assert digests[0] == digests[1]
 
 
+OPERATIONS = ("union", "intersection", "difference")
+
+
+def test_sets_are_combined_as_by_the_reference() -> None:
+    """Polygons on a small lattice, where edges overlap and vertices are in common, and holes."""
+    dice = random.Random(SEED)
+    seen = {"holes": 0, "components": 0, "empty": 0}
+    for _ in range(40):
+        sets = [_drawn_set(dice) for _ in range(dice.choice((1, 2, 2, 3)))]
+        for operation in OPERATIONS:
+            region, components, holes = _core.combined(operation, sets)
+            theirs = proved_program.combination(operation, [each.to_json() for each in sets])
+            ours = (digest(region.canonical_json()), components, holes)
+            found = (theirs["digest"], theirs["components"], theirs["holes"])
+            assert found == ours, (SEED, operation, [each.to_json() for each in sets])
+            seen["holes"] += holes > 0
+            seen["components"] += components > 1
+            seen["empty"] += components == 0
+    assert min(seen.values()) >= 3, seen
+
+
+def _drawn_set(dice: random.Random) -> _core.PolygonSet:
+    """A union, or a set without others, of one to five triangles and quadrilaterals."""
+    parts: list[_core.PolygonSet] = []
+    count = dice.choice((1, 3, 5))
+    while len(parts) < count:
+        text = json.dumps(operand((_turned(dice, 1),)))
+        part = _core.read_text(text, "json", "a test")
+        try:
+            part.validate("a test")
+        except _core.BadInput:
+            continue
+        parts.append(part)
+    return _core.combined(dice.choice(("union", "difference")), parts)[0]
+
+
+@pytest.mark.parametrize("operation", OPERATIONS)
+def test_the_commands_combine_by_the_program(operation: str, capsys: Any) -> None:
+    """Parcels that share an edge too, which the program unites first."""
+    parcels = "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((1 0, 2 0, 2 1, 1 1, 1 0)))"
+    words = [operation, parcels, "POLYGON ((1/2 0, 3 1/3, 1/2 1/2, 1/2 0))"]
+    values = []
+    for proved in ([], ["--proved"]):
+        assert run([*words, *proved, "--json"]) == 0
+        values.append(json.loads(capsys.readouterr().out))
+        jsonschema.validate(values[-1], schema(operation))
+        assert values[-1]["operands"][0]["united"] is True
+    assert values[0]["digest"] == values[1]["digest"]
+    assert values[0]["proof"] is None and len(values[1]["proof"]["trusted"]) == 2
+    assert run([*words, "--proved"]) == 0
+    said = capsys.readouterr().out
+    assert "proved" in said and said.count("trusted") == 2
+
+
 def test_two_points_or_segments_have_no_theorem(ask: Ask, capsys: Any) -> None:
     segment = operand(([(0, 0), (1, 2)],))
     code, said = ask("--sum", {"P": segment, "Q": ORIGIN, "scale": "1"})
@@ -209,7 +267,17 @@ def test_limits_and_questions_that_are_none(ask: Ask, proved: list[str]) -> None
         ("--sum", {**question, "other": 1}),
     ):
         assert ask(verb, other)[0] == 2, (verb, other)
-    for words in (["--points", "--sum"], ["--sum", "--full"], ["--points", "--theorem=it.v"]):
+    combining: dict[str, Any] = {"operation": "union", "sets": [operand((SQUARE,))]}
+    assert ask("--combination", combining, "--tests=0")[0] == 4
+    assert ask("--combination", combining, "--seconds=0")[0] == 4
+    for wrong in (question, {**combining, "operation": "sum"}, {**combining, "sets": []}):
+        assert ask("--combination", wrong)[0] == 2, wrong
+    for words in (
+        ["--points", "--sum"],
+        ["--combination", "--sum"],
+        ["--sum", "--full"],
+        ["--points", "--theorem=it.v"],
+    ):
         ran = subprocess.run([*proved, *words, "-"], input="{}", capture_output=True, text=True)
         assert ran.returncode == 2 and ran.stderr.startswith("usage:"), words
 

@@ -24,7 +24,8 @@ def rows() -> list[tuple[str, list[Path]]]:
     plane = ("Definitions", "Form", "Predicates", "Moving")
     definitions = {path.stem: path for path in (ROOM / "definitions").glob("*.v")}
     first = [definitions.pop(name) for name in plane]
-    operands, ways = [definitions.pop("Legality")], [definitions.pop("Ways")]
+    operands = [definitions.pop(name) for name in ("Legality", "Operations")]
+    ways = [definitions.pop("Ways")]
     driver = [path for path in (ROOM / "driver").iterdir() if path.stem not in DOUBTED]
     return [
         ("theorems in the plane", first),

@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 import sys
 import time
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
-from minkref import _core
+from minkref import _core, proved_program
 from minkref.certify.plane.union_certificate import UnionCertificate
 from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.cli.output import print_lines
@@ -27,10 +28,19 @@ from minkref.plane.commands.sum_fields import set_fields
 from minkref.plane.commands.written_set import FORMS, written_set
 from minkref.plane.operand import Operand, as_written
 from minkref.plane.operand_text import STANDARD_INPUT
+from minkref.plane.proved_sum import proved_combination
 from minkref.verbs.certificate_output import CertificateFiles, Checked
 from minkref.verbs.proof_option import proof_document, proof_files, proof_rows
 from minkref.verbs.set_request import SetRequest, UnionRequest
 
+Combine = Callable[[str, Sequence[_core.PolygonSet]], tuple[_core.PolygonSet, int, int]]
+#: The theorem `verified_combination_is_sound`, and all that it does not speak about
+#: (docs/proved.md).
+PROVED = "where the program answers about sets, it gives that set, in canonical form"
+TRUSTED = (
+    "that the program was asked to do this, with these sets",
+    "Coq's kernel and extraction, OCaml, zarith, and the definitions that docs/proved.md lists",
+)
 BETWEEN_POLYGONS = ("overlapping-rings", "crossing-rings", "overlapping-polygons")
 
 
@@ -44,16 +54,18 @@ def _run(operation: str, request: SetRequest) -> None:
     certify = request.certify if isinstance(request, UnionRequest) else None
     target = target_of(request.output, request.form, FORMS, "wkt", request.json)
     check_plot(request.plot, request.json, target)
+    combine: Combine = _core.combined
+    if request.proved:
+        proved_program.program()
+        combine = proved_combination
     with memory_wall(request.memory, f"the {operation}", " and ".join(names), SIMPLER):
         operands = [as_written(name) for name in names]
         if request.output is not None:
             refuse_overwriting(request.output, [operand.file for operand in operands])
         files = proof_files(certify, [operand.file for operand in operands], request.output)
-        sets = [_whole(operand) for operand in operands]
+        sets = [_whole(operand, combine) for operand in operands]
         began = time.perf_counter()
-        found = refusing(
-            ", ".join(names), lambda: _core.combined(operation, [one for one, _ in sets])
-        )
+        found = refusing(", ".join(names), lambda: combine(operation, [one for one, _ in sets]))
         seconds = time.perf_counter() - began
         region, components, holes = found
         proof = None if files is None else _proved(files, names, [one for one, _ in sets], region)
@@ -77,6 +89,7 @@ def _run(operation: str, request: SetRequest) -> None:
         compute_seconds=seconds,
         **set_fields(region, components, holes),
         result=json.loads(region.canonical_json()),
+        proof={"proved": PROVED, "trusted": list(TRUSTED)} if request.proved else None,
         **({"certificate": proof_document(proof)} if operation == "union" else {}),
     )
     if request.json:
@@ -99,7 +112,7 @@ def _proved(
     return files.checked(certificate, escaped(", ".join(names)), True), certificate
 
 
-def _whole(operand: Operand) -> tuple[_core.PolygonSet, bool]:
+def _whole(operand: Operand, combine: Combine) -> tuple[_core.PolygonSet, bool]:
     """The operand as a valid set, and whether its polygons had to be united. Refuses points and
     segments, and polygons that are invalid by themselves."""
     source = operand.source
@@ -118,7 +131,7 @@ def _whole(operand: Operand) -> tuple[_core.PolygonSet, bool]:
         where = f"{source}, polygon {number}"
         refusing(where, partial(part.validate, where))
         parts.append(part)
-    return _core.combined("union", parts)[0], True
+    return combine("union", parts)[0], True
 
 
 def _print(value: dict[str, Any]) -> None:
@@ -133,6 +146,9 @@ def _print(value: dict[str, Any]) -> None:
     if value["output"]:
         rows.append(("written", value["output"]))
     rows += proof_rows(value)
+    if value["proof"] is not None:
+        rows.append(("proved", value["proof"]["proved"]))
+        rows += [("trusted", each) for each in value["proof"]["trusted"]]
     rows.append(("seconds", f"{value['seconds']:.3f}"))
     print_lines(rows, value)
 

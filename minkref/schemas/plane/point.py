@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypedDict
 
-from minkref.schemas.plane.values import PlaneScale
+from minkref.schemas.plane.values import PlaneScale, ProvedAnswer
 from minkref.schemas.values import Head, Operands, Point
 from msgspec import Meta
 
@@ -28,13 +28,6 @@ class DecidedPoint(TypedDict):
     q: Annotated[Point | None, Meta(description="Of Q.")]
 
 
-class ProofOfPoints(TypedDict):
-    """What answers rest on."""
-
-    proved: Annotated[str, Meta(description="The theorem, in words.")]
-    trusted: Annotated[list[str], Meta(description="All that no theorem speaks about.")]
-
-
 class PointDocument(Head, Operands):
     """The document of `minkref point --json`."""
 
@@ -43,5 +36,5 @@ class PointDocument(Head, Operands):
     warnings: list[str]
     points: Annotated[list[DecidedPoint], Meta(description="In the order that they were given in.")]
     proof: Annotated[
-        ProofOfPoints | None, Meta(description="With --proved; null where the reference decided.")
+        ProvedAnswer | None, Meta(description="With --proved; null where the reference decided.")
     ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, TypedDict
 
 from minkref.schemas.certificates import CertificateMade
-from minkref.schemas.plane.values import SetResult
+from minkref.schemas.plane.values import ProvedAnswer, SetResult
 from minkref.schemas.values import Count, Head, Written
 from msgspec import Meta
 
@@ -24,6 +24,10 @@ class CombinedOperands(TypedDict):
 
 class CombinedSets(Head, Written, CombinedOperands, SetResult):
     """A combination of sets."""
+
+    proof: Annotated[
+        ProvedAnswer | None, Meta(description="With --proved; null where the reference combined.")
+    ]
 
 
 class UnionDocument(CombinedSets):

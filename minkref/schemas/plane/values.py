@@ -40,6 +40,13 @@ SweepRoute = Literal["index", "dynamic", "winding", "paper-update"]
 ViewRoute = Literal["index", "dynamic", "paper-update"]
 
 
+class ProvedAnswer(TypedDict):
+    """What an answer of the proved program rests on."""
+
+    proved: Annotated[str, Meta(description="The theorem, in words.")]
+    trusted: Annotated[list[str], Meta(description="All that no theorem speaks about.")]
+
+
 class Segments(TypedDict):
     """Edges of the convolution: the full one on the route `winding`, else the reduced one."""
 

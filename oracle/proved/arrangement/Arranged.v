@@ -1,4 +1,5 @@
-(** The cells that the program takes for full are the sum. *)
+(** What the program takes for granted, and that the cells that it takes for full are the set; that
+    it holds of a sum *)
 From Coq Require Import Lra Lia Psatz Permutation Bool QArith Qreals Qreduction ZArith Classical.
 From Proved Require Import Definitions Form Legality Sums Crossings Local Across Overlaps Components
   OneForm Paths Decomposed Gaps Unique.
@@ -6,43 +7,55 @@ From Proved Require Import Points Legal Member Decided Pieces Slabs Sorting Alon
   Kept Frontier Stacks Slabbed Cells Extent Reduced Coloured Holed.
 Open Scope R_scope.
 
-Section Sum.
-Variables E F : list edge.
-Let P := map R2e E.
-Let Q := map R2e F.
-Variables S T : point -> Prop.
-Hypothesis P_drawn : drawn P S.
-Hypothesis Q_drawn : drawn Q T.
-Hypothesis area : has_area P S \/ has_area Q T.
-Hypothesis kinds : (is_slim E = false -> bordered P S) /\ (is_slim F = false -> bordered Q T).
+(** A set and segments in good order, and a program that tells its points *)
+Definition is_arranged (is_in : vertex -> bool) (all : list edge) (S : point -> Prop) : Prop :=
+  is_regular S /\ (exists low high, forall x, S x -> low <= snd x <= high) /\
+  (forall e, In e all -> forward e) /\ (forall x, ~ over_some all x -> steady S x) /\
+  decides is_in all S.
+Lemma arranged_same is_in all (S T : point -> Prop) : (forall x, S x <-> T x) ->
+  is_arranged is_in all S -> is_arranged is_in all T.
+Proof.
+  intros H ((C & Rg) & (l & h & Bd) & Fw & St & D). split; [|split; [|split; [|split]]].
+  - split.
+    + intros x Lim. apply H, C. intros e He. destruct (Lim e He) as (y & Y & K).
+      exists y. split; [exact Y|apply H, K].
+    + intros x r K Hr. destruct (Rg x r (proj2 (H x) K) Hr) as (y & Y & I). exists y.
+      split; [exact Y|apply (interior_same S T y H I)].
+  - exists l, h. intros x K. apply Bd, H, K.
+  - exact Fw.
+  - intros x N. destruct (St x N) as (r & Hr & K). exists r. split; auto. intros y Y.
+    rewrite <- !H. apply K, Y.
+  - intros v N. rewrite (D v N). apply H.
+Qed.
 
-(** The frontier of the sum is on the pieces that are kept,
-  all along each of which the sum is on the
-    left alone. *)
-Theorem kept_pieces_bound : let B := sum_boundary E F in
-  (forall x, ~ over_some B x -> steady (sum_set S T) x) /\
+Section Arranged.
+Variable is_in : vertex -> bool.
+Variable all : list edge.
+Variable S : point -> Prop.
+Hypothesis arranged : is_arranged is_in all S.
+Let B := boundary is_in all.
+
+(** The frontier of the set is on the pieces that are kept, all along each of which the set is on
+    the left alone. *)
+Theorem kept_pieces_bound :
+  (forall x, ~ over_some B x -> steady S x) /\
   (forall e x, In e B -> inside e x -> exists r, 0 < r /\ forall y, near r x y ->
-    (0 < orient (start e) (finish e) y -> sum_set S T y) /\
-    (orient (start e) (finish e) y < 0 -> ~ sum_set S T y)) /\
+    (0 < orient (start e) (finish e) y -> S y) /\
+    (orient (start e) (finish e) y < 0 -> ~ S y)) /\
   (forall e, In e B -> start e <> finish e) /\
   (forall e f x, In e B -> In f B -> inside e x -> inside f x ->
     forall y, lies_on e y -> lies_on f y).
 Proof.
-  intros B. pose proof (sum_regular P Q S T P_drawn Q_drawn area) as R.
-  assert (D : forall v, decide_point E F v = true <-> sum_set S T (R2 v))
-    by (intros v; rewrite (sum_is_union_here E F S T P_drawn Q_drawn);
-      apply decide_point_is_right; [apply P_drawn|apply Q_drawn]).
-  pose proof (convolution_forward E F) as Fw.
-  pose proof (sum_steady E F S T P_drawn Q_drawn area kinds) as Steady.
+  destruct arranged as (R & _ & Fw & Steady & D).
   split; [|split; [|split]].
-  - intros x N. apply (steady_off_kept _ R _ D _ Fw Steady x N).
-  - intros e x I X. apply (kept_sided _ _ D _ Fw Steady e x I X).
-  - intros e I. destruct (kept_from _ _ D _ e I) as (p & Ip & H).
+  - intros x N. apply (steady_off_kept _ R _ _ Fw D Steady x N).
+  - intros e x I X. apply (kept_sided _ _ _ Fw D Steady e x I X).
+  - intros e I. destruct (kept_from _ _ _ Fw D e I) as (p & Ip & H).
     pose proof (before_different _ _ (piece_forward _ Fw p Ip)) as L.
     destruct H as [(-> & _)|(-> & _)]; auto.
   - intros e f x I J X Y y Oy.
-    destruct (kept_from _ _ D _ e I) as (p & Ip & H). destruct (kept_from _ _ D _ f J) as (q & Iq &
-      K).
+    destruct (kept_from _ _ _ Fw D e I) as (p & Ip & H).
+    destruct (kept_from _ _ _ Fw D f J) as (q & Iq & K).
     assert (Turn : forall g h z, (g = h /\ True) \/ (g = (snd h, fst h) /\ True) ->
       (inside g z <-> inside h z) /\ (lies_on g z <-> lies_on h z)).
     { intros g h z [[-> _]|[-> _]]; [tauto|]. unfold inside, lies_on, start, finish; cbn [fst snd].
@@ -55,34 +68,22 @@ Proof.
     + apply (Turn f q x Gq), Y.
     + apply (Turn e p y Gp), Oy.
 Qed.
-Lemma set_bounded : exists low high, forall x, sum_set S T x -> low <= snd x <= high.
+Theorem full_cells_are_the_set x :
+  (exists c, In c (concat (slabs B)) /\ full c = true /\ in_cell c x) <-> S x.
 Proof.
-  destruct (drawn_bounded P S P_drawn) as (l1 & h1 & H1).
-  destruct (drawn_bounded Q T Q_drawn) as (l2 & h2 & H2).
-  exists (l1 + l2), (h1 + h2). intros y (p & q & Hp & Hq & ->). unfold add; cbn [snd].
-  specialize (H1 p Hp). specialize (H2 q Hq). lra.
-Qed.
-Theorem cells_of_the_sum x :
-  (exists c, In c (concat (slabs (sum_boundary E F))) /\ full c = true /\ in_cell c x) <->
-  sum_set S T x.
-Proof.
+  destruct arranged as (R & (low & high & H) & _).
   destruct kept_pieces_bound as (St & Sd & Lg & Al).
-  destruct set_bounded as (low & high & H).
-  apply (full_cells (sum_set S T) (sum_regular P Q S T P_drawn Q_drawn area) _ St Lg Al Sd low
-    high);
-    intros y Y; apply H, Y.
+  apply (full_cells S R _ St Lg Al Sd low high); intros y Y; apply H, Y.
 Qed.
-Theorem parts_of_the_sum : let B := sum_boundary E F in
-  has_components (sum_set S T) (length (parts B true)) /\
-  has_holes (sum_set S T) (pred (length (parts B false))).
+Theorem parts_of_the_set :
+  has_components S (length (parts B true)) /\ has_holes S (pred (length (parts B false))).
 Proof.
-  intros B. destruct kept_pieces_bound as (St & Sd & Lg & Al).
-  destruct set_bounded as (low & high & H).
-  pose proof (sum_regular P Q S T P_drawn Q_drawn area) as R. split.
+  destruct arranged as (R & (low & high & H) & _).
+  destruct kept_pieces_bound as (St & Sd & Lg & Al). split.
   - apply (has_parts _ R _ St Lg Al Sd low high); intros y Y; apply H, Y.
   - apply (has_holes_of_parts _ R _ St Lg Al Sd low high); intros y Y; apply H, Y.
 Qed.
-End Sum.
+End Arranged.
 
 (** ** The program, for legal operands at a scale. Two thin ones have no sum with an area. *)
 Definition is_thin (ps : list (polygon point)) : Prop := is_point ps \/ is_segment ps.
@@ -133,13 +134,26 @@ Proof.
   - pose proof (slim_unless_polygons _ F Q_legal LF H) as L. unfold F, T.
     rewrite edges_of_points, !rings_of_figure. apply polygon_set_bordered, L.
 Qed.
-Lemma sum_here x : sum_set S T x <-> in_sum (Q2R s) (points (rings_of P)) (points (rings_of Q)) x.
+Definition sum_here := in_sum (Q2R s) (points (rings_of P)) (points (rings_of Q)).
+Theorem sum_is_arranged : is_arranged (decide_point E F) (convolution E F) sum_here.
 Proof.
-  unfold in_sum, S, T. split.
-  - intros (p & q & Hp & Hq & X). exists (scale (/ Q2R s) p), q.
-    rewrite Scaling.scale_forth by auto. auto.
-  - intros (p & q & Hp & Hq & X). exists (scale (Q2R s) p), q.
-    rewrite Scaling.scale_back by auto. auto.
+  apply (arranged_same _ _ (sum_set S T)).
+  { intros x. unfold sum_here, in_sum, S, T. split.
+    - intros (p & q & Hp & Hq & X). exists (scale (/ Q2R s) p), q.
+      rewrite Scaling.scale_forth by auto. auto.
+    - intros (p & q & Hp & Hq & X). exists (scale (Q2R s) p), q.
+      rewrite Scaling.scale_back by auto. auto. }
+  pose proof P_drawn_here as DP. pose proof Q_drawn_here as DQ.
+  split; [|split; [|split; [|split]]].
+  - apply (sum_regular _ _ S T DP DQ area_here).
+  - destruct (drawn_bounded _ S DP) as (l1 & h1 & H1).
+    destruct (drawn_bounded _ T DQ) as (l2 & h2 & H2).
+    exists (l1 + l2), (h1 + h2). intros y (p & q & Hp & Hq & ->). unfold add; cbn [snd].
+    specialize (H1 p Hp). specialize (H2 q Hq). lra.
+  - apply convolution_forward.
+  - exact (sum_steady E F S T DP DQ area_here kinds_here).
+  - intros v _. rewrite (sum_is_union_here E F S T DP DQ).
+    apply decide_point_is_right; [apply DP|apply DQ].
 Qed.
 End Legal.
 
@@ -149,13 +163,9 @@ Theorem cells_are_the_sum : forall (s : Q) (P Q : list (polygon vertex)) (x : po
   (exists c, In c (sum_cells s (rings_of P) (rings_of Q)) /\ full c = true /\ in_cell c x) <->
   in_sum (Q2R s) (points (rings_of P)) (points (rings_of Q)) x.
 Proof.
-  intros s P Q x L LP LQ N. rewrite <- (sum_here s P Q L x).
-  apply (cells_of_the_sum _ _ _ _ (P_drawn_here s P L LP) (Q_drawn_here Q LQ)
-    (area_here s P Q L LP LQ N) (kinds_here s P Q L LP LQ)).
+  intros s P Q x L LP LQ N.
+  exact (full_cells_are_the_set _ _ _ (sum_is_arranged s P Q L LP LQ N) x).
 Qed.
-Lemma falls_same (S T : point -> Prop) C n : (forall x, S x <-> T x) -> falls_into S C n ->
-  falls_into T C n.
-Proof. intros H (A & K). split; [|exact K]. intros x. rewrite <- H. apply A. Qed.
 Theorem parts_are_counted : forall (s : Q) (P Q : list (polygon vertex)),
   0 < Q2R s -> is_legal (figure P) -> is_legal (figure Q) ->
   ~ (is_thin (figure P) /\ is_thin (figure Q)) ->
@@ -163,12 +173,5 @@ Theorem parts_are_counted : forall (s : Q) (P Q : list (polygon vertex)),
   let counted := count_parts s (rings_of P) (rings_of Q) in
   has_components sum (fst counted) /\ has_holes sum (snd counted).
 Proof.
-  intros s P Q L LP LQ N sum counted.
-  destruct (parts_of_the_sum _ _ _ _ (P_drawn_here s P L LP) (Q_drawn_here Q LQ)
-    (area_here s P Q L LP LQ N) (kinds_here s P Q L LP LQ)) as ((C & HC) & (D & HD & Bd)).
-  pose proof (sum_here s P Q L) as H. split.
-  - exists C. refine (falls_same _ _ C _ _ HC). intros x.
-    split; apply interior_same; intros y; [apply H|apply iff_sym, H].
-  - exists D. split; [|exact Bd]. refine (falls_same _ _ D _ _ HD). intros x.
-    rewrite (H x). reflexivity.
+  intros s P Q L LP LQ N. exact (parts_of_the_set _ _ _ (sum_is_arranged s P Q L LP LQ N)).
 Qed.

@@ -19,6 +19,10 @@ Qed.
 Definition is_regular (S : point -> Prop) : Prop := is_closed S /\
   forall x r, S x -> 0 < r -> exists y, near r x y /\ interior S y.
 
+(** What a program says of the points that are on no segment *)
+Definition decides (is_in : vertex -> bool) (all : list edge) (S : point -> Prop) : Prop :=
+  forall v, ~ over_some all (R2 v) -> (is_in v = true <-> S (R2 v)).
+
 Section Set_.
 Variable S : point -> Prop.
 Hypothesis regular : is_regular S.
@@ -117,9 +121,9 @@ Qed.
 
 (** ** The pieces that are kept *)
 Variable is_in : vertex -> bool.
-Hypothesis decided : forall v, is_in v = true <-> S (R2 v).
 Variable all : list edge.
 Hypothesis all_forward : forall e, In e all -> forward e.
+Hypothesis decided : decides is_in all S.
 Hypothesis constant : forall x, ~ over_some all x -> steady S x.
 Let B := boundary is_in all.
 
@@ -128,15 +132,16 @@ Proof.
   intros N. destruct (constant x N) as (r & R & H). exists r. split; auto.
   intros y Y. rewrite (H y Y). tauto.
 Qed.
-Lemma decided_out v : is_in v = false <-> ~ S (R2 v).
-Proof. rewrite <- decided. rewrite not_true_iff_false. tauto. Qed.
+Lemma decided_out v : ~ over_some all (R2 v) -> (is_in v = false <-> ~ S (R2 v)).
+Proof. intros N. rewrite <- (decided v N), not_true_iff_false. reflexivity. Qed.
 Lemma kept_from e : In e B -> exists p, In p (pieces all) /\
   ((e = p /\ S (R2 (fst (beside all p))) /\ ~ S (R2 (snd (beside all p)))) \/
    (e = (snd p, fst p) /\ ~ S (R2 (fst (beside all p))) /\ S (R2 (snd (beside all p))))).
 Proof.
   intros I. apply in_flat_map in I. destruct I as (p & Ip & I). exists p. split; auto.
-  destruct (beside all p) as [l r]. cbn [fst snd].
-  rewrite <- !decided_out, <- !decided.
+  destruct (tested_clear all all_forward p Ip) as [L R].
+  destruct (beside all p) as [l r]. cbn [fst snd] in *.
+  rewrite <- (decided_out l L), <- (decided_out r R), <- (decided l L), <- (decided r R).
   destruct (is_in l), (is_in r); try destruct I as [<-|[]]; try destruct I; auto.
 Qed.
 Theorem kept_sided e x : In e B -> inside e x -> exists r, 0 < r /\ forall y, near r x y ->
@@ -168,9 +173,11 @@ Proof.
     - apply in_flat_map. exists p. split; auto. rewrite E. simpl. auto.
     - apply (kept_on p e x H), inside_on, X. }
   pose proof (before_different _ _ (piece_forward all all_forward p I)) as D.
-  destruct (beside all p) as [l r] eqn:Bs.
+  destruct (tested_clear all all_forward p I) as [Cl Cr].
+  destruct (beside all p) as [l r] eqn:Bs. cbn [fst snd] in Cl, Cr.
   destruct (is_in l) eqn:L, (is_in r) eqn:R; try (destruct (K _ eq_refl); auto; fail);
-    apply decided in L || apply decided_out in L; apply decided in R || apply decided_out in R;
+    (apply (decided l Cl) in L || apply (decided_out l Cl) in L);
+    (apply (decided r Cr) in R || apply (decided_out r Cr) in R);
     replace l with (fst (beside all p)) in L by (rewrite Bs; reflexivity);
     replace r with (snd (beside all p)) in R by (rewrite Bs; reflexivity).
   - destruct (left_all all all_forward p I S constant x L X) as (u & Hu & U).

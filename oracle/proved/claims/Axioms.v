@@ -28,6 +28,10 @@ Print Assumptions decided_points_are_right_holds.
 Print Assumptions verified_sum_is_sound_holds.
 Print Assumptions verified_sum_is_the_only_one_holds.
 Print Assumptions verified_sum_is_complete_holds.
+Print Assumptions verified_combination_is_sound_holds.
+Print Assumptions verified_combination_is_complete_holds.
+Print Assumptions verified_combination_is_the_only_one_holds.
+Print Assumptions verified_union_is_sound_holds.
 Print Assumptions gap_separation.
 Print Assumptions forms_agree.
 Print Assumptions one_canonical_form_holds.

@@ -7,4 +7,5 @@ Extract Constant Z.ggcd => "(fun a b -> let g = Z.gcd a b in
   if Z.equal g Z.zero then (g, (Z.zero, Z.zero)) else (g, (Z.divexact a g, Z.divexact b g)))".
 Extraction "checker.ml" check_form check_one_point check_one_outside check_sign check_one_passage
   check_body volume check_interval check_event check_free check_hit check_valid check_escapes
-  check_trapped check_trap decide_points decide_legal verified_sum.
+  check_trapped check_trap decide_points decide_legal verified_sum
+  verified_combination.

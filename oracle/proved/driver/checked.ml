@@ -61,15 +61,23 @@ let is_legal p = Checker.decide_legal (polygons p)
 let decide_points s p q points =
   Checker.decide_points (fraction s) (polygons p) (polygons q) (vertices points)
 
-let verified_sum s p q =
+let with_holes =
   let rational (x : Checker.q) = Q.make x.qnum x.qden in
   let ring = List.map (fun (x, y) -> (rational x, rational y)) in
   let polygon (outer, holes) : _ Reading.polygon =
     { outer = ring outer; holes = List.map ring holes }
   in
-  Option.map
-    (fun (polygons, holes) -> (List.map polygon polygons, holes))
-    (Checker.verified_sum (fraction s) (polygons p) (polygons q))
+  Option.map (fun (polygons, holes) -> (List.map polygon polygons, holes))
+
+let verified_sum s p q =
+  with_holes (Checker.verified_sum (fraction s) (polygons p) (polygons q))
+
+type operation = Checker.operation = Unite | Intersect | Subtract
+
+let is_polygon_set p = Checker.decide_polygon_set (polygons p)
+
+let verified_combination operation p others =
+  with_holes (Checker.verified_combination operation (polygons p) (List.map polygons others))
 
 (* Vertex i of sP plus vertex j of Q *)
 type place = int option * int option

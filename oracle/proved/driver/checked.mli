@@ -81,12 +81,16 @@ val outside_holds :
   Q.t -> ring list -> ring list -> rational -> tiled -> tiled -> token list -> bool
 
 (* From the sets alone (verified/Statement.v): whether one is legal; whether points are in sP + Q;
-   sP + Q and how many holes. None: a set is not legal, or there is no answer. *)
+   sP + Q and how many holes; a set and others combined. None: a set is not legal, or there is no
+   answer. *)
 type set = rational Reading.polygon list
+type operation = Checker.operation = Unite | Intersect | Subtract
 
 val is_legal : set -> bool
 val decide_points : Q.t -> set -> set -> rational list -> bool list option
 val verified_sum : Q.t -> set -> set -> (set * int) option
+val is_polygon_set : set -> bool
+val verified_combination : operation -> set -> set list -> (set * int) option
 
 (* Vertex i of sP plus vertex j of Q *)
 type place = int option * int option

@@ -7,13 +7,17 @@ let usage =
   "usage: minkref-check-proved [--case FILE] [--theorem FILE] [LIMITS] [--json] FILE...\n\
   \       minkref-check-proved --points [LIMITS] [--json] FILE...\n\
   \       minkref-check-proved --sum [LIMITS] [--json] FILE...\n\
+  \       minkref-check-proved --combination [LIMITS] [--json] FILE...\n\
    LIMITS are --seconds N, --tests N, --bytes N. FILE is plain JSON; - is standard input. --json\n\
    says each verdict as a line of JSON, in the order of the files. --theorem writes the sum, or\n\
    the point, as a theorem of Coq.\n\
    --points decides without a certificate which points are in the sum of P, scaled, and Q:\n\
   \  {\"P\": {\"polygons\": []}, \"Q\": .., \"scale\": \"7/5\", \"points\": [[\"1/3\", 5]]}\n\
-   --sum computes the sum of such a file without points. Both programs decide whether P and Q are\n\
-   legal, and what they answer is proved to be right (docs/proved.md).\n\
+   --sum computes the sum of such a file without points; --combination what sets are together:\n\
+  \  {\"operation\": \"union\", \"sets\": [{\"polygons\": []}, ..]}\n\
+   or intersection or difference.\n\
+   The programs decide whether sets are legal, and what they answer is proved to be right\n\
+   (docs/proved.md).\n\
    Exit codes: 0 proved or answered, 1 refuted, 2 malformed, 4 out of budget, 5 declined: no\n\
    theorem.\n"
 
@@ -21,7 +25,7 @@ let unpack = "gzip -dc FILE | minkref-check-proved -, or minkref check FILE"
 
 exception Wrong_usage
 
-type answer = Certificates | Points | Sum
+type answer = Certificates | Points | Sum | Combination
 
 type options = {
   mutable answer : answer;
@@ -60,6 +64,9 @@ let options_of words =
     | "--json" :: rest -> options.json <- true; go rest
     | "--points" :: rest when options.answer = Certificates -> options.answer <- Points; go rest
     | "--sum" :: rest when options.answer = Certificates -> options.answer <- Sum; go rest
+    | "--combination" :: rest when options.answer = Certificates ->
+      options.answer <- Combination;
+      go rest
     | word :: rest when word <> "-" && word <> "" && word.[0] = '-' -> (
       match (String.index_opt word '=', rest) with
       | Some i, _ ->
@@ -170,8 +177,10 @@ type verdict = {
 
 let found options file =
   let good = { code = 0; word = "verified"; why = ""; shown = None; said = []; members = [] } in
-  let asked () =
-    Questions.question (read ~input:(file = "-") file (most_bytes options))
+  let text () = read ~input:(file = "-") file (most_bytes options) in
+  let computed found =
+    let said = Questions.set_said found in
+    { good with word = "computed"; said; members = [ Questions.set_json found ] }
   in
   match options.answer with
   | Certificates ->
@@ -179,13 +188,12 @@ let found options file =
     let said = List.map (fun (claim : Claims.proved) -> claim.said) proved in
     { good with shown = Some case; said }
   | Points ->
-    let found = Questions.points (asked ()) (budget_of options) in
+    let found = Questions.points (Questions.question (text ())) (budget_of options) in
     let said = Questions.points_said found in
     { good with word = "decided"; said; members = [ Questions.points_json found ] }
-  | Sum ->
-    let found = Questions.sum (asked ()) (budget_of options) in
-    let said = Questions.sum_said found in
-    { good with word = "computed"; said; members = [ Questions.sum_json found ] }
+  | Sum -> computed (Questions.sum (Questions.question (text ())) (budget_of options))
+  | Combination ->
+    computed (Questions.combination (Questions.combining (text ())) (budget_of options))
 
 let verdict options file =
   let without code word why = { code; word; why; shown = None; said = []; members = [] } in

@@ -1,5 +1,6 @@
-(* Questions without a certificate: which points are in a sum, and what the sum is. Trusted: what
-   is answered is what [Checked] was asked, of the sets that [Reading] found. *)
+(* Questions without a certificate: which points are in a sum, what the sum is, and what sets are
+   together. Trusted: what is answered is what [Checked] was asked, of the sets that [Reading]
+   found. *)
 
 open Failure
 open Json
@@ -56,6 +57,35 @@ let sum asked budget =
   let { p; q; scale; _ } = asked in
   answered asked (Checked.verified_sum scale p.polygons q.polygons)
 
+let operation_named = function
+  | Text "union" -> Checked.Unite
+  | Text "intersection" -> Checked.Intersect
+  | Text "difference" -> Checked.Subtract
+  | _ -> fail Malformed "the operation is none of union, intersection, difference"
+
+let combining text =
+  match members (parse ~decimals:true text) [ "operation"; "sets" ] with
+  | [ operation; sets ] ->
+    let operand i = Reading.operand (Printf.sprintf "set %d" i) in
+    (operation_named operation, List.mapi operand (items sets))
+  | _ -> assert false
+
+(* A set and others combined: what is answered is proved to be right *)
+let combination (operation, sets) budget =
+  let polygons (o : Reading.operand) = o.polygons in
+  match sets with
+  | [] -> fail Malformed "there is no set"
+  | first :: others -> (
+    let n = List.fold_left (fun n (o : Reading.operand) -> n + Array.length o.vertices) 0 sets in
+    budget (1 + (n * n));
+    match Checked.verified_combination operation (polygons first) (List.map polygons others) with
+    | Some found -> found
+    | None ->
+      let wrong (o : Reading.operand) = not (Checked.is_polygon_set o.polygons) in
+      let { Reading.name; _ } = List.find wrong sets in
+      fail Malformed
+        (name ^ " is no legal polygon set: rings cross, overlap or wind twice, or it has no area"))
+
 let quoted_number q = Text.quoted (Q.to_string q)
 
 (* The answers as the members of a line of JSON, and in words *)
@@ -71,12 +101,12 @@ let points_said =
 
 let digest polygons = Reading.digest_of (Reading.polygons_text polygons)
 
-let sum_json (polygons, holes) =
+let set_json (polygons, holes) =
   Printf.sprintf "\"components\": %d, \"holes\": %d, \"digest\": %s, \"polygons\": %s"
     (List.length polygons) holes
     (Text.quoted (digest polygons))
     (Reading.polygons_text polygons)
 
-let sum_said (polygons, holes) =
+let set_said (polygons, holes) =
   [ Printf.sprintf "%d components and %d holes, of digest %s" (List.length polygons) holes
       (digest polygons) ]

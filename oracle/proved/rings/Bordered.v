@@ -32,9 +32,9 @@ Section Bordered.
 Variable S : point -> Prop.
 Hypothesis regular : is_regular S.
 Variable is_in : vertex -> bool.
-Hypothesis decided : forall v, is_in v = true <-> S (R2 v).
 Variable all : list edge.
 Hypothesis all_forward : forall e, In e all -> forward e.
+Hypothesis decided : decides is_in all S.
 Hypothesis constant : forall x, ~ over_some all x -> steady S x.
 Let B := boundary is_in all.
 Variable K : list (list cell).
@@ -72,10 +72,11 @@ Proof.
   intros HA I Bo X. unfold bounds in Bo. cbv zeta in Bo.
   apply existsb_exists in Bo. destruct Bo as (c & Ic & Hc).
   apply holds_real in Hc.
-  destruct (kept_sided S is_in decided all all_forward constant e x I X) as (s & Hs & Sd).
+  destruct (kept_sided S is_in all all_forward decided constant e x I X) as (s & Hs & Sd).
   assert (Got : exists r, 0 < r /\ forall y, near r x y -> 0 < orient (start e) (finish e) y ->
     part_of (interior S) A y).
-  { destruct (kept_from S is_in decided all e I) as (p & Ip & [(-> & Sl & _)|(-> & _ & Sr)]).
+  { destruct (kept_from S is_in all all_forward decided e I)
+      as (p & Ip & [(-> & Sl & _)|(-> & _ & Sr)]).
     - pose proof (piece_forward all all_forward p Ip) as Fw. apply is_before_real in Fw.
       unfold left_point in Hc. rewrite Fw in Hc.
       destruct (tested_clear all all_forward p Ip) as [Cl _].
@@ -102,8 +103,8 @@ Qed.
 (** No kept piece ends inside another. *)
 Lemma kept_no_end e f : In e B -> In f B -> ~ inside e (start f) /\ ~ inside e (finish f).
 Proof.
-  intros I J. destruct (kept_from S is_in decided all e I) as (p & Ip & Hp).
-  destruct (kept_from S is_in decided all f J) as (q & Iq & Hq).
+  intros I J. destruct (kept_from S is_in all all_forward decided e I) as (p & Ip & Hp).
+  destruct (kept_from S is_in all all_forward decided f J) as (q & Iq & Hq).
   destruct (no_cut_inside all all_forward p q Ip Iq) as [N1 N2].
   assert (Turn : forall x, inside e x -> inside p x).
   { intros x. destruct Hp as [(-> & _)|(-> & _)]; auto. unfold inside, start, finish.

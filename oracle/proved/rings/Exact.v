@@ -1,4 +1,4 @@
-(** Where the program answers, its polygons are the canonical form of the sum, with as many
+(** Where the program answers, its polygons are the canonical form of the set, with as many
     components and holes as it says. *)
 From Coq Require Import Lra Lia Psatz Bool QArith Qreals ZArith Permutation Classical.
 From Proved Require Import Definitions Form Legality Components Paths Decomposed Convolution.
@@ -7,6 +7,9 @@ From Proved Require Import Points Legal Member Decided Pieces Slabs Sorting Alon
 Open Scope R_scope.
 Opaque parts outlines convolution boundary are_outlines.
 
+Lemma falls_same (S T : point -> Prop) C n : (forall x, S x <-> T x) -> falls_into S C n ->
+  falls_into T C n.
+Proof. intros H (A & K). split; [|exact K]. intros x. rewrite <- H. apply A. Qed.
 Lemma components_same (S T : point -> Prop) n : (forall x, S x <-> T x) -> has_components S n ->
   has_components T n.
 Proof.
@@ -28,52 +31,32 @@ Proof.
   - apply Permutation_map, Permutation_sym, sort_members.
 Qed.
 
-Lemma some_pair {A C} (a b : A) (c d : C) : Some (a, c) = Some (b, d) -> b = a /\ d = c.
-Proof. intros E. injection E; auto. Qed.
-Lemma answered E F R holes : traced_sum E F = Some (R, holes) ->
-  are_outlines (convolution E F) (sum_boundary E F)
-    (outlines (convolution E F) (sum_boundary E F)) = true /\
-  R = map polygon_of (outlines (convolution E F) (sum_boundary E F)) /\
-  holes = pred (length (parts (sum_boundary E F) false)).
-Proof.
-  unfold traced_sum. cbv zeta.
-  change (boundary (decide_point E F) (convolution E F)) with (sum_boundary E F).
-  destruct (are_outlines _ _ _); [|discriminate]. intros Answer. apply some_pair in Answer.
-  split; [reflexivity|exact Answer].
-Qed.
-
-(** For any two sets that are drawn, one of them with an area *)
-Theorem traced_sum_is_right E F S T R holes : drawn (map R2e E) S -> drawn (map R2e F) T ->
-  has_area (map R2e E) S \/ has_area (map R2e F) T ->
-  (is_slim E = false -> bordered (map R2e E) S) /\ (is_slim F = false -> bordered (map R2e F) T) ->
-  traced_sum E F = Some (R, holes) ->
-  (forall x, set_of (rings_of (figure R)) x <-> sum_set S T x) /\
-  has_components (sum_set S T) (length R) /\ has_holes (sum_set S T) holes /\
+(** Of any set that segments and a program tell *)
+Theorem traced_set_is_right is_in all S R holes : is_arranged is_in all S ->
+  traced_set is_in all = Some (R, holes) ->
+  (forall x, set_of (rings_of (figure R)) x <-> S x) /\
+  has_components (set_of (rings_of (figure R))) (length R) /\
+  has_holes (set_of (rings_of (figure R))) holes /\
   is_canonical (set_of (rings_of (figure R))) (figure R).
 Proof.
-  intros DE DF Ar Ki Answer. destruct (answered E F R holes Answer) as (Tested & -> & ->).
-  destruct (kept_pieces_bound E F S T DE DF Ar Ki) as (St & Sd & Lg & Al).
-  destruct (set_bounded E F S T DE DF) as (low & high & H).
-  pose proof (sum_regular _ _ S T DE DF Ar) as Rg.
-  destruct (parts_of_the_sum E F S T DE DF Ar Ki) as (Comp & Hol).
-  assert (Dec : forall v, decide_point E F v = true <-> sum_set S T (R2 v)).
-  { intros v. rewrite (sum_is_union_here E F S T DE DF).
-    apply decide_point_is_right; [apply DE|apply DF]. }
-  pose proof (convolution_forward E F) as Fw.
-  pose proof (sum_steady E F S T DE DF Ar Ki) as Const.
-  pose proof (inside_falls (sum_set S T) Rg (sum_boundary E F) St Lg Al Sd low high
+  intros Arr. unfold traced_set. cbv zeta. set (B := boundary is_in all).
+  destruct (are_outlines all B (outlines all B)) eqn:Tested; [|discriminate].
+  intros Answer. injection Answer; intros <- <-. clear Answer.
+  destruct (kept_pieces_bound _ _ _ Arr) as (St & Sd & Lg & Al).
+  destruct (parts_of_the_set _ _ _ Arr) as (Comp & Hol).
+  destruct Arr as (Rg & (low & high & H) & Fw & Const & Dec). fold B in St, Sd, Lg, Al, Comp, Hol.
+  pose proof (inside_falls S Rg B St Lg Al Sd low high
     (fun y Y => proj1 (H y Y)) (fun y Y => proj2 (H y Y))) as Falls.
-  pose proof (outlines_classes (convolution E F) (sum_boundary E F)) as Classed.
-  assert (Len : length (parts (sum_boundary E F) true) =
-    length (outlines (convolution E F) (sum_boundary E F)))
+  pose proof (outlines_classes all B) as Classed.
+  assert (Len : length (parts B true) = length (outlines all B))
     by (rewrite (Permutation_length Classed); apply map_length).
-  split; [|split; [|split]].
-  - intros x. exact (set_is_set (sum_set S T) Rg (decide_point E F) Dec (convolution E F) Fw Const
-      Lg Al high (fun y Y => proj2 (H y Y)) _ Tested x).
-  - rewrite map_length, <- Len. exact Comp.
-  - exact Hol.
-  - exact (rings_canonical (sum_set S T) Rg (decide_point E F) Dec (convolution E F) Fw Const
-      Lg Al high (fun y Y => proj2 (H y Y)) (parts (sum_boundary E F) true) Falls _ Tested Classed).
+  pose proof (set_is_set S Rg is_in all Fw Dec Const Lg Al high (fun y Y => proj2 (H y Y)) _ Tested)
+    as Set_.
+  split; [exact Set_|split; [|split]].
+  - rewrite map_length, <- Len. exact (components_same _ _ _ (fun x => iff_sym (Set_ x)) Comp).
+  - exact (holes_same _ _ _ (fun x => iff_sym (Set_ x)) Hol).
+  - exact (rings_canonical S Rg is_in all Fw Dec Const Lg Al high (fun y Y => proj2 (H y Y))
+      (parts B true) Falls _ Tested Classed).
 Qed.
 
 Theorem exact_sum_is_right : forall (s : Q) (P Q R : list (polygon vertex)) (holes : nat),
@@ -85,11 +68,6 @@ Theorem exact_sum_is_right : forall (s : Q) (P Q R : list (polygon vertex)) (hol
   has_holes (set_of (rings_of (figure R))) holes /\
   is_canonical (set_of (rings_of (figure R))) (figure R).
 Proof.
-  intros s P Q R holes L LP LQ N Answer.
-  destruct (traced_sum_is_right _ _ _ _ R holes (P_drawn_here s P L LP) (Q_drawn_here Q LQ)
-    (area_here s P Q L LP LQ N) (kinds_here s P Q L LP LQ) Answer) as (Set_ & Comp & Hol & Can).
-  split; [|split; [|split; [|exact Can]]].
-  - intros x. rewrite (Set_ x). apply sum_here, L.
-  - apply (components_same _ _ _ (fun x => iff_sym (Set_ x)) Comp).
-  - apply (holes_same _ _ _ (fun x => iff_sym (Set_ x)) Hol).
+  intros s P Q R holes L LP LQ N.
+  exact (traced_set_is_right _ _ _ R holes (sum_is_arranged s P Q L LP LQ N)).
 Qed.

@@ -11,9 +11,9 @@ Section Formed.
 Variable S : point -> Prop.
 Hypothesis regular : is_regular S.
 Variable is_in : vertex -> bool.
-Hypothesis decided : forall v, is_in v = true <-> S (R2 v).
 Variable all : list edge.
 Hypothesis all_forward : forall e, In e all -> forward e.
+Hypothesis decided : decides is_in all S.
 Hypothesis constant : forall x, ~ over_some all x -> steady S x.
 Let B := boundary is_in all.
 Hypothesis long : forall e, In e B -> start e <> finish e.
@@ -85,7 +85,7 @@ Lemma G_alike e f x : In e G -> In f G -> inside e x -> inside f x ->
 Proof. intros I J. apply alike; apply test_parts; auto. Qed.
 Lemma G_no_end e f : In e G -> In f G -> ~ inside e (start f) /\ ~ inside e (finish f).
 Proof.
-  intros I J. apply (kept_no_end S is_in decided all all_forward); apply test_parts; auto.
+  intros I J. apply (kept_no_end S is_in all all_forward decided); apply test_parts; auto.
 Qed.
 Lemma G_apart : ForallOrdPairs (fun e f => forall x, inside e x -> inside f x -> False) G.
 Proof. apply (tested_apart G G_long G_alike), test_parts. Qed.
@@ -130,7 +130,7 @@ Proof.
   rewrite <- edges_real. exact edges_closed_up.
 Qed.
 Lemma set_steady_off x : ~ over_some B x -> steady S x.
-Proof. apply (steady_off_kept S regular is_in decided all all_forward constant). Qed.
+Proof. apply (steady_off_kept S regular is_in all all_forward decided constant). Qed.
 Lemma region_is_set x : region (all_edges (rings_of ps)) x <-> S x.
 Proof.
   assert (W : forall y, winding (all_edges (rings_of ps)) y = winding (map R2e G) y).
@@ -141,7 +141,7 @@ Proof.
   { intros y. apply (region_of_pieces S regular G) with (high := high); auto.
     - intros z N. apply set_steady_off. rewrite <- G_over. exact N.
     - exact G_long.
-    - intros e z I X. apply (kept_sided S is_in decided all all_forward constant e z); auto.
+    - intros e z I X. apply (kept_sided S is_in all all_forward decided constant e z); auto.
       apply test_parts, I.
     - exact G_apart.
     - exact G_closed. }
@@ -192,7 +192,7 @@ Proof.
   right. assert (Xp : inside p x) by (apply inner_of_segment; auto).
   assert (HA : In (fst o) K).
   { apply (Permutation_in _ (Permutation_sym classed)), in_map, Io. }
-  destruct (piece_borders S is_in decided all all_forward constant K falls (fst o) p x HA) as
+  destruct (piece_borders S is_in all all_forward decided constant K falls (fst o) p x HA) as
     (s & Hs & Sd); auto.
   { apply test_parts, Gp. }
   { apply (outline_parts o Io). apply in_concat. exists r. split; auto. apply in_concat.

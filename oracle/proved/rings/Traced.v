@@ -153,13 +153,15 @@ Definition are_outlines (all B : list edge) (os : list outlined) : bool :=
   forallb (fun e => existsb (exact_edge e) (all_pieces os)) B &&
   ascending (fun o k => list_less (outer_corners o) (outer_corners k)) os.
 
-(** ** The sum of two operands, and how many holes it has; None: what was traced is no form. *)
+(** ** A set of which a program tells the points off some segments, in canonical form, and how many
+    holes it has; None: what was traced is no form. *)
 Definition polygon_of (o : outlined) : polygon vertex :=
   (outer_corners o, map corners_of (snd (snd o))).
-Definition traced_sum (E F : list edge) : option (list (polygon vertex) * nat) :=
-  let all := convolution E F in
-  let B := boundary (decide_point E F) all in
+Definition traced_set (is_in : vertex -> bool) (all : list edge) :
+    option (list (polygon vertex) * nat) :=
+  let B := boundary is_in all in
   let os := outlines all B in
   if are_outlines all B os then Some (map polygon_of os, pred (length (parts B false))) else None.
 Definition exact_sum (s : Q) (P K : rings vertex) : option (list (polygon vertex) * nat) :=
-  traced_sum (all_edges (map (map (by_scale s)) P)) (all_edges K).
+  let E := all_edges (map (map (by_scale s)) P) in let F := all_edges K in
+  traced_set (decide_point E F) (convolution E F).

@@ -19,9 +19,9 @@ Opaque parts outlines boundary traces.
 Section Accepted.
 Variable S : point -> Prop.
 Variable is_in : vertex -> bool.
-Hypothesis decided : forall v, is_in v = true <-> S (R2 v).
 Variable all : list edge.
 Hypothesis all_forward : forall e, In e all -> forward e.
+Hypothesis decided : decides is_in all S.
 Hypothesis constant : forall x, ~ over_some all x -> steady S x.
 Let B := boundary is_in all.
 Hypothesis steady_off : forall x, ~ over_some B x -> steady S x.
@@ -37,7 +37,7 @@ Hypothesis rings_kept : forall A, In A K -> Permutation (rings_of_outline (outli
 Lemma left_point_inside e : In e B -> interior S (R2 (left_point all e)).
 Proof.
   intros I.
-  destruct (kept_from S is_in decided all e I) as (p & Ip & Hp).
+  destruct (kept_from S is_in all all_forward decided e I) as (p & Ip & Hp).
   pose proof (piece_forward all all_forward p Ip) as Fw.
   destruct (tested_clear all all_forward p Ip) as [Cl Cr].
   destruct Hp as [(-> & Sl & _)|(-> & _ & Sr)].
@@ -84,7 +84,7 @@ Lemma outline_pieces A : In A K ->
 Proof.
   intros I.
   rewrite (ring_lists_permuted _ _ (ring_lists_permuted _ _ (rings_kept A I))).
-  destruct (class_traces S is_in decided all all_forward constant steady_off K falls A I)
+  destruct (class_traces S is_in all all_forward decided constant steady_off K falls A I)
     as [P _]. fold B in P. fold (around A) in P. fold (traced A) in P.
   apply Permutation_trans with (concat (traced A)); [|exact P].
   clear P. induction (traced A) as [|l T IH]; auto. cbn [map concat]. rewrite concat_app.
@@ -143,7 +143,7 @@ Lemma rings_pass ring : In ring rings -> is_closed_ring ring = true /\
 Proof.
   intros I. apply in_flat_map in I. destruct I as (o & Io & I).
   destruct (each_outline o Io) as (A & HA & ->).
-  destruct (outline_rings_pass S is_in decided all all_forward constant steady_off K falls A HA
+  destruct (outline_rings_pass S is_in all all_forward decided constant steady_off K falls A HA
     ring I) as (T1 & T2 & _ & T4). auto.
 Qed.
 Lemma ring_parts ring : In ring rings -> (exists r k, ring = r :: k) /\
@@ -166,7 +166,7 @@ Proof.
   assert (Ak : forall e, In e b -> In e (concat k)) by (intros; subst k; apply in_or_app; auto).
   assert (Long : forall e, In e B -> start e <> finish e).
   { intros e Ie. destruct (some_class e Ie) as (A & HA & H).
-    apply (class_long S is_in decided all all_forward A). apply filter_In. auto. }
+    apply (class_long S is_in all all_forward decided A). apply filter_In. auto. }
   assert (Same : real_edge a = real_edge b).
   { rewrite E, Ck in Cr. rewrite Er, Ek in Cr. cbn [map] in Cr.
     symmetry. exact (f_equal (hd (real_edge a)) Cr). }
@@ -185,7 +185,7 @@ Proof.
   apply On' in M'. destruct M' as (f & F & Of).
   assert (Ie : In e B) by (apply Br, Ar; simpl; auto).
   assert (If : In f B) by (apply Bk, Ak, F).
-  destruct (kept_no_end S is_in decided all all_forward e f Ie If) as [N1 N2].
+  destruct (kept_no_end S is_in all all_forward decided e f Ie If) as [N1 N2].
   assert (X : inside f m).
   { apply inner_of_segment; auto; intros Q; [apply N1|apply N2]; rewrite <- Q;
       apply some_inside. }

@@ -60,9 +60,9 @@ Qed.
 Section Bounding.
 Variable S : point -> Prop.
 Variable is_in : vertex -> bool.
-Hypothesis decided : forall v, is_in v = true <-> S (R2 v).
 Variable all : list edge.
 Hypothesis all_forward : forall e, In e all -> forward e.
+Hypothesis decided : decides is_in all S.
 Hypothesis constant : forall x, ~ over_some all x -> steady S x.
 Let B := boundary is_in all.
 Hypothesis steady_off : forall x, ~ over_some B x -> steady S x.
@@ -143,7 +143,7 @@ Proof. intros [(r & R & H) _]. apply H, near_self, R. Qed.
 Lemma piece_passed e x : In e B -> bounds all A e = false -> inside e x -> steady C x.
 Proof.
   intros I Bo X.
-  destruct (kept_sided S is_in decided all all_forward constant e x I X) as (s & Hs & Sd).
+  destruct (kept_sided S is_in all all_forward decided constant e x I X) as (s & Hs & Sd).
   assert (Out : ~ C (R2 (left_point all e))).
   { intros [_ (c & Ic & Hc)]. apply not_true_iff_false in Bo. apply Bo. unfold bounds. cbv zeta.
     apply existsb_exists. exists c. split; auto. apply holds_back, Hc. }
@@ -152,7 +152,7 @@ Proof.
     exists r. split; auto. intros y Y. specialize (H y Y). unfold C. tauto. }
   assert (Got : exists r, 0 < r /\ forall y, near r x y -> 0 < orient (start e) (finish e) y ->
     ~ C y).
-  { destruct (kept_from S is_in decided all e I) as (p & Ip & [(-> & _)|(-> & _)]).
+  { destruct (kept_from S is_in all all_forward decided e I) as (p & Ip & [(-> & _)|(-> & _)]).
     - pose proof (piece_forward all all_forward p Ip) as Fw. apply is_before_real in Fw.
       unfold left_point in Out. rewrite Fw in Out.
       apply (left_all all all_forward p Ip _ Not x); auto.
@@ -175,7 +175,7 @@ Proof.
     - apply (proj2 (Sd y Y2) O), class_in, Cy.
     - destruct (class_open y Cy) as (t & T & L). destruct (near_within x y s Y2) as (u & U & M).
       assert (Long : start e <> finish e).
-      { destruct (kept_from S is_in decided all e I) as (p & Ip & Hp).
+      { destruct (kept_from S is_in all all_forward decided e I) as (p & Ip & Hp).
         pose proof (before_different _ _ (piece_forward all all_forward p Ip)) as D.
         destruct Hp as [(-> & _)|(-> & _)]; unfold start, finish; cbn [fst snd]; auto. }
       destruct (right_close (start e) (finish e) y (Rmin t u) Long O) as (z & Z & Oz);
@@ -199,7 +199,7 @@ Qed.
 Lemma class_long e : In e E -> start e <> finish e.
 Proof.
   intros I. apply filter_In in I. destruct I as [I _].
-  destruct (kept_from S is_in decided all e I) as (p & Ip & Hp).
+  destruct (kept_from S is_in all all_forward decided e I) as (p & Ip & Hp).
   pose proof (before_different _ _ (piece_forward all all_forward p Ip)) as D.
   destruct Hp as [(-> & _)|(-> & _)]; unfold start, finish; cbn [fst snd]; auto.
 Qed.
@@ -207,14 +207,14 @@ Lemma class_sided e x : In e E -> inside e x -> exists r, 0 < r /\ forall y, nea
   (0 < orient (start e) (finish e) y -> C y) /\ (orient (start e) (finish e) y < 0 -> ~ C y).
 Proof.
   intros I X. apply filter_In in I. destruct I as [I Bo].
-  destruct (piece_borders S is_in decided all all_forward constant K falls A e x A_class I Bo X)
+  destruct (piece_borders S is_in all all_forward decided constant K falls A e x A_class I Bo X)
     as (r & R & H). exists r. split; auto. intros y Y. destruct (H y Y) as [H1 H2].
   split; auto. intros O Cy. apply (H2 O), class_in, Cy.
 Qed.
 Lemma class_no_end e f : In e E -> In f E -> ~ inside e (finish f).
 Proof.
   intros I J. apply filter_In in I. apply filter_In in J.
-  apply (kept_no_end S is_in decided all all_forward); [apply I|apply J].
+  apply (kept_no_end S is_in all all_forward decided); [apply I|apply J].
 Qed.
 Theorem class_next : exists N, map (next_piece E) E = map Some N /\ Permutation N E /\
   map start N = map finish E.
@@ -258,7 +258,7 @@ Proof.
   intros I. destruct class_traces as [P Cy].
   apply (passed_once S C (map R2e B) class_part E few class_long).
   - intros e x J X. apply filter_In in J. destruct J as [J Bo].
-    exact (piece_borders S is_in decided all all_forward constant K falls A e x A_class J Bo X).
+    exact (piece_borders S is_in all all_forward decided constant K falls A e x A_class J Bo X).
   - exact class_steady.
   - exact class_no_end.
   - apply pairs_filter, boundary_apart.

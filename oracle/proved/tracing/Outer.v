@@ -56,9 +56,9 @@ Qed.
 Section Outer.
 Variable S : point -> Prop.
 Variable is_in : vertex -> bool.
-Hypothesis decided : forall v, is_in v = true <-> S (R2 v).
 Variable all : list edge.
 Hypothesis all_forward : forall e, In e all -> forward e.
+Hypothesis decided : decides is_in all S.
 Hypothesis constant : forall x, ~ over_some all x -> steady S x.
 Let B := boundary is_in all.
 Hypothesis steady_off : forall x, ~ over_some B x -> steady S x.
@@ -78,9 +78,9 @@ Proof. apply pairs_filter, (boundary_apart is_in all all_forward). Qed.
 Lemma class_avoids e x : In e E -> lies_on e x -> ~ C x.
 Proof.
   apply (piece_avoids S C (map R2e B) (class_part S is_in all steady_off K falls A A_class) E
-    (class_long S is_in decided all all_forward A)).
+    (class_long S is_in all all_forward decided A)).
   intros f y J Y. apply filter_In in J. destruct J as [J Bo].
-  exact (piece_borders S is_in decided all all_forward constant K falls A f y A_class J Bo Y).
+  exact (piece_borders S is_in all all_forward decided constant K falls A f y A_class J Bo Y).
 Qed.
 Lemma class_joined x y : C x -> C y -> joined C x y.
 Proof. apply (class_part S is_in all steady_off K falls A A_class). Qed.
@@ -91,17 +91,17 @@ Proof.
 Qed.
 
 Section Loop.
-Let nexts := class_nexts S is_in decided all all_forward constant steady_off K falls A A_class.
+Let nexts := class_nexts S is_in all all_forward decided constant steady_off K falls A A_class.
 Variable l : list edge.
 Hypothesis traced : In l loops.
 Lemma loop_cycle : is_cycle E l.
 Proof.
-  apply (class_traces S is_in decided all all_forward constant steady_off K falls A A_class).
+  apply (class_traces S is_in all all_forward decided constant steady_off K falls A A_class).
   exact traced.
 Qed.
 Lemma loop_within e : In e l -> In e E.
 Proof.
-  intros I. destruct (class_traces S is_in decided all all_forward constant steady_off K falls A
+  intros I. destruct (class_traces S is_in all all_forward decided constant steady_off K falls A
     A_class) as [P _]. apply (Permutation_in _ P), in_concat. exists l. auto.
 Qed.
 Lemma loop_apart : ForallOrdPairs no_common l.
@@ -138,13 +138,13 @@ Lemma rows_parts : (forall r, In r (rows l) -> is_straight r = true) /\
   (forall e, In e (concat (rows l)) -> start e <> finish e) /\
   ring_edges ring = map real_edge (rows l).
 Proof.
-  destruct (class_rings_pass S is_in decided all all_forward constant steady_off K falls A A_class l
+  destruct (class_rings_pass S is_in all all_forward decided constant steady_off K falls A A_class l
     traced) as [P _]. fold (rows l) in P. unfold is_closed_ring in P.
   rewrite !andb_true_iff, !forallb_forall in P. destruct P as [[[_ St] Be] _].
   split; [exact St|split].
   - intros e I. unfold rows in I. rewrite (proj1 (in_rows_pieces _)) in I.
     apply (Permutation_in _ (from_least_members l)) in I.
-    apply (class_long S is_in decided all all_forward A), loop_within, I.
+    apply (class_long S is_in all all_forward decided A), loop_within, I.
   - apply corners_edges. intros r k J. pose proof (Be (r, k) J) as H. unfold bends in H.
     apply andb_true_iff in H. apply same_real, H.
 Qed.
@@ -165,8 +165,8 @@ Lemma loop_area x : C x ->
   (winding (map R2e l) x = 1%Z /\ 0 < area ring) \/ (winding (map R2e l) x = 0%Z /\ area ring < 0).
 Proof.
   intros Cx. destruct (ring_sign C class_joined x Cx E
-    (class_long S is_in decided all all_forward A)
-    (class_sided S is_in decided all all_forward constant K falls A A_class) class_avoids l
+    (class_long S is_in all all_forward decided A)
+    (class_sided S is_in all all_forward decided constant K falls A A_class) class_avoids l
     loop_within loop_apart loop_some loop_closes) as [(Z & H & y & N & W)|(Z & H & y & N & W)];
     [left|right]; (split; [exact Z|]); [apply area_above|apply area_below];
     try (intros z Nz; rewrite ring_winds; apply H; rewrite <- ring_over; exact Nz);
@@ -186,18 +186,18 @@ End Loop.
 Lemma loops_together x : C x -> sumz (fun l => winding (map R2e l) x) loops = 1%Z.
 Proof.
   intros Cx. rewrite <- winding_concat.
-  destruct (class_traces S is_in decided all all_forward constant steady_off K falls A A_class)
+  destruct (class_traces S is_in all all_forward decided constant steady_off K falls A A_class)
     as [P _]. transitivity (winding (map R2e E) x); [exact (winding_perm _ _ x
     (Permutation_map R2e P))|].
   apply (wound_once C (class_open S K falls A A_class) x Cx high) with
     (few := map start B ++ map finish B).
   - intros y Y. apply to_high, (class_in S A y Y).
-  - exact (class_long S is_in decided all all_forward A).
-  - exact (class_sided S is_in decided all all_forward constant K falls A A_class).
+  - exact (class_long S is_in all all_forward decided A).
+  - exact (class_sided S is_in all all_forward decided constant K falls A A_class).
   - exact class_avoids.
-  - exact (class_steady S is_in decided all all_forward constant steady_off K falls A A_class).
+  - exact (class_steady S is_in all all_forward decided constant steady_off K falls A A_class).
   - exact class_apart.
-  - exact (class_closes S is_in decided all all_forward constant steady_off K falls A A_class).
+  - exact (class_closes S is_in all all_forward decided constant steady_off K falls A A_class).
 Qed.
 Theorem one_outer_ring : exists r, fst (snd (outline all B A)) = [r] /\
   less 0 (twice_area (corners_of r)) = true.

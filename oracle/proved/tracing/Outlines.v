@@ -9,9 +9,9 @@ Open Scope R_scope.
 Section Outlines.
 Variable S : point -> Prop.
 Variable is_in : vertex -> bool.
-Hypothesis decided : forall v, is_in v = true <-> S (R2 v).
 Variable all : list edge.
 Hypothesis all_forward : forall e, In e all -> forward e.
+Hypothesis decided : decides is_in all S.
 Hypothesis constant : forall x, ~ over_some all x -> steady S x.
 Let B := boundary is_in all.
 Hypothesis steady_off : forall x, ~ over_some B x -> steady S x.
@@ -23,7 +23,7 @@ Let E := filter (bounds all A) B.
 
 Lemma class_nexts a b : In a E -> next_piece E a = Some b -> In b E /\ finish a = start b.
 Proof.
-  destruct (class_next S is_in decided all all_forward constant steady_off K falls A A_class)
+  destruct (class_next S is_in all all_forward decided constant steady_off K falls A A_class)
     as (N & Q & PN & SN). intros Ia Nb. fold B E in Q, PN, SN.
   assert (G : forall l M, map (next_piece E) l = map Some M -> map start M = map finish l ->
     In a l -> In b M /\ finish a = start b).
@@ -41,15 +41,15 @@ Theorem class_rings_pass ring : In ring (traces (length E) E E) ->
   begins_least (in_rows (from_least ring)) = true.
 Proof.
   intros I.
-  destruct (class_traces S is_in decided all all_forward constant steady_off K falls A A_class)
+  destruct (class_traces S is_in all all_forward decided constant steady_off K falls A A_class)
     as [P Cy].
   apply (ring_passes E).
-  - exact (class_long S is_in decided all all_forward A).
+  - exact (class_long S is_in all all_forward decided A).
   - apply pairs_filter, (boundary_apart is_in all all_forward).
   - exact class_nexts.
   - apply Cy, I.
   - intros e J. apply (Permutation_in _ P). apply in_concat. exists ring. auto.
-  - intros a b. exact (class_passed_once S is_in decided all all_forward constant steady_off K falls
+  - intros a b. exact (class_passed_once S is_in all all_forward decided constant steady_off K falls
       A A_class ring a b I).
 Qed.
 Theorem outline_rings_pass ring : In ring (rings_of_outline (outline all B A)) ->
@@ -63,7 +63,7 @@ Proof.
     - apply (Permutation_in _ (sort_members _ _)) in I. apply filter_In in I. apply I. }
   apply in_map_iff in G. destruct G as (l & <- & J). destruct (class_rings_pass l J) as [T1 T2].
   split; [exact T1|split; [exact T2|]].
-  destruct (class_traces S is_in decided all all_forward constant steady_off K falls A A_class)
+  destruct (class_traces S is_in all all_forward decided constant steady_off K falls A A_class)
     as [P _].
   assert (In_E : forall e, In e (concat (in_rows (from_least l))) -> In e E).
   { intros e X. rewrite (proj1 (in_rows_pieces _)) in X.
@@ -79,32 +79,4 @@ End Outlines.
 Lemma exact_self e : exact_edge e e = true.
 Proof.
   unfold exact_edge, exact_vertex, exact_number. rewrite !Z.eqb_refl, !Pos.eqb_refl. reflexivity.
-Qed.
-Theorem outlines_of_boundary S is_in all : (forall v, is_in v = true <-> S (R2 v)) ->
-  (forall e, In e all -> forward e) -> (forall x, ~ over_some all x -> steady S x) ->
-  let B := boundary is_in all in
-  (forall x, ~ over_some B x -> steady S x) ->
-  falls_into (interior S) (fun i => part_of (interior S) (nth i (parts B true) []))
-    (length (parts B true)) ->
-  (forall o ring, In o (outlines all B) -> In ring (rings_of_outline o) ->
-    is_closed_ring ring = true /\ begins_least ring = true /\
-    forallb (bounds all (fst o)) (concat ring) = true) /\
-  forallb (fun e => existsb (exact_edge e) B) (all_pieces (outlines all B)) = true.
-Proof.
-  intros Dec Fw Const B St Fa.
-  assert (Each : forall o, In o (outlines all B) -> exists A, In A (parts B true) /\
-    o = outline all B A).
-  { intros o I. unfold outlines in I. apply (Permutation_in _ (sort_members _ _)) in I.
-    apply in_map_iff in I. destruct I as (A & <- & I). eauto. }
-  split.
-  - intros o ring I J. destruct (Each o I) as (A & HA & ->).
-    destruct (outline_rings_pass S is_in Dec all Fw Const St (parts B true) Fa A HA ring J)
-      as (T1 & T2 & T3 & _). auto.
-  - apply forallb_forall. intros e I. unfold all_pieces in I. apply in_concat in I.
-    destruct I as (r & I & X). apply in_concat in I. destruct I as (ring & J & Y).
-    apply in_flat_map in J. destruct J as (o & Io & J). destruct (Each o Io) as (A & HA & ->).
-    destruct (outline_rings_pass S is_in Dec all Fw Const St (parts B true) Fa A HA ring J)
-      as (_ & _ & _ & T4).
-    apply existsb_exists. exists e. split; [|apply exact_self]. apply T4. apply in_concat.
-    exists r. auto.
 Qed.

@@ -1,7 +1,7 @@
 (** The statements of Statement.v hold. *)
 From Coq Require Import Lra Lia Bool QArith Qreals.
-From Proved Require Import Definitions Form Legality OneForm Alike Points Member Along
-  Decided Arranged Exact Always Judged Answers Statement.
+From Proved Require Import Definitions Form Legality Operations OneForm Alike Points Member Along
+  Decided Arranged Traced Exact Always Combined Combining Validity Judged Answers Statement.
 Open Scope R_scope.
 
 Lemma pair_decided s P Q : are_legal s P Q = true <-> legal_pair s P Q.
@@ -61,4 +61,53 @@ Proof.
   - intros (R & holes & Answer). destruct (are_legal s P Q) eqn:L; [|discriminate].
     split; [apply pair_decided, L|]. intros [TP TQ].
     rewrite (thin_decided P TP), (thin_decided Q TQ) in Answer. discriminate Answer.
+Qed.
+
+Lemma combined_decided P others : forallb decide_polygon_set (P :: others) = true <->
+  forall K, In K (P :: others) -> is_polygon_set (figure K).
+Proof.
+  rewrite forallb_forall. split; intros H K I; apply polygon_sets_are_decided, H, I.
+Qed.
+Lemma combination_is o P others : exact_combination o (rings_of P) (map rings_of others) =
+  let edges K := all_edges (rings_of K) in
+  traced_set (decide_combined o (edges P) (map edges others))
+    (all_segments (map edges (P :: others))).
+Proof. unfold exact_combination. cbv zeta. rewrite map_map. reflexivity. Qed.
+
+Theorem verified_combination_is_complete_holds : verified_combination_is_complete.
+Proof.
+  intros o P others. unfold verified_combination. split.
+  - intros L. rewrite (proj2 (combined_decided P others) L), combination_is.
+    exact (traced_set_answers _ _ _ (combination_is_arranged o P others L)).
+  - intros (R & holes & Answer). destruct (forallb _ (P :: others)) eqn:L; [|discriminate].
+    exact (proj1 (combined_decided P others) L).
+Qed.
+
+Theorem verified_combination_is_sound_holds : verified_combination_is_sound.
+Proof.
+  intros o P others R holes. unfold verified_combination.
+  destruct (forallb _ (P :: others)) eqn:L; [|discriminate].
+  pose proof (proj1 (combined_decided P others) L) as Legal_. clear L.
+  rewrite combination_is. intros Answer.
+  exact (traced_set_is_right _ _ _ R holes (combination_is_arranged o P others Legal_) Answer).
+Qed.
+
+Theorem verified_combination_is_the_only_one_holds : verified_combination_is_the_only_one.
+Proof.
+  intros o P others R holes ps Answer Set_ Can.
+  destruct (verified_combination_is_sound_holds o P others R holes Answer) as (Set' & _ & _ & Can').
+  apply (another_form_is_another_set_holds ps (figure R) Can Can').
+  intros x. rewrite (Set_ x), <- (Set' x). reflexivity.
+Qed.
+
+Theorem verified_union_is_sound_holds : verified_union_is_sound.
+Proof.
+  intros P others R holes Answer x.
+  assert (L := proj2 (verified_combination_is_complete_holds unite P others)
+    (ex_intro _ R (ex_intro _ holes Answer))).
+  rewrite (proj1 (verified_combination_is_sound_holds _ _ _ _ _ Answer) x).
+  rewrite (union_as_it_is unite P others L x eq_refl).
+  simpl. apply or_iff_compat_l. split.
+  - intros (T & I & K). apply in_map_iff in I. destruct I as (Q & <- & I). exists Q. auto.
+  - intros (Q & I & K). exists (in_set Q). split; [apply in_map, I|exact K].
 Qed.

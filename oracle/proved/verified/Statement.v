@@ -1,8 +1,8 @@
 (** The answers of the programs in Answers.v, as statements. This page is to be read; Answered.v
-    proves that they hold. In the words of Definitions.v, Form.v and Legality.v: points
-    are real, sets are of the plane. Nothing is assumed: s, P and Q are any rational number and any
-    two lists of polygons. *)
-From Proved Require Export Definitions Form Legality.
+    proves that they hold. In the words of Definitions.v, Form.v, Legality.v and Operations.v:
+    points are real, sets are of the plane. Nothing is assumed: s, P and Q are any rational number
+    and any two lists of polygons. *)
+From Proved Require Export Definitions Form Legality Operations.
 From Proved Require Import Answers.
 Open Scope R_scope.
 
@@ -41,3 +41,27 @@ Definition is_point_or_segment (ps : list (polygon vertex)) : Prop :=
 Definition verified_sum_is_complete : Prop := forall s P Q,
   (legal_pair s P Q /\ ~ (is_point_or_segment P /\ is_point_or_segment Q)) <->
   exists R holes, verified_sum s P Q = Some (R, holes).
+
+(** A set and others, combined *)
+Definition in_set (P : list (polygon vertex)) : point -> Prop := set_of (set P).
+Definition combination (o : operation) (P : list (polygon vertex)) others : point -> Prop :=
+  combined o (in_set P) (map in_set others).
+(** [verified_combination] answers exactly if all are legal polygon sets; and the answer is right as
+    that of [verified_sum] is. *)
+Definition verified_combination_is_complete : Prop := forall o P others,
+  (forall K, In K (P :: others) -> is_polygon_set (figure K)) <->
+  exists R holes, verified_combination o P others = Some (R, holes).
+Definition verified_combination_is_sound : Prop := forall o P others R holes,
+  verified_combination o P others = Some (R, holes) ->
+  (forall x, in_set R x <-> regularised (combination o P others) x) /\
+  has_components (in_set R) (length R) /\ has_holes (in_set R) holes /\
+  is_canonical (in_set R) (figure R).
+(** And nothing else is. *)
+Definition verified_combination_is_the_only_one : Prop := forall o P others R holes ps,
+  verified_combination o P others = Some (R, holes) ->
+  (forall x, set_of (rings_of ps) x <-> regularised (combination o P others) x) ->
+  is_canonical (set_of (rings_of ps)) ps -> ps = figure R.
+(** A union is closed as it is. *)
+Definition verified_union_is_sound : Prop := forall P others R holes,
+  verified_combination unite P others = Some (R, holes) ->
+  forall x, in_set R x <-> in_set P x \/ exists Q, In Q others /\ in_set Q x.
