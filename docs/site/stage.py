@@ -38,6 +38,7 @@ GUIDE = (
     "first-finding",
     "verify",
     "campaigns",
+    "campaigns-ledger",
     "findings",
     "matrix",
     "adapter-protocol",

@@ -1,4 +1,4 @@
-"""A campaign as its TOML file states it."""
+"""Reads a campaign's TOML file."""
 
 from __future__ import annotations
 

@@ -50,13 +50,15 @@ class Plan:
 
     @cached_property
     def families(self) -> tuple[tuple[str, str], ...]:
-        """Lists families with their field of CaseList."""
-        found = [(field, name) for field in SETTING_OF for name in getattr(self.whole, field)]
-        return (*found, (INVALID, INVALID)) if self.whole.invalid else tuple(found)
+        """Lists families with their field of CaseList; settings take turns."""
+        groups = [[(field, name) for name in getattr(self.whole, field)] for field in SETTING_OF]
+        groups.append([(INVALID, INVALID)] if self.whole.invalid else [])
+        turns = itertools.zip_longest(*groups)
+        return tuple(each for turn in turns for each in turn if each is not None)
 
     @cached_property
     def _rounds(self) -> tuple[tuple[int, int], ...]:
-        """Returns for each family the rounds of a chunk, and its planned number of cases."""
+        """Returns rounds and planned cases per chunk, for each family."""
         counts = [self._count(field, family) for field, family in self.families]
         rounds = [max(1, self.size // count) for count in counts]
         return tuple((r, r * count) for r, count in zip(rounds, counts, strict=True))
@@ -94,8 +96,7 @@ class Plan:
 
 
 def only_settings(whole: CaseList, settings: Collection[str]) -> CaseList:
-    """Leaves out families of other settings; of none without `settings`. Refuses if none is
-    left."""
+    """Keeps families from `settings`, or all without `settings`. Refuses an empty choice."""
     if settings:
         others = [field for field, name in SETTING_OF.items() if name not in settings]
         empty: dict[str, Any] = dict.fromkeys(others, ())

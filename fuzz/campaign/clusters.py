@@ -64,8 +64,8 @@ def class_of(table: ClusterTable) -> type[Any]:
 
 @contextmanager
 def started(table: ClusterTable, workers: int) -> Iterator[Any]:
-    """Starts a cluster. A local one lies in this process, one thread for each worker process: no
-    other user of the machine, and no program under test, can hand it tasks."""
+    """Starts a cluster. A local cluster shares this process, one thread per worker process: other
+    users and programs under test cannot hand it tasks."""
     module = dask()
     if table.kind == LOCAL:
         options: dict[str, Any] = {

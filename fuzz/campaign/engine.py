@@ -121,6 +121,8 @@ class Drive:
                 self._fill(client, finished)
                 self._advance()
                 if not self._tasks:
+                    if self._kinds:
+                        continue  # chunks from the ledger showed them
                     break
                 try:
                     key = finished.get(timeout=TICK)
@@ -254,7 +256,7 @@ class Drive:
             self._order.remove(number)
 
     def _advance(self) -> None:
-        """Counts chunks in the campaign's order, as far as all before are there."""
+        """Counts chunks in order, up to the first missing chunk."""
         count = 0
         for number in self._order:
             if number not in self._ready:

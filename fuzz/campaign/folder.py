@@ -1,5 +1,4 @@
-"""A folder of campaigns: heads, states, shrunk findings; the ledger beside them is of
-`fuzz/ledgers`."""
+"""A folder with campaigns: heads, states, shrunk findings; `fuzz/ledgers` manages the ledger."""
 
 from __future__ import annotations
 

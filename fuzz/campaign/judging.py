@@ -1,7 +1,7 @@
 """The part of a campaign that runs on a worker: a chunk of cases, or a finding made small.
 
-A worker keeps its process of `fuzz/run`, in which targets run, from one chunk to the next. No code
-of a target runs in the worker itself.
+A worker keeps a process for targets (`fuzz/run`) from chunk to chunk, and runs no target's code
+itself.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ from minkref.version import version
 
 @dataclass(frozen=True)
 class Work:
-    """States what each worker of a campaign has to know. `head`: the campaign's, which parts of the
-    ledger carry. Each machine chooses `limits.isolation` anew, of the same `kind`."""
+    """States what each worker of a campaign has to know. `head`: the campaign's head. Each
+    machine chooses `limits.isolation` anew, with the same `kind`."""
 
     campaign: str
     head: Mapping[str, Any]
@@ -41,13 +41,13 @@ class Work:
 
     @property
     def versions(self) -> dict[str, str | None]:
-        """Returns the targets' versions, by name, in their order."""
+        """Returns versions by target, in order."""
         return dict(self.head["versions"])
 
 
 @dataclass(frozen=True)
 class Judged:
-    """Holds a chunk's results, in order, and its part of the ledger. `seconds`: of work."""
+    """Holds a chunk's ordered results and its ledger part. `seconds`: work."""
 
     results: list[CaseResult]
     part: bytes

@@ -44,7 +44,7 @@ class Kind:
 
 @dataclass
 class Tally:
-    """`run` has the matrix; its findings are the first of each kind."""
+    """`run` has the matrix."""
 
     folder: Path
     campaign: str
@@ -63,7 +63,7 @@ class Tally:
         return sum(kind.count for kind in self.kinds.values())
 
     def add(self, number: int, results: Sequence[CaseResult]) -> list[Kind]:
-        """Counts a chunk. Returns kinds that it shows first."""
+        """Counts a chunk. Returns new kinds."""
         self.taken.add(number)
         self.run.findings.clear()  # `finished` may have put the first ones there
         for result in results:
@@ -137,8 +137,8 @@ class Tally:
         write_json(state_path(self.folder, self.campaign), value)
 
     def read(self) -> None:
-        """Goes on from the state, if there is one of this baseline. Anything else is counted anew
-        from the ledger; only the time spent would be lost."""
+        """Continues from a state with this baseline. Without one, the ledger is counted anew; only
+        the time spent is lost."""
         path = state_path(self.folder, self.campaign)
         if not path.is_file():
             return
@@ -199,5 +199,5 @@ def _small_of(value: dict[str, Any] | None) -> SmallFinding | None:
 
 
 def wanting(kinds: Iterable[Kind]) -> list[Kind]:
-    """Returns kinds that are to be shrunk."""
+    """Returns kinds to shrink."""
     return [kind for kind in kinds if kind.wants_shrinking]

@@ -1,4 +1,4 @@
-"""`minkref campaign merge`: ledgers of several machines in one folder."""
+"""`minkref campaign merge`: joins ledgers from several machines."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ Output = Annotated[
 
 
 def command(folders: Sources, output: Output, json: Json = False, schema: Schema = False) -> None:
-    """Join folders of campaigns: shares of one, or campaigns with other versions. A chunk that
-    several folders have is kept once; the next `minkref campaign run` counts what came in. Exits
-    with 1 if a chunk differs, in more than times: a target that answers now so, now so."""
+    """Join folders: shares of a campaign, or campaigns with other versions. Repeated chunks are
+    kept once; the next `minkref campaign run` counts new ones. Exits with 1 if a repeated chunk
+    differs in more than times."""
     from minkref.cli.output import give
     from minkref.fuzz.campaign.folder import heads
     from minkref.fuzz.ledgers.merging import merge_parts

@@ -77,8 +77,8 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """Run a campaign on many workers. Run again, it goes on where it ended, whatever ended it;
-    with a larger budget it is extended. The findings do not depend on the workers."""
+    """Run a campaign on many workers. Run again to continue after any end, or with a larger
+    budget. Findings do not depend on workers."""
     asked: dict[str, Any] = {name: value for name, value in locals().items() if name != "schema"}
     from minkref.verbs.campaign_request import CampaignRequest
     from minkref.verbs.campaign_work import answer  # all judges, which --help does not need

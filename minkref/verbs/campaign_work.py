@@ -1,4 +1,4 @@
-"""A run of a campaign, and what it prints."""
+"""Runs a campaign and prints results."""
 
 from __future__ import annotations
 
@@ -196,7 +196,7 @@ class Tending:
         self._compaction = threading.Thread()
 
     def look(self) -> None:
-        """Does what is due while the campaign runs."""
+        """Starts compaction and writes pages."""
         if not self._compaction.is_alive():
             self._compaction = threading.Thread(target=self._compact, daemon=True)
             self._compaction.start()

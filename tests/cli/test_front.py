@@ -53,6 +53,7 @@ COMMANDS = (
     "targets",
     "families",
 )
+GROUPS = ("adapter", "campaign")  # of commands
 
 
 def program(*arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
@@ -95,7 +96,7 @@ def test_the_help_has_the_commands_under_headings(minkref: Minkref) -> None:
     first = [line.strip("╭─│ ").split(" ")[0] for line in minkref("--help").out.splitlines()]
     words = [word for word in first if word in HEADINGS or word in HEADING_OF]
     assert words == [word for heading, lines in HEADINGS.items() for word in (heading, *lines)]
-    assert sorted(HEADING_OF) == sorted([*COMMANDS, "adapter"])
+    assert sorted(HEADING_OF) == sorted([*COMMANDS, *GROUPS])
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -106,7 +107,7 @@ def test_help_of_every_command_has_examples(minkref: Minkref, command: str) -> N
     assert f"minkref {command}" in ran.out
 
 
-@pytest.mark.parametrize("name", (*COMMANDS, "adapter"))
+@pytest.mark.parametrize("name", (*COMMANDS, *GROUPS))
 def test_no_word_of_a_help_is_taken_for_markup(name: str) -> None:
     """`[tool.minkref]` would vanish."""
     commands = [load(name)]

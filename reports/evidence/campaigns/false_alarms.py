@@ -13,11 +13,11 @@ from minkref.reports.evidence.framework.command import counts_of, told
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
 RESTS_ON = ("fuzz/libraries/minkref/",)
-MINUTES = Minutes(0.2, 3, 30)
+MINUTES = Minutes(0.1, 2, 30)
 ALONE = True
 
 SEED = 73
-SECONDS = Counts(6.0, 150.0, 1_700.0)
+SECONDS = Counts(3.0, 90.0, 1_700.0)
 WORKERS = 2
 SETTINGS = ["plane", "disc", "space", "motion", "scene"]
 SOUND = (

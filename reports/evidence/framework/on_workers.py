@@ -21,8 +21,8 @@ GRACE = 1.0  # seconds for that
 def on_workers(
     place: str, chosen: Sequence[Step], size: Size, tell: Callable[[store.Document], None]
 ) -> dict[str, store.Document]:
-    """Returns documents by name, and writes them here. `place`: a scheduler's address, or
-    `local:N`. A step whose worker dies is run again by another."""
+    """Returns documents by name, after writing them. `place`: a scheduler's address, or
+    `local:N`. After a worker's death another worker repeats the step."""
     if place.startswith(LOCAL):
         with started(ClusterTable(), int(place.removeprefix(LOCAL))) as cluster:
             try:
