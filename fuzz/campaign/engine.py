@@ -121,6 +121,8 @@ class Drive:
                 self._fill(client, finished)
                 self._advance()
                 if not self._tasks:
+                    if self._kinds:
+                        continue  # chunks from the ledger showed them
                     break
                 try:
                     key = finished.get(timeout=TICK)

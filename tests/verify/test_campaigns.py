@@ -6,6 +6,7 @@ import itertools
 import json
 import os
 import random
+import shutil
 import signal
 from collections.abc import Callable
 from pathlib import Path
@@ -144,9 +145,16 @@ def test_shares_are_the_whole(tmp_path: Path) -> None:
     for k in range(2):
         client = Client(random.Random(SEED), 3)
         drive(tmp_path / "halves", 120, (k, 2)).run(client, Shows(client))
+    shutil.rmtree(tmp_path / "halves" / "state")
+    shutil.rmtree(tmp_path / "halves" / "kinds")
+    joined, client = drive(tmp_path / "halves", 120), Client(random.Random(SEED), 3)
+    joined.run(client, Shows(client))
+    assert not client.judged and joined.tally.kinds
+    assert all(kind.tried for kind in joined.tally.kinds.values())
     client = Client(random.Random(SEED), 3)
     one = drive(tmp_path / "whole", 120)
     one.run(client, Shows(client))
+    assert told(tmp_path / "halves", joined.tally) == told(tmp_path / "whole", one.tally)
     halves, wanted = (rows_of_ledger(tmp_path / name) for name in ("halves", "whole"))
     assert halves.equals(wanted)
 

@@ -53,7 +53,7 @@ def run(findings: Findings, size: Size) -> None:
             families=["random", "holes", "comb"],
             derived=False,
             chunk=15,
-            shrink_calls=20,
+            shrink_calls=6,
         )
         whole = run_campaign(file, folder / "whole", "--workers", WORKERS)
         findings.law("kinds of findings", whole["kinds"], "some", len(whole["kinds"]))
@@ -77,6 +77,10 @@ def run(findings: Findings, size: Size) -> None:
             if not rows(ledger).equals(wanted):
                 differing.append("rows of the ledger")
             other += [f"{number}, {who}: {each}" for each in differing]
+            print(
+                f"{number}: {who}, {len(before)} parts before: {differing or 'the same'}",
+                flush=True,
+            )
     findings.figures["killed before the end"] = dict(killed)
     findings.law("killed before the end", bool(killed.total()), "some", killed.total())
     findings.none("campaigns that lost a part", lost)

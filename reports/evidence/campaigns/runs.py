@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import signal
 import socket
 import subprocess
 import sys
@@ -31,13 +30,12 @@ def write_campaign(path: Path, targets: Sequence[str], budget: int, **more: Any)
 
 
 def begin(file: Path, folder: Path, *words: object, **variables: str) -> subprocess.Popen[str]:
-    """Starts a campaign in a new session."""
+    """Starts a campaign."""
     return subprocess.Popen(
         [*COMMAND, "campaign", "run", str(file), "-o", str(folder), *map(str, words), "--json"],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
-        start_new_session=True,
         env={**os.environ, **searched(SEEDED), **variables},
     )
 
@@ -140,17 +138,13 @@ class Cluster:
             cwd=self.folder,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
-            start_new_session=True,
             env={**os.environ, **searched(SEEDED)},
         )
 
 
 def kill(process: subprocess.Popen[Any]) -> None:
-    """Kills a process and its session by signal 9."""
-    try:
-        os.killpg(process.pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass
+    """Kills a process alone, by signal 9; its children have to notice by themselves."""
+    process.kill()
     process.wait()
 
 
