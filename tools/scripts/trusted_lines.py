@@ -20,16 +20,17 @@ START, END = "<!-- trusted_lines.py --write -->\n", "<!-- end -->\n"
 
 
 def rows() -> list[tuple[str, list[Path]]]:
-    """What rests on which files."""
+    """Files, by what rests on them."""
     plane = ("Definitions", "Form", "Predicates", "Moving")
     definitions = {path.stem: path for path in (ROOM / "definitions").glob("*.v")}
     first = [definitions.pop(name) for name in plane]
-    operands = [definitions.pop(name) for name in ("Legality", "Operations")]
     ways = [definitions.pop("Ways")]
+    names = ("Legality", "Operations")
+    answers = [*(definitions.pop(name) for name in names), ROOM / "verified" / "Statement.v"]
     driver = [path for path in (ROOM / "driver").iterdir() if path.stem not in DOUBTED]
     return [
         ("theorems in the plane", first),
-        ("and of points without a witness", operands),
+        ("and of what is answered without a witness", answers),
         ("and of paths and traps", ways),
         ("and of convex polyhedra", sorted(definitions.values())),
         ("and `minkref-check-proved`", [ROOM / "claims" / "Extract.v", *sorted(driver)]),

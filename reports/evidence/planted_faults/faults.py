@@ -45,6 +45,7 @@ RESTS_ON = (
 )  # fmt: skip
 PYTEST_FOLDERS = ("tests/plane", "tests/plane/dynamic")
 ROUTES = TRUTHS
+EXTENSION = "_core"
 PAIRS = 60
 SUITE_SECONDS, VERIFY_SECONDS, PYTEST_SECONDS = 300, 150, 150
 FEWEST = 25
@@ -76,15 +77,17 @@ def program(suite: str) -> str:
     return f"test_{suite.replace('/', '_')}"
 
 
-def build(suites: tuple[str, ...] = ()) -> None:
-    """Builds everything, or these suites' needs."""
+def build(*targets: str) -> None:
+    """Builds everything, or these targets; links the package with the extension module, if it is
+    one of them."""
     planted.copy(SOURCES)
     words = ["cmake", "--build", str(BUILD), "-j", "2"]
+    is_linked = not targets or EXTENSION in targets
     for command in (
         ["cmake", "-S", str(SOURCES), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
          "-DMINKREF_CGAL=OFF", "-DMINKREF_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"],
-        [*words, "--target", *map(program, suites)] if suites else words,
-        *([] if suites else [[sys.executable, "tools/scripts/link_package.py", str(BUILD)]]),
+        [*words, "--target", *targets] if targets else words,
+        *([[sys.executable, "tools/scripts/link_package.py", str(BUILD)]] if is_linked else []),
     ):  # fmt: skip
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
         if done.returncode:
@@ -146,23 +149,31 @@ def python_tests(fault: str) -> list[str]:
 
 def before_judges(fault: str, caught: Caught) -> None:
     """The judges, and our own routes against each other, on the same cases."""
-    words = ("-m", "minkref", "verify", "minkref", *ROUTES, "--pairs", str(PAIRS), "--no-models")
+    bad = seen(fault, PAIRS, VERIFY_SECONDS, "minkref", *ROUTES)
+    if bad is None:
+        caught.judges.append("verify: no end")
+        return
+    for target, count in bad.items():
+        if count:
+            where = caught.routes if target in ROUTES else caught.judges
+            where.append(f"{target.removeprefix('minkref@')} ({count})")
+
+
+def seen(fault: str, pairs: int, seconds: float, *targets: str) -> Counter[str] | None:
+    """Cases in which each target is wrong, or the reference fails; None without an answer."""
+    words = ("-m", "minkref", "verify", *targets, "--pairs", str(pairs), "--no-models")
     more = ("--json", "--jobs", "1", "--shrink-calls", "0")
-    done = ended(fault, VERIFY_SECONDS, sys.executable, *words, *more)
+    done = ended(fault, seconds, sys.executable, *words, *more)
     try:
         matrix = json.loads(done.stdout if done is not None else "")["matrix"]
     except (ValueError, KeyError):
-        caught.judges.append("verify: no end")
-        return
+        return None
     bad: Counter[str] = Counter()  # a row is a target on a family
     for row in matrix:
         bad[row["target"]] += sum(
             n for verdict, n in row["verdicts"].items() if verdict not in ("pass", "skipped")
         )
-    for target, count in bad.items():
-        if count:
-            where = caught.routes if target in ROUTES else caught.judges
-            where.append(f"{target.removeprefix('minkref@')} ({count})")
+    return bad
 
 
 def put_in(fault: str) -> Caught:
@@ -221,7 +232,7 @@ def run(findings: Findings, size: Size) -> None:
 
 def _before_suites(findings: Findings, names: list[str]) -> None:
     """Runs only the C++ laws, which need a tenth of the build."""
-    build(EVERY_SUITE)
+    build(*map(program, EVERY_SUITE))
     findings.none("alarms without a fault", laws("", EVERY_SUITE))
     in_plane = listed("plane")
     with ThreadPoolExecutor(JOBS) as pool:
@@ -284,7 +295,7 @@ def main(names: list[str]) -> int:
         return 2
     in_plane = bool(set(names) & set(listed("plane")))
     suites = _suites(names)
-    build(() if in_plane else suites)
+    build(*([] if in_plane else map(program, suites)))
     without = put_in("") if in_plane else laws("", suites)
     if without:
         print(f"alarms without a fault: {without}", file=sys.stderr)
