@@ -55,7 +55,7 @@ class Writing {
     to_.add(coordinates, numbers);
   }
 
-  void swept(const SweptBoundary& swept, const EdgeDirections& directions,
+  void swept(const SweptBoundary& swept, const EdgeDirections& directions, std::uint64_t pieces,
              std::uint64_t track_bits) {
     IndexCounts counts;
     std::vector<IndexEdge> edges;
@@ -70,7 +70,7 @@ class Writing {
     counts.pairs_inside = swept.pairs_inside;
     counts.pieces_in_all = swept.pieces_in_all;
     counts.faces_tested = swept.faces_tested;
-    counts.pieces = swept.pieces.size();
+    counts.pieces = pieces;
     counts.track_bits = track_bits;
     to_.add(Column::counts, std::vector<IndexCounts>{counts});
     to_.add(Column::edges, edges);
@@ -271,7 +271,7 @@ IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   writing.window(window);
   writing.operand(P, Column::rings_of_P, Column::coordinates_of_P);
   writing.operand(Q, Column::rings_of_Q, Column::coordinates_of_Q);
-  writing.swept(swept, directions, writing.moving(boundary));
+  writing.swept(swept, directions, boundary.pieces, writing.moving(boundary));
   writing.rings(boundary, directions, order);
   writing.at_events(at_events, order);
   writing.timeline(timeline);
