@@ -241,15 +241,15 @@ void refuse_too_large(const MovingBoundary& boundary, const RingOrder& order) {
 
 }  // namespace
 
-IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
-                       const BuildOptions& options) {
+BuiltIndex built_index(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
+                       const BuildOptions& options, const SweptBefore* before) {
   const FloatEnvironment standard;
   refuse_bad_operands(P, Q, 1);
   refuse_bad_window(window);
   const BuildControl control(options, "the index");
   constexpr auto stage = BuildProgress::Stage::rings;
   constexpr std::uint64_t steps = 5;
-  const SweptBoundary swept = swept_boundary(P, Q, opened(window), options);
+  SweptBoundary swept = swept_boundary(P, Q, opened(window), options, before);
   control.report(stage, 0, steps);
   const MovingBoundary boundary = moving_boundary(swept, control);
   control.look_now();
@@ -277,8 +277,10 @@ IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   writing.timeline(timeline);
   control.look_now();
   IndexImage image = writing.finish();
+  swept.edges = {};
+  swept.moving = {};
   control.report(stage, steps, steps);
-  return image;
+  return {std::move(image), std::make_shared<const SweptBoundary>(std::move(swept))};
 }
 
 }  // namespace minkref::inline plane
