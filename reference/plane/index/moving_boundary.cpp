@@ -123,7 +123,6 @@ class ContactSearch {
     std::vector<Found> result;
     for (const EndContact& contact : boundary_.contacts) {
       control.look();
-      if (contact.edge >= contact.other) continue;
       using Kind = NodeName::Kind;
       for (const Kind own : {Kind::own_start, Kind::own_end}) {
         const auto a = end(contact.edge, own, contact.scale);
