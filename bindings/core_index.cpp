@@ -20,6 +20,7 @@
 #include "bindings/exact_number.hpp"
 #include "bindings/stopwatch.hpp"
 #include "bindings/vector_caster.hpp"
+#include "formats/refusal_place.hpp"
 #include "reference/build/stage.hpp"
 #include "reference/error.hpp"
 #include "reference/number/float_environment.hpp"
@@ -115,6 +116,36 @@ class Index {
     const Stopwatch watch;
     index_ = ScaleIndex::open(path);
     seconds = watch.seconds();
+  }
+
+  /// An index of other operands; lazy unless this index is built.
+  Index updated(const Set* P, const Set* Q, unsigned threads) const {
+    for (const auto& [name, set] : {std::pair("P", P), std::pair("Q", Q)}) {
+      if (set != nullptr) validate_as_read(set->value, set->origins, name, Lines::allowed);
+    }
+    const PolygonSet new_P = P != nullptr ? P->value : this->P(),
+                     new_Q = Q != nullptr ? Q->value : this->Q();
+    refuse_large_convolution(new_P, new_Q);
+    BuildOptions options;
+    options.threads = threads;
+    options.memory_limit = memory_limit();
+    const Stopwatch watch;
+    Index result;
+    if (is_built()) {
+      result.index_.emplace(index().updated(new_P, new_Q, options));
+      result.seconds = watch.seconds();
+    } else {
+      result.lazy_ = std::make_shared<LazyIndex>(new_P, new_Q, lazy_->window(), options);
+    }
+    return result;
+  }
+
+  Fields reuse() const {
+    Fields fields;
+    if (!is_built()) return fields;
+    const ScaleIndex::Reuse reuse = index().reuse();
+    MINKREF_PUT(reuse, reused, rebuilt, pairs, faces);
+    return fields;
   }
 
   /// Builds a lazy one: not with the interpreter lock (`ready`).
@@ -328,6 +359,8 @@ class Index {
   }
 
  private:
+  Index() = default;
+
   std::optional<ScaleIndex> index_;
   std::shared_ptr<const LazyIndex> lazy_;  ///< instead
 };
@@ -403,6 +436,20 @@ void bind_rings(nb::module_& module) {
       rings, "rational", 4,
       "Shape (vertices, 4, words): numerator and denominator of x and of y, in lowest terms; "
       "integers as in `homogeneous`.");
+}
+
+void bind_update(nb::class_<Index>& index) {
+  index
+      .def("updated", &Index::updated, "P"_a.none() = nb::none(), "Q"_a.none() = nb::none(),
+           "threads"_a = 1, Released(),
+           "The index of another P or Q, or of both, in this window: the same as a new one. Where "
+           "the change is local, so is the search of the boundary; this index stays as it is. The "
+           "operands are validated first. docs/scale-index.md, \"Updates\". Raises BadInput, "
+           "LimitExceeded.")
+      .def("reuse", &Index::reuse,
+           "What the update that gave this index did: convolution edges reused and rebuilt, pairs "
+           "of edges looked at, faces tested by a point. Empty before a lazy index is built; zeros "
+           "for one from a file.");
 }
 
 }  // namespace
@@ -499,6 +546,7 @@ void bind_index(nb::module_& module) {
       .def("first_difference", &Index::first_difference, "scales"_a, Released(),
            "The first of these scales at which the sum is not that of the static route; empty: "
            "none.");
+  bind_update(bound);
   bind_history(bound);
 }
 

@@ -24,10 +24,10 @@ QUICK = set(
     __copy__ __deepcopy__ __len__ __reduce_ex__ __repr__ all any check components
     components_and_holes counts curves edge_of_P ee_pairs error exact_signs faces facet facets
     feature holes in_operands is_built is_empty is_point is_segment memory_limit name neighbours
-    none number observation_1 pair_by_paper parent parts planes radii ring_count ring_ends scale
-    seconds set_memory_limit statistics track_count track_doubles track_integers tracks vertex_of_P
-    vertices window word x y appendix_readings facet_readings paper_readings repair_readings
-    space_update_readings
+    none number observation_1 pair_by_paper parent parts planes radii reuse ring_count ring_ends
+    scale seconds set_memory_limit statistics track_count track_doubles track_integers tracks
+    vertex_of_P vertices window word x y appendix_readings facet_readings paper_readings
+    repair_readings space_update_readings
     """.split()
 ) | {"core_convex.cpp: edges", "core_index.cpp: edges", "core_index.cpp: area"}
 #: What makes or reads objects of Python, one by one; and what calls functions with a guard.

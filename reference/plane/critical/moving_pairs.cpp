@@ -176,32 +176,59 @@ bool MovingPairs::are_apart(const Block& a, const Block& b) {
   return !a.turned.overlaps(seen_from(b, a.along)) || !b.turned.overlaps(seen_from(a, b.along));
 }
 
-MovingPairs::MovingPairs(const std::vector<RoundedEdge>& edges, double from, double to) {
+void MovingPairs::add_blocks(bool is_s, bool is_wanted, const std::vector<RoundedEdge>& edges,
+                             const std::vector<std::uint32_t>& which, double from, double to) {
+  std::vector<std::uint32_t> order;
+  std::vector<Way> ways;
+  for (const std::uint32_t edge : which) {
+    order.push_back(static_cast<std::uint32_t>(order.size()));
+    ways.push_back(way_of(edges[edge], from, to));
+  }
+  cluster(ways, order.data(), order.data() + order.size());
+  const auto before = static_cast<std::uint32_t>(edges_[is_s].size());
+  for (std::size_t first = 0; first < order.size(); first += block_size) {
+    const std::size_t last = std::min(first + block_size, order.size());
+    const Spot along = direction_of(ways, order.data() + first, order.data() + last);
+    if (is_wanted) wanted_.push_back(static_cast<std::uint32_t>(blocks_.size()));
+    Block& block = blocks_.emplace_back(Block{is_s,
+                                              is_wanted,
+                                              before + static_cast<std::uint32_t>(first),
+                                              before + static_cast<std::uint32_t>(last),
+                                              {},
+                                              along,
+                                              {}});
+    for (std::size_t place = first; place < last; ++place) {
+      const Way& way = ways[order[place]];
+      block.box.add(way.box());
+      block.turned.add(way.box_along(along));
+      edges_[is_s].push_back(which[order[place]]);
+      ways_[is_s].push_back(way);
+    }
+  }
+}
+
+MovingPairs::MovingPairs(const std::vector<RoundedEdge>& edges, double from, double to,
+                         const std::vector<char>& wanted) {
+  MovingBox around;
+  for (std::uint32_t k = 0; k < wanted.size(); ++k) {
+    if (wanted[k] != 0) around.add(way_of(edges[k], from, to).box());
+  }
+  for (const bool is_s : {true, false}) {
+    for (const bool is_wanted : {true, false}) {
+      std::vector<std::uint32_t> which;
+      for (std::uint32_t k = 0; k < edges.size(); ++k) {
+        look_for_interrupt();
+        if (edges[k].is_s != is_s || (wanted.empty() || wanted[k] != 0) != is_wanted) continue;
+        if (is_wanted || way_of(edges[k], from, to).box().overlaps(around)) which.push_back(k);
+      }
+      add_blocks(is_s, is_wanted, edges, which, from, to);
+    }
+  }
   std::array<EdgeColumns, 2> columns;
   for (const bool is_s : {true, false}) {
-    std::vector<std::uint32_t> of_kind, order;
-    std::vector<Way> ways;
-    for (std::uint32_t k = 0; k < edges.size(); ++k) {
-      if (edges[k].is_s != is_s) continue;
-      order.push_back(static_cast<std::uint32_t>(of_kind.size()));
-      of_kind.push_back(k);
-      ways.push_back(way_of(edges[k], from, to));
-    }
-    cluster(ways, order.data(), order.data() + order.size());
-    for (std::uint32_t first = 0; first < order.size(); first += block_size) {
-      const std::uint32_t last =
-          std::min(first + block_size, static_cast<std::uint32_t>(order.size()));
-      const Spot along = direction_of(ways, order.data() + first, order.data() + last);
-      Block& block = blocks_.emplace_back(Block{is_s, first, last, {}, along, {}});
-      for (std::uint32_t place = first; place < last; ++place) {
-        const Way& way = ways[order[place]];
-        const RoundedEdge& e = edges[of_kind[order[place]]];
-        columns[is_s].add(e.px, e.py, e.qx, e.qy, e.dx, e.dy);
-        block.box.add(way.box());
-        block.turned.add(way.box_along(along));
-        edges_[is_s].push_back(of_kind[order[place]]);
-        ways_[is_s].push_back(way);
-      }
+    for (const std::uint32_t k : edges_[is_s]) {
+      const RoundedEdge& e = edges[k];
+      columns[is_s].add(e.px, e.py, e.qx, e.qy, e.dx, e.dy);
     }
   }
   std::vector<MovingBox> of_blocks;

@@ -39,35 +39,6 @@ PairRange pair_range(const RoundedEdge& a, const RoundedEdge& b, double from, do
 /// float filter looks at whole blocks.
 class MovingPairs {
  public:
-  /// `to` may be infinite. O(n log n).
-  MovingPairs(const std::vector<RoundedEdge>& edges, double from, double to);
-
-  double error() const { return filter_.error(); }
-  std::size_t blocks() const { return blocks_.size(); }
-
-  /// Calls report(a, b), a < b, for the pairs of a block's edges with each other and with those of
-  /// later blocks: over all blocks, once for each pair. `room` is kept for the next call.
-  template <class Report>
-  void of_block(std::uint32_t number, std::vector<std::uint32_t>& room, Report&& report) const {
-    room.resize(block_size + 1);
-    const Block& own = blocks_[number];
-    for (std::uint32_t a = own.first; a < own.last; ++a) look(own, a, own, a + 1, room, report);
-    tree_.query(own.box, [&](std::uint32_t other) {
-      if (other <= number) return false;
-      const Block& later = blocks_[other];
-      if (are_apart(own, later)) return false;
-      for (std::uint32_t a = own.first; a < own.last; ++a) {
-        if (ways_[own.is_s][a].box().overlaps(later.box) &&
-            ways_[own.is_s][a].box_along(later.along).overlaps(later.turned)) {
-          look(own, a, later, later.first, room, report);
-        }
-      }
-      return false;
-    });
-  }
-
- private:
-  static constexpr std::uint32_t block_size = 32;
   struct Box {
     static constexpr std::size_t dimensions = 2;
     std::array<double, 2> low, high;
@@ -78,7 +49,7 @@ class MovingPairs {
     double centre(std::size_t axis) const { return low[axis] / 2 + high[axis] / 2; }
   };
   using MovingBox = BasicMovingBox<Box>;
-  using Spot = std::array<double, 2>;
+  using Spot = std::array<double, 2>;  ///< divided by 1 + s
   /// An edge's two ends at both ends of the window, and how far each coordinate may err.
   struct Way {
     std::array<Spot, 2> at_first, at_last;
@@ -87,20 +58,63 @@ class MovingPairs {
     /// In coordinates along a unit vector, and across.
     MovingBox box_along(const Spot& along) const;
   };
+  static Way way_of(const RoundedEdge& edge, double from, double to);
+
+  /// `to` may be infinite. `wanted` asks for the pairs of some edges only; empty: of all. O(n log
+  /// n) for n edges, not counting unwanted edges far from all wanted ones.
+  MovingPairs(const std::vector<RoundedEdge>& edges, double from, double to,
+              const std::vector<char>& wanted = {});
+
+  double error() const { return filter_.error(); }
+  /// The number of blocks with wanted edges.
+  std::size_t blocks() const { return wanted_.size(); }
+
+  /// Calls report(a, b), a < b, for the pairs of a block's edges with each other, with edges of
+  /// later blocks and with unwanted edges: over all blocks, once for each pair with a wanted edge.
+  /// `room` is kept for the next call.
+  template <class Report>
+  void of_block(std::uint32_t place, std::vector<std::uint32_t>& room, Report&& report) const {
+    room.resize(block_size + 1);
+    const std::uint32_t number = wanted_[place];
+    const Block& own = blocks_[number];
+    for (std::uint32_t a = own.first; a < own.last; ++a) look(own, a, own, a + 1, room, report);
+    tree_.query(own.box, [&](std::uint32_t other) {
+      const Block& later = blocks_[other];
+      if (other == number || (later.is_wanted && other < number)) return false;
+      if (are_apart(own, later)) return false;
+      // The filter looks from S-edges at T-edges.
+      const bool from_own = own.is_s || !later.is_s;
+      look(from_own ? own : later, from_own ? later : own, room, report);
+      return false;
+    });
+  }
+
+ private:
+  static constexpr std::uint32_t block_size = 32;
   /// Edges that share a kind, numbered as in the filter; S-edges have the first blocks.
   struct Block {
-    bool is_s;
+    bool is_s, is_wanted;
     std::uint32_t first, last;
     MovingBox box;
     Spot along;  ///< the direction of most edges
     MovingBox turned;
   };
-  static Way way_of(const RoundedEdge& edge, double from, double to);
   static Spot direction_of(const std::vector<Way>& ways, const std::uint32_t* begin,
                            const std::uint32_t* end);
   /// Sorts so that each block_size in a row lie beside each other.
   static void cluster(const std::vector<Way>& ways, std::uint32_t* begin, std::uint32_t* end);
   static bool are_apart(const Block& a, const Block& b);
+
+  template <class Report>
+  void look(const Block& own, const Block& other, std::vector<std::uint32_t>& room,
+            Report& report) const {
+    for (std::uint32_t a = own.first; a < own.last; ++a) {
+      if (ways_[own.is_s][a].box().overlaps(other.box) &&
+          ways_[own.is_s][a].box_along(other.along).overlaps(other.turned)) {
+        look(own, a, other, other.first, room, report);
+      }
+    }
+  }
 
   template <class Report>
   void look(const Block& own, std::uint32_t a, const Block& other, std::uint32_t first,
@@ -118,8 +132,12 @@ class MovingPairs {
 
   std::array<std::vector<std::uint32_t>, 2> edges_;  ///< T-edges, S-edges, in the filter's order
   std::array<std::vector<Way>, 2> ways_;             ///< in this order
+  void add_blocks(bool is_s, bool is_wanted, const std::vector<RoundedEdge>& edges,
+                  const std::vector<std::uint32_t>& which, double from, double to);
+
   std::vector<Block> blocks_;
-  BasicBoxTree<MovingBox> tree_;  ///< of blocks
+  std::vector<std::uint32_t> wanted_;  ///< blocks
+  BasicBoxTree<MovingBox> tree_;       ///< of blocks
   PairFilter filter_;
 };
 

@@ -55,7 +55,7 @@ class Writing {
     to_.add(coordinates, numbers);
   }
 
-  void swept(const SweptBoundary& swept, const EdgeDirections& directions,
+  void swept(const SweptBoundary& swept, const EdgeDirections& directions, std::uint64_t pieces,
              std::uint64_t track_bits) {
     IndexCounts counts;
     std::vector<IndexEdge> edges;
@@ -70,7 +70,7 @@ class Writing {
     counts.pairs_inside = swept.pairs_inside;
     counts.pieces_in_all = swept.pieces_in_all;
     counts.faces_tested = swept.faces_tested;
-    counts.pieces = swept.pieces.size();
+    counts.pieces = pieces;
     counts.track_bits = track_bits;
     to_.add(Column::counts, std::vector<IndexCounts>{counts});
     to_.add(Column::edges, edges);
@@ -241,15 +241,15 @@ void refuse_too_large(const MovingBoundary& boundary, const RingOrder& order) {
 
 }  // namespace
 
-IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
-                       const BuildOptions& options) {
+BuiltIndex built_index(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
+                       const BuildOptions& options, const SweptBefore* before) {
   const FloatEnvironment standard;
   refuse_bad_operands(P, Q, 1);
   refuse_bad_window(window);
   const BuildControl control(options, "the index");
   constexpr auto stage = BuildProgress::Stage::rings;
   constexpr std::uint64_t steps = 5;
-  const SweptBoundary swept = swept_boundary(P, Q, opened(window), options);
+  SweptBoundary swept = swept_boundary(P, Q, opened(window), options, before);
   control.report(stage, 0, steps);
   const MovingBoundary boundary = moving_boundary(swept, control);
   control.look_now();
@@ -271,14 +271,16 @@ IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   writing.window(window);
   writing.operand(P, Column::rings_of_P, Column::coordinates_of_P);
   writing.operand(Q, Column::rings_of_Q, Column::coordinates_of_Q);
-  writing.swept(swept, directions, writing.moving(boundary));
+  writing.swept(swept, directions, boundary.pieces, writing.moving(boundary));
   writing.rings(boundary, directions, order);
   writing.at_events(at_events, order);
   writing.timeline(timeline);
   control.look_now();
   IndexImage image = writing.finish();
+  swept.edges = {};
+  swept.moving = {};
   control.report(stage, steps, steps);
-  return image;
+  return {std::move(image), std::make_shared<const SweptBoundary>(std::move(swept))};
 }
 
 }  // namespace minkref::inline plane

@@ -5,10 +5,15 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "reference/no_entry.hpp"
 #include "reference/plane/index/piece_track.hpp"
 
 namespace minkref::inline plane {
 namespace {
+
+bool is_track_before(const Track& a, const Track& b) {
+  return std::tie(a.a.x, a.a.y, a.b.x, a.b.y) < std::tie(b.a.x, b.a.y, b.b.x, b.b.y);
+}
 
 /// Numbers for distinct tracks, with a shortcut for tracks asked for by the same name.
 class TrackNumbers {
@@ -32,9 +37,7 @@ class TrackNumbers {
 
  private:
   struct Before {
-    bool operator()(const Track& a, const Track& b) const {
-      return std::tie(a.a.x, a.a.y, a.b.x, a.b.y) < std::tie(b.a.x, b.a.y, b.b.x, b.b.y);
-    }
+    bool operator()(const Track& a, const Track& b) const { return is_track_before(a, b); }
   };
   std::uint32_t number(Track track) {
     const auto [place, fresh] =
@@ -49,45 +52,134 @@ class TrackNumbers {
   std::map<Track, std::uint32_t, Before> by_track_;
 };
 
-/// Contacts of edges that both have a piece at the scale, each once.
-std::vector<EndContact> contacts_of(const SweptBoundary& boundary, const BuildControl& control) {
-  const auto has_piece = [&](std::uint32_t edge, const Rational& scale) {
-    const auto first =
-        std::partition_point(boundary.pieces.begin(), boundary.pieces.end(),
-                             [&](const ExposedPiece& piece) { return piece.edge < edge; });
-    for (auto piece = first; piece != boundary.pieces.end() && piece->edge == edge; ++piece) {
-      if (piece->lower <= scale && (!piece->upper || scale <= *piece->upper)) return true;
-    }
-    return false;
-  };
-  std::vector<EndContact> result;
-  for (const EndContact& contact : boundary.contacts) {
+/// An exposed piece between numbered tracks.
+struct ExposedStretch {
+  std::uint32_t edge = 0, from = 0, to = 0;
+  Rational lower;
+  std::optional<Rational> upper;
+
+  bool holds(const Rational& scale) const { return lower <= scale && (!upper || scale <= *upper); }
+};
+
+/// Joins an edge's pieces between the same tracks, cut from each other by events elsewhere along
+/// the edge. The result and its order depend on the boundary alone, not on the crossings inside the
+/// sum known to the sweep.
+std::vector<ExposedStretch> stretches_of(const SweptBoundary& boundary, TrackNumbers& number,
+                                         const std::vector<Track>& tracks,
+                                         const BuildControl& control) {
+  std::vector<ExposedStretch> all;
+  for (const ExposedPiece& piece : boundary.pieces) {
     control.look();
-    if (contact.edge < contact.other && has_piece(contact.edge, contact.scale) &&
-        has_piece(contact.other, contact.scale)) {
-      result.push_back(contact);
-    }
+    all.push_back({piece.edge, number(piece.edge, piece.from), number(piece.edge, piece.to),
+                   piece.lower, piece.upper});
   }
-  std::sort(result.begin(), result.end(), [](const EndContact& x, const EndContact& y) {
-    return std::tie(x.scale, x.edge, x.other) < std::tie(y.scale, y.edge, y.other);
+  std::sort(all.begin(), all.end(), [](const ExposedStretch& a, const ExposedStretch& b) {
+    return std::tie(a.edge, a.from, a.to, a.lower) < std::tie(b.edge, b.from, b.to, b.lower);
   });
-  return result;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    control.look();
+    if (kept > 0) {
+      ExposedStretch& last = all[kept - 1];
+      if (last.edge == all[k].edge && last.from == all[k].from && last.to == all[k].to &&
+          last.upper == all[k].lower) {
+        last.upper = std::move(all[k].upper);
+        continue;
+      }
+    }
+    if (kept != k) all[kept] = std::move(all[k]);
+    ++kept;
+  }
+  all.resize(kept);
+  std::sort(all.begin(), all.end(), [&](const ExposedStretch& a, const ExposedStretch& b) {
+    if (a.edge != b.edge) return a.edge < b.edge;
+    if (a.lower != b.lower) return a.lower < b.lower;
+    if (a.from != b.from) return is_track_before(tracks[a.from], tracks[b.from]);
+    return a.to != b.to && is_track_before(tracks[a.to], tracks[b.to]);
+  });
+  return all;
 }
 
-std::vector<Rational> events_of(const SweptBoundary& boundary,
-                                const std::vector<EndContact>& contacts) {
+/// Finds corners of the boundary that touch at a contact's scale.
+class ContactSearch {
+ public:
+  ContactSearch(const SweptBoundary& boundary, const std::vector<ExposedStretch>& stretches,
+                const TrackNumbers& number, const std::vector<Track>& tracks)
+      : boundary_(boundary), stretches_(stretches), number_(number), tracks_(tracks) {
+    for (std::uint32_t k = 0; k < stretches.size(); ++k) {
+      for (const std::uint32_t track : {stretches[k].from, stretches[k].to}) {
+        ends_.emplace_back(track, k);
+      }
+    }
+    std::sort(ends_.begin(), ends_.end());
+  }
+
+  struct Found {
+    Rational scale;
+    std::uint32_t a, b;
+  };
+  /// Each pair of tracks once at a scale, by scale.
+  std::vector<Found> find(const BuildControl& control) const {
+    std::vector<Found> result;
+    for (const EndContact& contact : boundary_.contacts) {
+      control.look();
+      using Kind = NodeName::Kind;
+      for (const Kind own : {Kind::own_start, Kind::own_end}) {
+        const auto a = end(contact.edge, own, contact.scale);
+        if (!a) continue;
+        for (const Kind others : {Kind::own_start, Kind::own_end}) {
+          const auto b = end(contact.other, others, contact.scale);
+          if (b && *a != *b && tracks_[*a].at(contact.scale) == tracks_[*b].at(contact.scale)) {
+            result.push_back({contact.scale, std::min(*a, *b), std::max(*a, *b)});
+          }
+        }
+      }
+    }
+    std::sort(result.begin(), result.end(), [](const Found& x, const Found& y) {
+      return std::tie(x.scale, x.a, x.b) < std::tie(y.scale, y.a, y.b);
+    });
+    result.erase(std::unique(result.begin(), result.end(),
+                             [](const Found& x, const Found& y) {
+                               return std::tie(x.scale, x.a, x.b) == std::tie(y.scale, y.a, y.b);
+                             }),
+                 result.end());
+    return result;
+  }
+
+ private:
+  /// The track of an edge's end, if the boundary has a corner there at the scale.
+  std::optional<std::uint32_t> end(std::uint32_t edge, NodeName::Kind kind,
+                                   const Rational& scale) const {
+    const auto track = number_.known(edge, {kind, edge});
+    if (!track) return std::nullopt;
+    const auto first = std::lower_bound(ends_.begin(), ends_.end(), std::pair(*track, 0U));
+    for (auto k = first; k != ends_.end() && k->first == *track; ++k) {
+      if (stretches_[k->second].holds(scale)) return track;
+    }
+    return std::nullopt;
+  }
+
+  const SweptBoundary& boundary_;
+  const std::vector<ExposedStretch>& stretches_;
+  const TrackNumbers& number_;
+  const std::vector<Track>& tracks_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;  // tracks, with their stretches
+};
+
+std::vector<Rational> events_of(const ScaleWindow& window,
+                                const std::vector<ExposedStretch>& stretches,
+                                const std::vector<ContactSearch::Found>& contacts) {
   std::vector<Rational> events;
-  for (const EndContact& contact : contacts) events.push_back(contact.scale);
-  for (const ExposedPiece& piece : boundary.pieces) {
-    events.push_back(piece.lower);
-    if (piece.upper) events.push_back(*piece.upper);
+  for (const auto& contact : contacts) events.push_back(contact.scale);
+  for (const ExposedStretch& stretch : stretches) {
+    events.push_back(stretch.lower);
+    if (stretch.upper) events.push_back(*stretch.upper);
   }
   std::sort(events.begin(), events.end());
   events.erase(std::unique(events.begin(), events.end()), events.end());
-  const Rational from = boundary.window.from.value_or(Rational(0));
-  std::erase_if(events, [&](const Rational& s) {
-    return s <= from || (boundary.window.to && s >= *boundary.window.to);
-  });
+  const Rational from = window.from.value_or(Rational(0));
+  std::erase_if(events,
+                [&](const Rational& s) { return s <= from || (window.to && s >= *window.to); });
   return events;
 }
 
@@ -146,8 +238,12 @@ class PairOfTracks {
 
 MovingBoundary moving_boundary(const SweptBoundary& boundary, const BuildControl& control) {
   MovingBoundary result;
-  const std::vector<EndContact> contacts = contacts_of(boundary, control);
-  result.events = events_of(boundary, contacts);
+  std::vector<Track> tracks;
+  TrackNumbers number(boundary, tracks);
+  const std::vector<ExposedStretch> stretches = stretches_of(boundary, number, tracks, control);
+  const auto contacts = ContactSearch(boundary, stretches, number, tracks).find(control);
+  result.pieces = stretches.size();
+  result.events = events_of(boundary.window, stretches, contacts);
   const auto interval_above = [&](const Rational& scale) {
     return static_cast<std::uint32_t>(
         std::upper_bound(result.events.begin(), result.events.end(), scale) -
@@ -158,14 +254,22 @@ MovingBoundary moving_boundary(const SweptBoundary& boundary, const BuildControl
         std::lower_bound(result.events.begin(), result.events.end(), scale) -
         result.events.begin());
   };
-  TrackNumbers number(boundary, result.tracks);
+  // Numbers tracks along the stretches.
+  std::vector<std::uint32_t> numbers(tracks.size(), no_entry);
+  const auto place = [&](std::uint32_t track) {
+    if (numbers[track] == no_entry) {
+      numbers[track] = static_cast<std::uint32_t>(result.tracks.size());
+      result.tracks.push_back(tracks[track]);
+    }
+    return numbers[track];
+  };
   std::vector<MovingLink> all;
-  for (const ExposedPiece& piece : boundary.pieces) {
+  for (const ExposedStretch& stretch : stretches) {
     control.look();
-    all.push_back({number(piece.edge, piece.from), number(piece.edge, piece.to), piece.edge,
-                   interval_above(piece.lower),
-                   piece.upper ? interval_below(*piece.upper)
-                               : static_cast<std::uint32_t>(result.events.size())});
+    const std::uint32_t from = place(stretch.from), to = place(stretch.to);
+    all.push_back({from, to, stretch.edge, interval_above(stretch.lower),
+                   stretch.upper ? interval_below(*stretch.upper)
+                                 : static_cast<std::uint32_t>(result.events.size())});
   }
   const auto ends = [](const MovingLink& link) { return std::minmax(link.from, link.to); };
   std::sort(all.begin(), all.end(), [&](const MovingLink& a, const MovingLink& b) {
@@ -180,21 +284,10 @@ MovingBoundary moving_boundary(const SweptBoundary& boundary, const BuildControl
     while (k < all.size() && ends(all[k]) == ends(all[first])) same.push_back(all[k++]);
     pair.sort_out(same);
   }
-  for (const EndContact& contact : contacts) {
-    control.look();
-    const std::uint32_t event = interval_below(contact.scale);
-    if (event == result.events.size() || result.events[event] != contact.scale) continue;
-    using Kind = NodeName::Kind;
-    for (const Kind own : {Kind::own_start, Kind::own_end}) {
-      for (const Kind others : {Kind::own_start, Kind::own_end}) {
-        const auto a = number.known(contact.edge, {own, contact.edge}),
-                   b = number.known(contact.other, {others, contact.other});
-        if (a && b && *a != *b &&
-            result.tracks[*a].at(contact.scale) == result.tracks[*b].at(contact.scale)) {
-          result.contacts.push_back({event, *a, *b});
-        }
-      }
-    }
+  for (const auto& [scale, a, b] : contacts) {
+    const std::uint32_t event = interval_below(scale);
+    if (event == result.events.size() || result.events[event] != scale) continue;
+    result.contacts.push_back({event, numbers[a], numbers[b]});
   }
   return result;
 }

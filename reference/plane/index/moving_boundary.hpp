@@ -25,9 +25,11 @@ struct MovingBoundary {
   /// Exposed pieces that face each other: both directions at once. The closed sum covers them.
   std::vector<MovingLink> passages;
   std::vector<TrackContact> contacts;  ///< sorted by event
+  std::uint64_t pieces = 0;            ///< exposed ones, joined where nothing divides them
 };
 
-/// Exact. O(p log p) for p pieces.
+/// Exact. The same for all swept boundaries of a pair of operands, whatever crossings inside the
+/// sum cut their pieces. O(p log p) for p pieces.
 MovingBoundary moving_boundary(const SweptBoundary& boundary, const BuildControl& control);
 
 }  // namespace minkref::inline plane

@@ -20,24 +20,47 @@ struct Subject {
   std::vector<RoundedEdge> edges;
   PatchCells cells;
   std::vector<std::uint32_t> live;  ///< edges that have a cell
+  std::vector<char> wanted;         ///< of these; empty: all
   double from = 0, to = infinity;
   double length = 0, size = 0;  ///< the greatest coordinates, of directions and of points
 
   Subject(const InteriorTracks& own_tracks, InteriorSolids& own_solids,
           const std::vector<RationalEdge>& given, const ScaleWindow& window,
-          const BuildControl& control)
+          const BuildControl& control, const std::vector<Kept>& kept)
       : tracks(own_tracks), solids(own_solids) {
     if (window.from) from = to_double(*window.from) * (1 - 0x1p-50);
     if (window.to) to = to_double(*window.to) * (1 + 0x1p-50);
     for (const RationalEdge& e : given) edges.push_back(rounded(e));
-    cells = patch_cells(tracks, solids, edges, from, to, control);
+    cells = kept.empty() ? patch_cells(tracks, solids, edges, from, to, control)
+                         : cells_beside(kept, control);
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
       if (cells.of(e).empty()) continue;
       live.push_back(e);
+      if (!kept.empty()) wanted.push_back(kept[e] == Kept::no ? 1 : 0);
       const RoundedEdge& r = edges[e];
       length = std::max({length, std::fabs(r.dx), std::fabs(r.dy)});
       size = std::max({size, std::fabs(r.px), std::fabs(r.py), std::fabs(r.qx), std::fabs(r.qy)});
     }
+  }
+
+  /// A kept edge that is not inside gets its whole patch as a cell.
+  PatchCells cells_beside(const std::vector<Kept>& kept, const BuildControl& control) {
+    std::vector<RoundedEdge> asked;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      if (kept[e] == Kept::no) asked.push_back(edges[e]);
+    }
+    const PatchCells found = patch_cells(tracks, solids, asked, from, to, control);
+    PatchCells result;
+    std::uint32_t next = 0;
+    for (const Kept of : kept) {
+      result.first.push_back(static_cast<std::uint32_t>(result.cells.size()));
+      if (of == Kept::live) result.cells.push_back({from, to, 0, 1});
+      if (of != Kept::no) continue;
+      const auto own = found.of(next++);
+      result.cells.insert(result.cells.end(), own.begin(), own.end());
+    }
+    result.first.push_back(static_cast<std::uint32_t>(result.cells.size()));
+    return result;
   }
 
   std::vector<RoundedEdge> live_edges() const {
@@ -50,7 +73,7 @@ struct Subject {
 /// One thread's pairs a < b.
 struct Found {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> kept;
-  std::uint64_t meeting = 0, inside = 0;
+  std::uint64_t meeting = 0, inside = 0, looked_at = 0;
 };
 
 class NeighbourSearch {
@@ -70,6 +93,7 @@ class NeighbourSearch {
  private:
   void look(std::uint32_t i, std::uint32_t j) {
     control_.look();
+    ++found_.looked_at;
     const RoundedEdge &a = subject_.edges[i], &b = subject_.edges[j];
     const PairRange range = pair_range(a, b, subject_.from, subject_.to, error_);
     if (range.is_empty()) return;
@@ -159,6 +183,7 @@ PatchNeighbours listed(std::vector<Found>& all, std::size_t count) {
   for (Found& found : all) {
     result.meeting += found.meeting;
     result.inside += found.inside;
+    result.looked_at += found.looked_at;
     pairs.insert(pairs.end(), found.kept.begin(), found.kept.end());
     found.kept = {};
   }
@@ -182,9 +207,9 @@ PatchNeighbours listed(std::vector<Found>& all, std::size_t count) {
 
 PatchNeighbours patch_neighbours(const InteriorTracks& tracks, InteriorSolids& solids,
                                  const std::vector<RationalEdge>& edges, const ScaleWindow& window,
-                                 const BuildControl& control) {
-  Subject subject(tracks, solids, edges, window, control);
-  const MovingPairs pairs(subject.live_edges(), subject.from, subject.to);
+                                 const BuildControl& control, const std::vector<Kept>& kept) {
+  Subject subject(tracks, solids, edges, window, control, kept);
+  const MovingPairs pairs(subject.live_edges(), subject.from, subject.to, subject.wanted);
   std::vector<Found> found(control.threads());
   in_parallel(pairs.blocks(), control, BuildProgress::Stage::pairs, [&](unsigned thread) {
     return NeighbourSearch(subject, pairs, control, found[thread]);

@@ -85,22 +85,39 @@ void refuse_outside(const ScaleWindow& window, const Rational& scale) {
 
 ScaleIndex::ScaleIndex(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                        const BuildOptions& options)
-    : ScaleIndex(index_image(P, Q, window, options)) {}
+    : ScaleIndex(built_index(P, Q, window, options)) {}
+
+ScaleIndex::ScaleIndex(BuiltIndex built)
+    : ScaleIndex(std::move(built.image), std::move(built.swept)) {}
+
+ScaleIndex ScaleIndex::updated(const PolygonSet& P, const PolygonSet& Q,
+                               const BuildOptions& options) const {
+  if (!swept_) return {P, Q, window_, options};
+  const PolygonSet old_P = this->P(), old_Q = this->Q();
+  const std::vector<ConvolutionEdge> old_edges = edges();
+  const SweptBefore before{{old_P, old_Q, old_edges}, *swept_};
+  return ScaleIndex(built_index(P, Q, window_, options, &before));
+}
+
+ScaleIndex::Reuse ScaleIndex::reuse() const {
+  if (!swept_) return {};
+  return {swept_->edges_kept, columns_.edges.size() - swept_->edges_kept, swept_->pairs_looked_at,
+          swept_->faces_tested};
+}
 
 ScaleIndex ScaleIndex::open(const std::string& path) {
   try {
-    ScaleIndex index(IndexImage::read(path));
-    index.opened_ = true;
-    return index;
+    return ScaleIndex(IndexImage::read(path));
   } catch (const BadInput& refusal) {
     throw refusal.from(path);
   }
 }
 
-ScaleIndex::ScaleIndex(IndexImage image)
+ScaleIndex::ScaleIndex(IndexImage image, std::shared_ptr<const SweptBoundary> swept)
     : image_(std::move(image)),
       columns_(image_),
-      window_{bound(columns_.window, 0), bound(columns_.window, 2)} {
+      window_{bound(columns_.window, 0), bound(columns_.window, 2)},
+      swept_(std::move(swept)) {
   for (const IndexTrack& t : columns_.tracks_in_doubles) {
     for (const double c : {t.x0, t.y0, t.x1, t.y1}) largest_ = std::max(largest_, std::fabs(c));
   }
@@ -167,7 +184,7 @@ void ScaleIndex::collect(const Place& at, TrackRings& rings) const {
       collect_touching(at.interval, rings);
     }
   } catch (const std::logic_error& contradiction) {
-    if (!opened_) throw;
+    if (swept_) throw;
     throw contradicts_itself(contradiction.what());
   }
 }
@@ -432,7 +449,7 @@ Sum ScaleIndex::sum(const Rational& scale, Passages passages) const {
     result.tight_passages.emplace();
     if (!result.region.empty()) {
       const PolygonSet P = this->P(), Q = this->Q();
-      if (opened_) require_valid({P, Q});
+      if (!swept_) require_valid({P, Q});
       result.tight_passages = tight_passages(P, Q, scale);
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "reference/build/build_options.hpp"
@@ -11,6 +12,9 @@
 #include "reference/plane/sum.hpp"
 
 namespace minkref::inline plane {
+
+struct BuiltIndex;
+struct SweptBoundary;
 
 /// Throws BadInput ("outside-window") for a scale that a closed window does not hold.
 void refuse_outside(const ScaleWindow& window, const Rational& scale);
@@ -27,8 +31,23 @@ class ScaleIndex {
   /// One that was saved. Throws BadInput as IndexImage::read does; where a forged file contradicts
   /// itself, questions may too ("damaged-index"). O(bytes).
   static ScaleIndex open(const std::string& path);
+
   void save(const std::string& path) const { image_.save(path); }
   std::size_t bytes() const { return image_.bytes(); }
+
+  /// The index of changed operands, in the same window: equal to a new one, byte for byte except
+  /// for four counts of work (IndexCounts). Patches outside the change keep their pieces
+  /// (kept_edges.hpp); pairs, patches and tests of points concern the rest (`reuse`). Putting
+  /// together the boundary takes O(n log n) as in a build. Without this index's pieces, so after
+  /// `open`, builds everything. Throws as the constructor.
+  ScaleIndex updated(const PolygonSet& P, const PolygonSet& Q,
+                     const BuildOptions& options = {}) const;
+  /// Convolution edges kept from the index before, and done anew; pairs of edges compared by
+  /// doubles, faces tested by a point.
+  struct Reuse {
+    std::uint64_t reused = 0, rebuilt = 0, pairs = 0, faces = 0;
+  };
+  Reuse reuse() const;
 
   const ScaleWindow& window() const { return window_; }
   PolygonSet P() const;
@@ -89,7 +108,8 @@ class ScaleIndex {
   TopologyTimeline timeline() const;
 
  private:
-  explicit ScaleIndex(IndexImage image);
+  explicit ScaleIndex(IndexImage image, std::shared_ptr<const SweptBoundary> swept = nullptr);
+  explicit ScaleIndex(BuiltIndex built);
 
   /// A contradiction of an opened index means a fault of the file.
   void collect(const Place& at, TrackRings& rings) const;
@@ -107,8 +127,8 @@ class ScaleIndex {
   IndexImage image_;
   IndexColumns columns_;
   ScaleWindow window_;
-  double largest_ = 0;   ///< of the tracks' coefficients
-  bool opened_ = false;  ///< from a file, rather than built
+  double largest_ = 0;                          ///< of the tracks' coefficients
+  std::shared_ptr<const SweptBoundary> swept_;  ///< none of an opened index
 };
 
 }  // namespace minkref::inline plane

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <unordered_map>
 
 #include "reference/build/stage.hpp"
+#include "reference/no_entry.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/index/patch_clipping.hpp"
 #include "reference/plane/index/patch_neighbours.hpp"
@@ -16,6 +18,8 @@
 
 namespace minkref::inline plane {
 namespace {
+
+constexpr std::size_t worth_pairs_of_pieces = 32;  // so many edges to be done
 
 /// A number with few bits well between two numbers known up to `error`, if doubles tell; else none.
 std::optional<double> between(double low, double high, double error) {
@@ -155,6 +159,39 @@ class BoundarySearch {
   SweptBoundary& result_;
 };
 
+void sort_by_edge(SweptBoundary& result) {
+  std::stable_sort(result.pieces.begin(), result.pieces.end(),
+                   [](const ExposedPiece& a, const ExposedPiece& b) { return a.edge < b.edge; });
+}
+
+/// Takes the pieces and contacts of kept edges, with their new numbers.
+void keep(const SweptBoundary& before, const KeptEdges& kept, SweptBoundary& result) {
+  std::vector<char> is_kept(kept.after.size(), 0);
+  for (std::uint32_t k = 0; k < kept.before.size(); ++k) {
+    if (kept.before[k] == no_entry) continue;
+    is_kept[kept.before[k]] = 1;
+    result.live[k] = before.live[kept.before[k]];
+  }
+  const auto number = [&](std::uint32_t old) {
+    if (kept.after[old] != no_entry) return kept.after[old];
+    throw std::logic_error("an edge that is gone met a kept one");
+  };
+  for (const ExposedPiece& old : before.pieces) {
+    if (is_kept[old.edge] == 0) continue;
+    ExposedPiece piece = old;
+    for (std::uint32_t* edge : {&piece.edge, &piece.from.other, &piece.to.other}) {
+      *edge = number(*edge);
+    }
+    result.pieces.push_back(std::move(piece));
+  }
+  for (const EndContact& old : before.contacts) {
+    if (is_kept[old.edge] == 0) continue;
+    result.contacts.push_back({number(old.edge), number(old.other), old.scale});
+  }
+  result.edges_kept = kept.count;
+  sort_by_edge(result);
+}
+
 /// Gathers the parts of all threads, sorted by edge.
 void gather(std::vector<SweptBoundary>& parts, SweptBoundary& result) {
   for (SweptBoundary& part : parts) {
@@ -163,14 +200,13 @@ void gather(std::vector<SweptBoundary>& parts, SweptBoundary& result) {
     std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(result.pieces));
     std::move(part.contacts.begin(), part.contacts.end(), std::back_inserter(result.contacts));
   }
-  std::stable_sort(result.pieces.begin(), result.pieces.end(),
-                   [](const ExposedPiece& a, const ExposedPiece& b) { return a.edge < b.edge; });
+  sort_by_edge(result);
 }
 
 }  // namespace
 
 SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
-                             const BuildOptions& options) {
+                             const BuildOptions& options, const SweptBefore* before) {
   const BuildControl control(options, "the swept boundary");
   refuse_bad_window(window);
   SweptBoundary result;
@@ -183,23 +219,50 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
   };
   result.moving = moving_edges(result.edges, as_vectors(P), as_vectors(Q));
   control.look_now();
+  KeptEdges kept;
+  std::vector<Kept> state;
+  result.live.assign(result.edges.size(), 0);
+  if (before != nullptr) {
+    kept = kept_edges(before->operands, {P, Q, result.edges}, result.moving, window);
+  }
+  if (kept.count > 0) {
+    keep(before->boundary, kept, result);
+    for (std::size_t k = 0; k < result.edges.size(); ++k) {
+      state.push_back(kept.before[k] == no_entry ? Kept::no
+                      : result.live[k] != 0      ? Kept::live
+                                                 : Kept::inside);
+    }
+  }
+  std::vector<std::uint32_t> fresh;
+  for (std::uint32_t k = 0; k < result.edges.size(); ++k) {
+    if (state.empty() || state[k] == Kept::no) fresh.push_back(k);
+  }
+  if (fresh.empty()) return result;
   const InteriorTracks tracks(P, Q);
   control.look_now();
-  InteriorSolids solids(P, Q);
+  // Finding pairs of pieces costs more than it saves few edges.
+  const bool are_few = kept.count > 0 && fresh.size() < worth_pairs_of_pieces;
+  InteriorSolids solids(are_few ? PolygonSet{} : P, are_few ? PolygonSet{} : Q);
   const PatchNeighbours neighbours =
-      patch_neighbours(tracks, solids, result.moving, window, control);
+      patch_neighbours(tracks, solids, result.moving, window, control, state);
   result.meeting_pairs = neighbours.meeting;
   result.pairs_inside = neighbours.inside;
+  result.pairs_looked_at = neighbours.looked_at;
+  for (const std::uint32_t k : fresh) result.live[k] = neighbours.cells.of(k).empty() ? 0 : 1;
   control.look_now();
-  const InteriorTest test(P, Q);
+  const auto [part_of_P, part_of_Q] =
+      kept.count == 0 ? std::pair(P, Q) : parts_near(P, Q, result.moving, fresh, window);
+  const InteriorTest test(part_of_P, part_of_Q);
   const bool hidden = may_hide_passages(P, Q);
   on_exact_frame(P, Q, [&](const auto& frame) {
     using K = typename std::decay_t<decltype(frame)>::K;
     const auto edges = moving_edges(result.edges, frame.P, frame.Q);
     std::vector<SweptBoundary> parts(control.threads());
-    in_parallel(edges.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
-      return BoundarySearch<K>(frame.kernel, edges, result.moving, neighbours, tracks, solids, test,
-                               hidden, window, control, parts[thread]);
+    in_parallel(fresh.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
+      return
+          [&fresh, search = std::make_shared<BoundarySearch<K>>(
+                       frame.kernel, edges, result.moving, neighbours, tracks, solids, test, hidden,
+                       window, control, parts[thread])](std::size_t k) { (*search)(fresh[k]); };
     });
     gather(parts, result);
   });

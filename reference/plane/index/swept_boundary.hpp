@@ -6,6 +6,7 @@
 
 #include "reference/build/build_options.hpp"
 #include "reference/plane/critical/pair_events.hpp"
+#include "reference/plane/index/kept_edges.hpp"
 #include "reference/plane/index/patch_node_name.hpp"
 #include "reference/plane/moving/moving_edge.hpp"
 #include "reference/plane/sum.hpp"
@@ -36,13 +37,24 @@ struct SweptBoundary {
   std::vector<EndContact> contacts;                   ///< of edges with a piece, in no order
   std::uint64_t meeting_pairs = 0, pairs_inside = 0;  ///< see PatchNeighbours
   std::uint64_t pieces_in_all = 0, faces_tested = 0;
+  std::vector<char> live;                             ///< edges not wholly inside the sum, surely
+  std::uint64_t edges_kept = 0, pairs_looked_at = 0;  ///< of edges that were there before
+};
+
+/// A swept boundary of other operands, to start from; `edges` and `moving` may be empty there.
+struct SweptBefore {
+  Convolved operands;
+  const SweptBoundary& boundary;
 };
 
 /// The boundary within a window, open towards 0 or infinity without a bound. Exact, and the same
 /// for any number of threads. Operands must have passed `validate`. Throws BadInput ("bad-window"),
 /// LimitExceeded ("memory-limit"). O(N^2) doubles for N convolution edges at worst, where most of
 /// their boxes meet (patch_neighbours.hpp); the further cost depends on the remaining pairs.
+///
+/// `before`: a boundary within the same window. Kept edges (kept_edges.hpp) keep their pieces;
+/// pairs, patches and tests concern the remaining edges only.
 SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
-                             const BuildOptions& options = {});
+                             const BuildOptions& options = {}, const SweptBefore* before = nullptr);
 
 }  // namespace minkref::inline plane

@@ -256,3 +256,42 @@ def test_progress_tells_of_each_stage_and_may_end_the_build() -> None:
 
     with pytest.raises(InterruptedError):
         Index(P, Q, None, None, 2, 0, stop)
+
+
+# Updates.
+
+
+def test_an_update_is_a_new_index_and_tells_what_it_reused() -> None:
+    teeth = [[(x, 2), (x, 30), (x - 2, 30), (x - 2, 2)] for x in range(160, 0, -4)]
+    ring = [(0, 0), (160, 0), *(p for tooth in teeth for p in tooth)]
+    moved = [(x, 31) if (x, y) == (80, 30) else (x, y) for x, y in ring]
+    P, new_P = _core.PolygonSet(ring), _core.PolygonSet(moved)
+    Q = _core.PolygonSet([(0, 0), (2, 0), (1, 1)])
+    index = Index(P, Q, "1/2", "2")
+    updated, fresh = index.updated(P=new_P), Index(new_P, Q, "1/2", "2")
+    assert (updated.is_of(new_P, Q), index.is_of(P, Q)) == (True, True)
+    assert updated.event_scales() == fresh.event_scales()
+    assert updated.tracks() == fresh.tracks()
+    for scale in scales(fresh):
+        assert updated.sum(scale).region == fresh.sum(scale).region
+    assert updated.reuse()["reused"] > 10 * updated.reuse()["rebuilt"] > 0
+    assert index.updated().reuse()["rebuilt"] == 0
+    wide = Q.scaled("2")
+    again = updated.updated(Q=wide, threads=2)
+    assert again.sum("1").region == _core.minkowski_sum(new_P, wide, "1").region
+
+
+def test_an_update_of_a_lazy_index_is_lazy_until_it_is_built() -> None:
+    square = _core.PolygonSet([(0, 0), (4, 0), (4, 4), (0, 4)])
+    lazy = Index(square, square, "1", "2", lazy=True)
+    assert not lazy.updated(P=square.scaled("2")).is_built
+    assert lazy.updated(P=square.scaled("2")).reuse() == {}
+    assert lazy.event_scales() == []
+    assert lazy.updated(P=square.scaled("2")).is_built
+
+
+def test_an_update_refuses_what_a_build_refuses() -> None:
+    square = _core.PolygonSet([(0, 0), (4, 0), (4, 4), (0, 4)])
+    crossed = _core.PolygonSet([(0, 0), (4, 4), (4, 0), (0, 4)], validate=False)
+    with pytest.raises(_core.BadInput, match="P"):
+        Index(square, square, "1", "2").updated(P=crossed)
