@@ -1,7 +1,6 @@
 #include "reference/space/edges/carrier.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "reference/interrupt.hpp"
 
@@ -84,8 +83,7 @@ bool CarrierCutting::clip(const ConvolutionFacet& facet, Cut& from, Cut& to, int
 AlongFacet CarrierCutting::along_border(std::uint32_t facet, std::size_t side) {
   const ConvolutionFacet& f = facets_[facet];
   const int same = filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
-    return dot(f.corners[(side + 1) % f.size].as<T>() - f.corners[side].as<T>(),
-               line_->as<T>().direction);
+    return dot(f.along<T>(side), line_->as<T>().direction);
   });
   return {facet, same < 0, same > 0};
 }
@@ -158,9 +156,8 @@ bool CarrierCutting::spans_crossing(std::uint32_t a, std::uint32_t b) {
     bool above = false, below = false;
     for (std::size_t k = 0; k < other.size; ++k) {
       if (flat.has_corner(other.names[k])) continue;
-      const int side = filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
-        return T(dot(flat.normal.as<T>(), other.corners[k].as<T>()) - flat.offset.as<T>());
-      });
+      const int side = filtered_sign(
+          signs, [&]<class T>(std::type_identity<T>) { return flat.height<T>(other, k); });
       above = above || side > 0;
       below = below || side < 0;
     }
@@ -183,10 +180,14 @@ const std::vector<CarrierPiece>& CarrierCutting::cut_crossing(std::uint32_t a, s
   if (!spans_crossing(a, b) || is_covered()) return pieces_;
   covers_.push_back({{a, true, true}, start, end});
   covers_.push_back({{b, true, true}, start, end});
-  candidates_.clear();
-  std::set_intersection(near_[a].begin(), near_[a].end(), near_[b].begin(), near_[b].end(),
-                        std::back_inserter(candidates_));
-  for (const std::uint32_t c : candidates_) look_at(c);
+  const bool a_has_fewer = near_[a].size() < near_[b].size();
+  const auto &fewer = near_[a_has_fewer ? a : b], &more = near_[a_has_fewer ? b : a];
+  auto from = more.begin();
+  for (const std::uint32_t c : fewer) {
+    from = std::lower_bound(from, more.end(), c);
+    if (from == more.end()) break;
+    if (*from == c) look_at(c);
+  }
   make_pieces();
   std::erase_if(pieces_, [&](const CarrierPiece& piece) {
     if (std::any_of(piece.facets.begin(), piece.facets.end(),
@@ -221,9 +222,8 @@ int CarrierCutting::within(const ConvolutionFacet& facet, int slope) {
   for (std::size_t k = 0; k < facet.size; ++k) {
     const int turn = filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
       const LineIn<T>& line = line_->as<T>();
-      const std::array<T, 3>& corner = facet.corners[k].as<T>();
-      const std::array<T, 3> along = facet.corners[(k + 1) % facet.size].as<T>() - corner;
-      return dot(line.direction, cross(along, line.origin - line.weight * corner));
+      return dot(line.direction,
+                 cross(facet.along<T>(k), line.origin - line.weight * facet.start<T>(k)));
     });
     if (turn * slope < 0) return -1;
     if (turn == 0) result = 0;

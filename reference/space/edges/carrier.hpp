@@ -91,7 +91,6 @@ class CarrierCutting {
   std::vector<MarkedCut> cuts_;
   std::vector<Cover> covers_;
   std::vector<CarrierPiece> pieces_;
-  std::vector<std::uint32_t> candidates_;
   const InteriorCells& cells_;
 };
 

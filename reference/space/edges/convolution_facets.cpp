@@ -1,6 +1,7 @@
 #include "reference/space/edges/convolution_facets.hpp"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 #include <unordered_map>
 
@@ -157,10 +158,106 @@ class ConvolutionBuild {
   Convolution result_;
 };
 
+/// Replaces triangles, face by face and vertex by vertex.
+class PieceReplacement {
+ public:
+  PieceReplacement(Convolution& convolution, const FlatPieces& pieces, const SpaceOperand& body,
+                   const SpaceOperand& other, bool of_P)
+      : convolution_(convolution), pieces_(pieces), body_(body), other_(other), of_P_(of_P) {}
+
+  void run() {
+    const FacetKind kind = of_P_ ? FacetKind::fv : FacetKind::vf;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<ConvolutionFacet>> faces;
+    std::vector<bool> replaced(convolution_.facets.size());
+    for (std::size_t k = 0; k < replaced.size(); ++k) {
+      ConvolutionFacet& facet = convolution_.facets[k];
+      if (facet.kind != kind) continue;
+      const std::uint32_t face = pieces_.face_of[of_P_ ? facet.of_P : facet.of_Q];
+      if (face == none) continue;
+      replaced[k] = true;
+      faces[{face, of_P_ ? facet.of_Q : facet.of_P}].push_back(facet);
+    }
+    for (FacetSide& side : convolution_.sides) {
+      std::erase_if(side.uses, [&](const FacetSide::Use& use) { return replaced[use.facet]; });
+    }
+    leave_out(convolution_, replaced);
+    for (const auto& [at, triangles] : faces) {
+      look_for_interrupt_now();
+      sides_.clear();
+      for (const ConvolutionFacet& triangle : triangles) {
+        const std::uint32_t own = of_P_ ? triangle.of_P : triangle.of_Q;
+        for (std::size_t k = 0; k < 3; ++k) {
+          sides_[body_.triangles[own].edges[k]] = triangle.sides[k];
+        }
+      }
+      for (const FlatPiece& piece : pieces_.pieces[at.first].pieces)
+        add(piece, triangles.front(), at.second);
+    }
+  }
+
+ private:
+  using Corner = ConvolutionFacet::Corner;
+
+  void add(const FlatPiece& piece, const ConvolutionFacet& triangle, std::uint32_t vertex) {
+    const long shift = convolution_.shift;
+    const IntegerVector& move = other_.points[vertex].exact;
+    const auto number = static_cast<std::uint32_t>(convolution_.facets.size());
+    ConvolutionFacet facet;
+    facet.kind = triangle.kind;
+    facet.size = piece.size;
+    facet.of_P = triangle.of_P;
+    facet.of_Q = triangle.of_Q;
+    facet.normal = triangle.normal;
+    facet.offset = triangle.offset;
+    auto lines = std::make_shared<ConvolutionFacet::Piece>();
+    for (std::size_t k = 0; k < piece.size; ++k) {
+      const FlatPiece::Corner& corner = piece.corners[k];
+      facet.names[k] = corner.vertex == none ? Corner{none, convolution_.unnamed++}
+                                             : name(corner.vertex, vertex);
+      facet.corners[k].exact = corner.point + corner.weight * move;
+      facet.corners[k].rounded = rounded_point(facet.corners[k].exact, corner.weight, shift);
+      facet.box.add(box_around(facet.corners[k].rounded));
+      lines->weights[k] = corner.weight;
+      lines->starts[k] = FilteredVector(piece.sides[k].start.exact + move, shift);
+      lines->alongs[k] = piece.sides[k].along;
+    }
+    facet.piece = std::move(lines);
+    for (std::uint8_t k = 0; k < piece.size; ++k) {
+      const std::uint32_t edge = piece.sides[k].edge;
+      const auto known = sides_.find(edge);
+      const bool is_shared = edge != none && !convolution_.sides[known->second].uses.empty();
+      if (is_shared) {
+        facet.sides[k] = known->second;
+        continue;
+      }
+      facet.sides[k] = static_cast<std::uint32_t>(convolution_.sides.size());
+      convolution_.sides.push_back(
+          {facet.names[k], facet.names[(k + 1U) % piece.size], {{number, k}}});
+    }
+    convolution_.facets.push_back(std::move(facet));
+  }
+
+  Corner name(std::uint32_t own, std::uint32_t vertex) const {
+    return of_P_ ? Corner{own, vertex} : Corner{vertex, own};
+  }
+
+  Convolution& convolution_;
+  const FlatPieces& pieces_;
+  const SpaceOperand &body_, &other_;
+  bool of_P_;
+  std::unordered_map<std::uint32_t, std::uint32_t> sides_;  ///< by edge
+};
+
 }  // namespace
 
 Convolution convolution_facets(const SpaceOperand& P, const SpaceOperand& Q) {
   return ConvolutionBuild(P, Q).run();
+}
+
+void put_pieces(Convolution& convolution, const FlatPieces& pieces, const SpaceOperand& body,
+                const SpaceOperand& other, bool of_P) {
+  if (pieces.pieces.empty()) return;
+  PieceReplacement(convolution, pieces, body, other, of_P).run();
 }
 
 void leave_out(Convolution& convolution, const std::vector<bool>& facets) {

@@ -36,7 +36,7 @@ std::vector<bool> covered_facets(const std::vector<ConvolutionFacet>& facets,
 }  // namespace
 
 EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling,
-                 const BuildOptions& options) {
+                 const BuildOptions& options, double least_gain) {
   const FloatEnvironment standard;
   require_positive(scaling);
   EdgeSum result;
@@ -48,8 +48,13 @@ EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scalin
   const SpaceOperands operands = space_operands(P, Q, scaling);
   const SpaceOperand &first = operands.P, &second = operands.Q;
   Convolution convolution = convolution_facets(first, second);
+  FlatPieces pieces_of_P = flat_pieces(first, least_gain),
+             pieces_of_Q = flat_pieces(second, least_gain);
+  put_pieces(convolution, pieces_of_P, first, second, true);
+  put_pieces(convolution, pieces_of_Q, second, first, false);
   result.facets = convolution.facets.size();
-  const CollisionTrees trees(first, second, InteriorCells(first, second, cells_for(result.facets)));
+  const CollisionTrees trees(first, second, InteriorCells(first, second, cells_for(result.facets)),
+                             std::move(pieces_of_P), std::move(pieces_of_Q));
   leave_out(convolution, covered_facets(convolution.facets, trees.cells));
   result.covered_facets = result.facets - convolution.facets.size();
   const NearLists near = near_lists(convolution.facets, convolution.signs);

@@ -21,7 +21,7 @@ bool same_place(const PlaneEdge& a, const PlaneEdge& b) {
 
 OrientedPlane plane_of(const ConvolutionFacet& facet, const Integer& denominator) {
   const IntegerVector normal = primitive(facet.normal.exact);
-  return {normal, Rational(dot(normal, facet.corners[0].exact), denominator)};
+  return {normal, Rational(dot(normal, facet.start<Integer>(0)), denominator)};
 }
 
 /// Cancels opposite edges, which merely touching parts of the boundary leave within a face.

@@ -51,8 +51,11 @@ template <class T>
 LineIn<T> CarrierLine::made() const {
   if (side_ != CutterPlane::own) {
     const auto k = static_cast<std::size_t>(side_);
-    const std::array<T, 3>& start = a_.corners[k].as<T>();
-    return {start, a_.corners[(k + 1) % a_.size].as<T>() - start, T(1)};
+    const std::size_t next = (k + 1) % a_.size;
+    const std::array<T, 3>&start = a_.corners[k].as<T>(), &end = a_.corners[next].as<T>();
+    if (!a_.piece) return {start, end - start, T(1)};
+    const T of_start = a_.weight<T>(k), of_end = a_.weight<T>(next);
+    return {of_end * start, of_start * end - of_end * start, of_start * of_end};
   }
   const std::array<T, 3>&n = a_.normal.as<T>(), &m = b_.normal.as<T>();
   const std::array<T, 3> along = cross(n, m);

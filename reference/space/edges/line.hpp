@@ -32,10 +32,8 @@ struct CutterPlane {
     const std::array<T, 3>& normal = facet->normal.as<T>();
     if (side == own) return {normal, facet->offset.as<T>()};
     const auto k = static_cast<std::size_t>(side);
-    const std::array<T, 3>& start = facet->corners[k].as<T>();
-    const std::array<T, 3>& end = facet->corners[(k + 1) % facet->size].as<T>();
-    const std::array<T, 3> inwards = cross(normal, end - start);
-    return {inwards, dot(inwards, start)};
+    const std::array<T, 3> inwards = cross(normal, facet->along<T>(k));
+    return {inwards, dot(inwards, facet->start<T>(k))};
   }
 };
 

@@ -22,10 +22,8 @@ class Separation {
       look_for_interrupt();
       const ConvolutionFacet& facet = facets[k];
       for (std::size_t side = 0; side < facet.size; ++side) {
-        const BoundedVector &from = facet.corners[side].rounded,
-                            &to = facet.corners[(side + 1) % facet.size].rounded;
-        const BoundedVector out = cross(to - from, facet.normal.rounded);
-        beyond_[k][side] = {out, dot(out, from)};
+        const BoundedVector out = cross(facet.along<BoundedDouble>(side), facet.normal.rounded);
+        beyond_[k][side] = {out, dot(out, facet.start<BoundedDouble>(side))};
       }
     }
   }
@@ -75,9 +73,8 @@ class Separation {
   bool in_one_plane(const ConvolutionFacet& flat, const ConvolutionFacet& other) {
     for (std::size_t k = 0; k < other.size; ++k) {
       if (flat.has_corner(other.names[k])) continue;
-      const int side = filtered_sign(signs_, [&]<class T>(std::type_identity<T>) {
-        return T(dot(flat.normal.as<T>(), other.corners[k].as<T>()) - flat.offset.as<T>());
-      });
+      const int side = filtered_sign(
+          signs_, [&]<class T>(std::type_identity<T>) { return flat.height<T>(other, k); });
       if (side != 0) return false;
     }
     return true;
@@ -94,20 +91,26 @@ struct NearCorners {
   std::vector<std::uint32_t> number;
 
   explicit NearCorners(const std::vector<ConvolutionFacet>& facets) : number(4 * facets.size()) {
-    const auto at = [&](std::uint32_t k) -> const FilteredVector& {
-      const ConvolutionFacet& facet = facets[k / 4];
-      return facet.corners[std::min<std::size_t>(k % 4, facet.size - 1U)];
+    const auto place = [&](std::uint32_t k) {
+      return std::min<std::size_t>(k % 4, facets[k / 4].size - 1U);
     };
+    const auto at = [&](std::uint32_t k) -> const FilteredVector& {
+      return facets[k / 4].corners[place(k)];
+    };
+    const auto weight = [&](std::uint32_t k) { return facets[k / 4].weight<Integer>(place(k)); };
     std::vector<std::uint32_t> order(number.size());
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       look_for_interrupt();
-      return at(a).exact < at(b).exact;
+      return at(a).exact != at(b).exact ? at(a).exact < at(b).exact : weight(a) < weight(b);
     });
     std::vector<BoundedVector> distinct;
     for (std::size_t j = 0; j < order.size(); ++j) {
       const FilteredVector& corner = at(order[j]);
-      if (j == 0 || at(order[j - 1]).exact != corner.exact) distinct.push_back(corner.rounded);
+      if (j == 0 || at(order[j - 1]).exact != corner.exact ||
+          weight(order[j - 1]) != weight(order[j])) {
+        distinct.push_back(corner.rounded);
+      }
       number[order[j]] = static_cast<std::uint32_t>(distinct.size() - 1);
     }
     points = near_points(distinct);

@@ -69,6 +69,16 @@ struct FilteredVector {
   }
 };
 
+/// The point vector / weight, on the scale of a shift; weight > 0.
+inline BoundedVector rounded_point(const IntegerVector& vector, const Integer& weight, long shift) {
+  BoundedVector at = FilteredVector(vector, shift).rounded;
+  if (weight != 1) {
+    const BoundedDouble by(weight);
+    for (BoundedDouble& coordinate : at) coordinate = coordinate / by;
+  }
+  return at;
+}
+
 /// How signs were decided.
 struct SignCounts {
   std::uint64_t by_float = 0, by_integer = 0;

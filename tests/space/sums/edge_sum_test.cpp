@@ -27,8 +27,11 @@ using polycubes::solid;
 using polycubes::with;
 using polycubes::without;
 
+/// Also with all flat faces in pieces, which change nothing.
 std::string text(const Polyhedron& P, const Polyhedron& Q, const Scaling& s = unit) {
-  return canonical_json(edge_sum(P, Q, s).set);
+  const PolyhedralSet sum = edge_sum(P, Q, s).set;
+  EXPECT_TRUE(edge_sum(P, Q, s, {}, 0).set == sum) << "in pieces";
+  return canonical_json(sum);
 }
 
 /// Random cells whose surface is a manifold.
