@@ -19,6 +19,7 @@ from typing import Any
 from minkref.errors import Refusal
 from minkref.fuzz.ledgers import place as places
 from minkref.fuzz.ledgers.file import chunks_of, columns, keep_names, read_table, writer
+from minkref.fuzz.ledgers.heard import heard, heard_batches, run
 from minkref.fuzz.ledgers.place import Compacted, Place
 from minkref.fuzz.ledgers.views import AMISS, COUNTS, MERGED, connection, rows_view
 
@@ -129,13 +130,13 @@ def _tables(sources: Sequence[Path]) -> Iterator[Any]:
 
 def _counts(con: Any, loose: Sequence[Path], old: Sequence[Path], path: Path) -> None:
     """The counts of all rows of the new file."""
-    con.execute("ALTER VIEW rows RENAME TO every_row")
+    run(con, "ALTER VIEW rows RENAME TO every_row")
     rows_view(con, "rows", loose)
-    con.execute(f"CREATE TABLE fresh AS {COUNTS}")
-    con.execute("CREATE VIEW all_counts AS FROM fresh")
+    run(con, f"CREATE TABLE fresh AS {COUNTS}")
+    run(con, "CREATE VIEW all_counts AS FROM fresh")
     if old:
         rows_view(con, "old_counts", old)
-        con.execute("CREATE OR REPLACE VIEW all_counts AS FROM fresh UNION ALL FROM old_counts")
+        run(con, "CREATE OR REPLACE VIEW all_counts AS FROM fresh UNION ALL FROM old_counts")
     _copy(con, MERGED, path)
 
 
@@ -148,14 +149,15 @@ def _disputed(con: Any, place: Place, taken: _Taken, path: Path) -> None:
     old = [each.path(place.folder, "results") for each in others]
     old += [each.path(place.folder, "results") for each in taken.small]
     rows_view(con, "old", old)
-    con.execute('CREATE TABLE known_cases AS SELECT DISTINCT "case" FROM known')
-    con.execute(
+    run(con, 'CREATE TABLE known_cases AS SELECT DISTINCT "case" FROM known')
+    run(
+        con,
         f'CREATE TABLE fresh_cases AS SELECT DISTINCT "case" FROM rows WHERE {AMISS} '
-        "EXCEPT FROM known_cases"
+        "EXCEPT FROM known_cases",
     )
     both = "(FROM known_cases UNION ALL FROM fresh_cases)"
     query = f'FROM kept UNION ALL SELECT * FROM rows WHERE target IS NOT NULL AND "case" IN {both}'
-    ((fresh,),) = con.execute("SELECT count(*) FROM fresh_cases").fetchall()
+    ((fresh,),) = run(con, "SELECT count(*) FROM fresh_cases")
     if fresh:
         query += ' UNION ALL SELECT * FROM old WHERE target IS NOT NULL AND "case" IN '
         query += "(FROM fresh_cases)"
@@ -164,9 +166,9 @@ def _disputed(con: Any, place: Place, taken: _Taken, path: Path) -> None:
 
 def _copy(con: Any, query: str, path: Path) -> None:
     """Writes the rows of a query with checksums, some at a time."""
-    reader = con.sql(query).to_arrow_reader(GROUP)
+    reader = heard(con, lambda: con.sql(query).to_arrow_reader(GROUP))
     with _written(path, reader.schema, {}) as out:
-        for batch in reader:
+        for batch in heard_batches(con, reader):
             out.write_batch(batch)
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.fuzz.ledgers.file import TIMES, Chunk, chunks_of, columns, read_table
+from minkref.fuzz.ledgers.heard import run
 from minkref.fuzz.ledgers.place import Place, look, reading
 from minkref.fuzz.ledgers.row import results_of
 from minkref.fuzz.ledgers.views import opened
@@ -16,11 +17,12 @@ from minkref.fuzz.run.worker import CaseResult
 def counts(folder: Path, campaign: str | None = None) -> dict[tuple[str, str], int]:
     """Counts answers by target and verdict, of one campaign or all."""
     with opened(folder) as con:
-        found = con.execute(
+        found = run(
+            con,
             "SELECT target, verdict, sum(cases)::BIGINT FROM counts "
             "WHERE campaign = coalesce(?, campaign) GROUP BY ALL ORDER BY ALL",
             [campaign],
-        ).fetchall()
+        )
     return {(target, verdict): number for target, verdict, number in found}
 
 

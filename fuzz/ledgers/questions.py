@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from minkref.errors import Refusal, choice, cut
+from minkref.fuzz.ledgers.heard import heard, heard_batches
 from minkref.fuzz.ledgers.views import AMISS, GOOD
 
 LONGEST_LIST = 50  # rows of `slowest`
@@ -115,7 +116,7 @@ def ask(con: Any, sql: str, where: str = "SQL") -> Any:
         mend = "write one SELECT over results, findings, counts, disputed, versions or campaigns"
         raise Refusal("this is no single question", where, mend, "bad-sql")
     try:
-        return con.sql(sql).to_arrow_reader(1 << 16)
+        return heard(con, lambda: con.sql(sql).to_arrow_reader(1 << 16))
     except duckdb.Error as error:
         raise _refused(error, where) from error
 
@@ -128,7 +129,7 @@ def batches(con: Any, sql: str, where: str = "SQL") -> Any:
 
     def read() -> Any:
         try:
-            yield from reader
+            yield from heard_batches(con, reader)
         except (duckdb.Error, OSError) as error:  # Arrow turns errors of DuckDB into its own
             raise _refused(error, where) from error
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from minkref.errors import Refusal, cut
 from minkref.fuzz.ledgers.file import chunks_of, columns, pyarrow
+from minkref.fuzz.ledgers.heard import run
 from minkref.fuzz.ledgers.place import Place, is_ledger, look, reading
 
 GOOD = "('pass', 'pass-within')"
@@ -68,8 +69,10 @@ def connection(memory: int = MEMORY, scratch: Path | None = None) -> Iterator[An
     }
     con = duckdb.connect(":memory:", config=settings)
     try:
+        run(con, "SET enable_progress_bar = false")  # it would go to standard output
         yield con
     finally:
+        con.abort()  # an answer that a signal left unread
         con.close()
 
 
@@ -77,12 +80,12 @@ def rows_view(con: Any, name: str, paths: Sequence[Path], like: Any = None) -> N
     """Makes a view of all rows of these files, which are alike; an empty one of no file."""
     if paths:
         files = ", ".join(_quoted(str(path)) for path in paths)
-        con.execute(f"CREATE VIEW {name} AS SELECT * FROM read_parquet([{files}])")
+        run(con, f"CREATE VIEW {name} AS SELECT * FROM read_parquet([{files}])")
     else:
         pa = pyarrow()
         table = pa.schema(like or columns()).empty_table()
         con.register(f"{name}_empty", table)
-        con.execute(f"CREATE TABLE {name} AS SELECT * FROM {name}_empty")
+        run(con, f"CREATE TABLE {name} AS SELECT * FROM {name}_empty")
         con.unregister(f"{name}_empty")
 
 
@@ -90,23 +93,22 @@ def _make_views(con: Any, place: Place) -> None:
     rows_view(con, "compacted", place.files("results"))
     rows_view(con, "loose", place.loose)
     rows_view(con, "compacted_disputed", place.files("disputed"))
-    con.execute("CREATE VIEW rows AS SELECT * FROM loose")
-    con.execute(f"CREATE VIEW loose_counts AS {COUNTS}")
+    run(con, "CREATE VIEW rows AS SELECT * FROM loose")
+    run(con, f"CREATE VIEW loose_counts AS {COUNTS}")
     if place.compacted:
         files = ", ".join(_quoted(str(path)) for path in place.files("counts"))
         all_counts = f"SELECT * FROM read_parquet([{files}]) UNION ALL FROM loose_counts"
     else:
         all_counts = "FROM loose_counts"
-    con.execute(f"CREATE VIEW all_counts AS {all_counts}")
+    run(con, f"CREATE VIEW all_counts AS {all_counts}")
     # Small, asked again and again: a table.
-    con.execute(
-        f"CREATE TABLE counts AS SELECT {SUBJECT} AS subject, * FROM ({MERGED})"
-        if place.compacted or place.loose
-        else f"CREATE TABLE counts AS SELECT {SUBJECT} AS subject, * FROM loose_counts"
-    )
-    con.execute(
+    source = f"({MERGED})" if place.compacted or place.loose else "loose_counts"
+    table = f"CREATE TABLE counts AS SELECT {SUBJECT} AS subject, * FROM {source}"
+    run(con, table)
+    run(
+        con,
         f"CREATE VIEW results AS SELECT {SUBJECT} AS subject, * EXCLUDE (finding) "
-        "FROM (FROM compacted UNION ALL FROM loose) WHERE target IS NOT NULL"
+        "FROM (FROM compacted UNION ALL FROM loose) WHERE target IS NOT NULL",
     )
     _make_disputed(con)
     members = {
@@ -116,8 +118,8 @@ def _make_views(con: Any, place: Place) -> None:
         for name in ("got", "signal", "witness", "log")
     }
     told = ", ".join(f"{text} AS {name}" for name, text in members.items())
-    con.execute(f"CREATE VIEW findings AS SELECT *, {told} FROM disputed_whole WHERE {AMISS}")
-    con.execute("CREATE VIEW disputed AS SELECT * EXCLUDE (finding) FROM disputed_whole")
+    run(con, f"CREATE VIEW findings AS SELECT *, {told} FROM disputed_whole WHERE {AMISS}")
+    run(con, "CREATE VIEW disputed AS SELECT * EXCLUDE (finding) FROM disputed_whole")
     _make_versions(con)
     _make_campaigns(con, place.folder)
 
@@ -125,11 +127,10 @@ def _make_views(con: Any, place: Place) -> None:
 def _make_disputed(con: Any) -> None:
     """All rows on cases that any target got wrong. Compacted rows are looked through only if a
     loose part has a wrong answer on a case on which nobody was known to be wrong."""
-    con.execute(
-        f'CREATE TABLE late AS SELECT DISTINCT "case" FROM loose WHERE {AMISS} '
-        'EXCEPT SELECT DISTINCT "case" FROM compacted_disputed'
-    )
-    ((late,),) = con.execute("SELECT count(*) FROM late").fetchall()
+    table = f"""CREATE TABLE late AS SELECT DISTINCT "case" FROM loose WHERE {AMISS}
+        EXCEPT SELECT DISTINCT "case" FROM compacted_disputed"""
+    run(con, table)
+    ((late,),) = run(con, "SELECT count(*) FROM late")
     known = '(SELECT "case" FROM late UNION ALL SELECT "case" FROM compacted_disputed)'
     sources = [
         "SELECT * FROM compacted_disputed",
@@ -137,21 +138,22 @@ def _make_disputed(con: Any) -> None:
     ]
     if late:
         sources.append('SELECT * FROM compacted WHERE target IS NOT NULL AND "case" IN (FROM late)')
-    con.execute(
+    run(
+        con,
         f"CREATE VIEW disputed_whole AS SELECT {SUBJECT} AS subject, * "
-        f"FROM ({' UNION ALL '.join(sources)})"
+        f"FROM ({' UNION ALL '.join(sources)})",
     )
 
 
 def _make_versions(con: Any) -> None:
     """The versions of each subject, in order: numbers in them count as numbers."""
-    pairs = con.execute("SELECT DISTINCT subject, version FROM counts").fetchall()
+    pairs = run(con, "SELECT DISTINCT subject, version FROM counts")
     pairs.sort(key=lambda pair: (pair[0], version_key(pair[1])))
     ranks: dict[str, int] = {}
-    con.execute("CREATE TABLE versions (subject VARCHAR, version VARCHAR, place INTEGER)")
+    run(con, "CREATE TABLE versions (subject VARCHAR, version VARCHAR, place INTEGER)")
     for subject, version in pairs:
         ranks[subject] = ranks.get(subject, 0) + 1
-        con.execute("INSERT INTO versions VALUES (?, ?, ?)", [subject, version, ranks[subject]])
+        run(con, "INSERT INTO versions VALUES (?, ?, ?)", [subject, version, ranks[subject]])
 
 
 def version_key(version: str) -> list[tuple[int, str]]:
@@ -162,9 +164,10 @@ def version_key(version: str) -> list[tuple[int, str]]:
 
 def _make_campaigns(con: Any, folder: Path) -> None:
     """The heads of campaigns, as the engine wrote them."""
-    con.execute(
+    run(
+        con,
         "CREATE TABLE heads (campaign VARCHAR, name VARCHAR, seed VARCHAR, minkref VARCHAR, "
-        "head VARCHAR)"
+        "head VARCHAR)",
     )
     for path in sorted((folder / "campaigns").glob("*.json")):
         try:
@@ -175,20 +178,21 @@ def _make_campaigns(con: Any, folder: Path) -> None:
             mend = "remove it, and go on with the campaign"
             raise Refusal(what, str(path), mend, "bad-ledger") from error
         words = [None if each is None else str(each) for each in told]
-        con.execute("INSERT INTO heads VALUES (?, ?, ?, ?, ?)", [path.stem, *words, str(value)])
-    con.execute(
+        run(con, "INSERT INTO heads VALUES (?, ?, ?, ?, ?)", [path.stem, *words, str(value)])
+    run(
+        con,
         "CREATE VIEW campaigns AS SELECT c.campaign, name, seed, minkref, results, targets, "
         "first_at, last_at FROM (SELECT campaign, sum(cases)::BIGINT AS results, "
         "count(DISTINCT target) AS targets, min(first_at) AS first_at, max(last_at) AS last_at "
-        "FROM counts GROUP BY campaign) AS c LEFT JOIN heads USING (campaign)"
+        "FROM counts GROUP BY campaign) AS c LEFT JOIN heads USING (campaign)",
     )
 
 
 def _close_doors(con: Any, place: Place) -> None:
     paths = [*place.loose, *(p for kind in ("results", "disputed") for p in place.files(kind))]
-    con.execute(f"SET allowed_paths = [{', '.join(_quoted(str(path)) for path in paths)}]")
-    con.execute("SET enable_external_access = false")
-    con.execute("SET lock_configuration = true")
+    run(con, f"SET allowed_paths = [{', '.join(_quoted(str(path)) for path in paths)}]")
+    run(con, "SET enable_external_access = false")
+    run(con, "SET lock_configuration = true")
 
 
 def _quoted(text: str) -> str:

@@ -147,6 +147,9 @@ def _write(target: Target, head: dict[str, Any], fields: Any, found: Iterable[An
 
     batches = counted_batches()
     names = [field.name for field in fields]
+    if target.form in ("jsonl", "parquet") and len(set(names)) < len(names):
+        what = "two columns of the answer have one name"
+        raise Refusal(what, "SQL", "name them: SELECT ... AS name", "bad-sql")
     if target.form == "json":
         head = {**head, "seconds": None, "peak_bytes": None}
         target.write_pieces(listing(head, "rows", _rows(batches)))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from minkref.fuzz.ledgers.heard import run
 from minkref.fuzz.ledgers.questions import named
 from minkref.fuzz.ledgers.views import opened
 from minkref.output.documents import write_together
@@ -74,7 +75,7 @@ def write_site(folder: Path, output: Path, live: bool = False) -> Path:
 def subjects_of(folder: Path) -> list[str]:
     """The libraries that have pages."""
     with opened(folder) as con:
-        rows = con.execute("SELECT DISTINCT subject FROM versions ORDER BY subject").fetchall()
+        rows = run(con, "SELECT DISTINCT subject FROM versions ORDER BY subject")
     return [subject for (subject,) in rows]
 
 

@@ -4,7 +4,10 @@ refused; SQL reads nothing else."""
 from __future__ import annotations
 
 import json
+import os
 import shutil
+import signal
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -178,6 +181,16 @@ def test_sql_reads_and_writes_nothing_else(ledger: Path, tmp_path: Path, sql: st
     assert sorted(path for path in tmp_path.rglob("*") if path.name != "readers.lock") == [
         path for path in before if path.name != "readers.lock"
     ]
+
+
+def test_a_signal_ends_a_question(ledger: Path) -> None:
+    """DuckDB would go on for hours."""
+    sql = "SELECT count(*) FROM range(100000) a, range(100000) b, range(1000) c WHERE a.range = 7"
+    sql += " AND b.range + c.range = random()"
+    threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt), opened(ledger) as con:
+        _, rows = batches(con, sql)
+        list(rows)
 
 
 def test_versions_are_ordered_by_their_numbers() -> None:

@@ -69,7 +69,8 @@ def test_an_answer_is_written_in_each_form(ledger: Path, tmp_path: Path) -> None
 @pytest.mark.parametrize(
     "words",
     [[], ["SELECT 1", "--question", "verdicts"], ["--question", "nope"], ["SELEC"],
-     ["SELECT 1", "-o", "x.xls"], ["SELECT 1", "--memory", "1"]],
+     ["SELECT 1", "-o", "x.xls"],
+     ["SELECT 1 AS x, 2 AS x", "-o", "x.jsonl"], ["SELECT 1", "--memory", "1"]],
 )  # fmt: skip
 def test_bad_questions_are_refused(
     ledger: Path, words: list[str], capsys: pytest.CaptureFixture[str]
