@@ -69,8 +69,10 @@ def connection(memory: int = MEMORY, scratch: Path | None = None) -> Iterator[An
     }
     con = duckdb.connect(":memory:", config=settings)
     try:
+        run(con, "SET enable_progress_bar = false")  # it would go to standard output
         yield con
     finally:
+        con.abort()  # an answer that a signal left unread
         con.close()
 
 
