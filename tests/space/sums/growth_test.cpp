@@ -64,12 +64,12 @@ std::uint64_t signs(const EdgeSum& sum) {
 
 /// Triangles of the caps are slivers from the comb's ends to each tooth, and cross what is near.
 TEST(GrowthOfSumsInSpace, FlatFacesWithManyCornersCostAsMuchAsTheyHave) {
-  const EdgeSum few = sum_with_a_box(80), many = sum_with_a_box(240);
+  const EdgeSum few = sum_with_a_box(100), many = sum_with_a_box(200);
   EXPECT_EQ(many.set.faces.size(), few.set.faces.size());
-  EXPECT_LT(many.near_pairs, 3.3 * static_cast<double>(few.near_pairs));
-  EXPECT_LT(many.statistics.pieces, 3.3 * static_cast<double>(few.statistics.pieces));
-  EXPECT_LT(many.statistics.tests, 3.3 * static_cast<double>(few.statistics.tests));
-  EXPECT_LT(signs(many), 3.6 * static_cast<double>(signs(few)));
+  EXPECT_LT(many.near_pairs, 2.2 * static_cast<double>(few.near_pairs));
+  EXPECT_LT(many.statistics.pieces, 2.2 * static_cast<double>(few.statistics.pieces));
+  EXPECT_LT(many.statistics.tests, 2.2 * static_cast<double>(few.statistics.tests));
+  EXPECT_LT(signs(many), 2.4 * static_cast<double>(signs(few)));
 }
 
 /// Twice the area of a face's parts, as seen along its normal, times the normal's square.
