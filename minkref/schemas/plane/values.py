@@ -41,7 +41,7 @@ ViewRoute = Literal["index", "dynamic", "paper-update"]
 
 
 class ProvedAnswer(TypedDict):
-    """What an answer of the proved program rests on."""
+    """Grounds of an answer of the proved program."""
 
     proved: Annotated[str, Meta(description="The theorem, in words.")]
     trusted: Annotated[list[str], Meta(description="All that no theorem speaks about.")]

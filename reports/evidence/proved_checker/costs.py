@@ -1,4 +1,4 @@
-"""What a sum by the extracted program costs as both operands grow, beside the reference: stars,
+"""Costs of sums by the extracted program as both operands grow, beside the reference: stars,
 combs, random polygons, and plates with holes and stars."""
 
 from __future__ import annotations

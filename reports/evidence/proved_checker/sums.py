@@ -145,7 +145,7 @@ def _sum(case: Case, scale: str) -> Asked:
 
 
 def _certificate(case: Case, at_scale: Asked, faults: list[str]) -> Certificate:
-    """Of the same digest: the answer is the sum, in its one canonical form."""
+    """Equal digests: the answer is the sum, in its one canonical form."""
     certificate = Certificate(case.P, case.Q)
     certificate.sum(case.scale)
     if certificate.claims[0]["digest"] != at_scale.expected["digest"]:
