@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import pickle
+import secrets
 import signal
 import time
 from collections.abc import Iterable, Iterator
@@ -79,7 +80,8 @@ class Pool:
     workers that `end` has not ended; `close` kills them from another thread."""
 
     def __init__(self, targets: list[str], catalogue: Catalogue, limits: Limits, jobs: int) -> None:
-        self._isolation = limits.isolation or usual()
+        walls = limits.isolation or usual()  # with another mark: pools end beside each other
+        self._isolation = replace(walls, mark=secrets.token_hex(8))
         self._given = targets, catalogue, replace(limits, isolation=self._isolation)
         self._jobs = max(1, jobs)
         self._workers: list[_Worker] = []

@@ -25,6 +25,7 @@ from minkref.fuzz.campaign.engine import Drive, Goal
 from minkref.fuzz.campaign.judging import Work
 from minkref.fuzz.campaign.tally import Tally
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.isolation.isolation import choose
 from minkref.fuzz.ledgers.counting import rows_of_ledger
 from minkref.fuzz.run import pool
 from minkref.fuzz.run.case_list import CaseList
@@ -178,6 +179,17 @@ def test_a_worker_killed_from_outside_is_asked_again(monkeypatch: pytest.MonkeyP
         (second,) = workers.results([Job(1, job.name)])
     assert [outcome.verdict for outcome in first.outcomes] == [Verdict.PASS]
     assert [outcome.verdict for outcome in second.outcomes] == [Verdict.CRASHED]
+
+
+def test_shrinking_ends_no_program_of_a_pool_beside_it(faulty_sums: None) -> None:
+    limits, name = Limits(isolation=choose("none")), CaseName("random:1:5", "named")
+    target = "py:faulty_sums:right"
+    with pool.Pool([target], ALL_TARGETS, limits, 1) as kept:
+        before = [result.outcomes[0].verdict for result in kept.results([Job(0, name)])]
+        with pool.Pool([target], ALL_TARGETS, limits, 1) as other:
+            list(other.results([Job(0, name)]))
+        after = [result.outcomes[0].verdict for result in kept.results([Job(1, name)])]
+    assert before == after == [Verdict.PASS]
 
 
 @pytest.mark.parametrize(

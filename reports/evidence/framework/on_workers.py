@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from minkref.fuzz.campaign.campaign_file import ClusterTable
-from minkref.fuzz.campaign.clusters import joined, started
+from minkref.fuzz.campaign.clusters import dask, joined, started
 from minkref.reports.evidence.framework import child, store
 from minkref.reports.evidence.framework.part import Size
 from minkref.reports.evidence.framework.steps import Step
@@ -37,12 +37,10 @@ def on_workers(
 def _documents(
     place: Any, chosen: Sequence[Step], size: Size, tell: Callable[[store.Document], None]
 ) -> dict[str, store.Document]:
-    from distributed import as_completed
-
     with joined(place) as client:
         found = {}
         futures = [client.submit(run_step, step, size, pure=False) for step in chosen]
-        for future in as_completed(futures):
+        for future in dask().as_completed(futures):
             document: store.Document = future.result()
             store.write(document)
             tell(document)
