@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal
-from minkref.fuzz.ledgers.file import ENDING, FORMAT, parts_folder
+from minkref.fuzz.ledgers.file import ENDING, FORMAT, keep_names, parts_folder
 from minkref.output.documents import writing
 
 LIST = "list.json"
@@ -104,6 +104,7 @@ def write_list(folder: Path, compacted: list[Compacted]) -> None:
         stream.write(json.dumps(value, separators=(",", ":")).encode() + b"\n")
         stream.flush()
         os.fsync(stream.fileno())
+    keep_names(compacted_folder(folder))  # before parts go
 
 
 @contextmanager
