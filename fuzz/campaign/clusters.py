@@ -55,10 +55,13 @@ def class_of(table: ClusterTable) -> type[Any]:
         raise Refusal("there is no such cluster", where, mend)
     name, package = CLUSTERS.get(table.kind, (table.kind, table.kind.partition(":")[0]))
     module, _, attribute = name.partition(":")
+    handler = signal.getsignal(signal.SIGINT)  # dask-jobqueue takes it, and Ctrl-C is ours
     try:
         found: type[Any] = getattr(import_module(module), attribute)
     except (ImportError, AttributeError) as error:
         raise Refusal(message_of(error), where, f"install {package}") from error
+    finally:
+        signal.signal(signal.SIGINT, handler)
     return found
 
 

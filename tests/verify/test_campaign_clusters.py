@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from typing import Any
 
 import pytest
@@ -43,11 +44,13 @@ class _Here:
 
 
 def test_real_classes_write_the_jobs_of_slurm_and_pbs() -> None:
-    """dask-jobqueue makes these scripts without the queue's programs."""
+    """dask-jobqueue makes these scripts without the queue's programs. Ctrl-C stays ours."""
+    handler = signal.getsignal(signal.SIGINT)
     for kind, line in (("slurm", "#SBATCH -p long"), ("pbs", "#PBS -q long")):
         job = class_of(ClusterTable(kind=kind)).job_cls
         script = job(None, queue="long", cores=4, memory="8GB").job_script()
         assert line in script and "distributed" in script
+    assert signal.getsignal(signal.SIGINT) is handler
 
 
 def test_absent_clusters_are_refused_by_name() -> None:
