@@ -24,7 +24,7 @@ from minkref.reports.evidence.framework.command import COMMAND, cost
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.framework.places import FOLDER
 
-MINUTES = Minutes(0.4, 1.5, 20)
+MINUTES = Minutes(None, 1.5, 20)
 ALONE = True
 SEED = 20261130
 SIMULATIONS = Counts(
