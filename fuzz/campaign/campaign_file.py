@@ -17,6 +17,7 @@ SettingName = Literal["plane", "disc", "space", "motion", "scene"]
 LARGEST_SEED = 2**63 - 1
 Some = Annotated[int, Meta(ge=1)]
 MEND = "docs/campaigns.md lists the keys"
+GIVE = "give a file as docs/campaigns.md begins with: minkref campaign run FILE.toml"
 
 
 class Table(msgspec.Struct, forbid_unknown_fields=True, rename="kebab", frozen=True):
@@ -79,12 +80,12 @@ class CampaignFile(Table, frozen=True):
 
 def read_campaign(path: Path) -> CampaignFile:
     """Reads a file. Refuses unknown keys and wrong kinds of values, with their place."""
-    text = text_of_file(path, str(path), MEND)
+    text = text_of_file(path, str(path), GIVE)
     try:
         value = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         what = f"this is no TOML: {cut(str(error))}"
-        raise Refusal(what, str(path), "mend the file", "campaign") from error
+        raise Refusal(what, str(path), GIVE, "campaign") from error
     try:
         return msgspec.convert(value, CampaignFile)
     except msgspec.ValidationError as error:
