@@ -7,13 +7,13 @@ import time
 from collections import Counter, deque
 from typing import TYPE_CHECKING, Any
 
-from minkref.cli.progress_lines import progress_lines
 from minkref.fuzz.campaign.engine import Drive
 from minkref.fuzz.shrink.groups import Group
 from minkref.output.documents import Stopwatch, document
 from minkref.output.terminal import console, counted, escaped
 from minkref.reports.conformance.run_words import counted_cases, untaken
 from minkref.verbs.verify_output import (
+    TerminalLine,
     ended_by,
     finding_document,
     matrix_document,
@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 RATE_SECONDS = 30.0  # over which the shown rate is taken
 
 
-class CampaignLine:
-    """A line on the terminal (standard error); without a terminal a new line every half minute."""
+class CampaignLine(TerminalLine):
+    """Cases, rate, findings and time left of a campaign."""
 
     def __init__(self, drive: Drive) -> None:
         self._words, self._said = "campaign", ""
@@ -47,15 +47,6 @@ class CampaignLine:
         )
         total = drive.goal.cases or drive.goal.seconds
         self._task = self._progress.add_task("campaign", total=total, told="")
-
-    def __enter__(self) -> CampaignLine:
-        lines = progress_lines(lambda: self._words) if self._progress.disable else self._progress
-        self._shown = lines
-        self._shown.__enter__()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._shown.__exit__(None, None, None)
 
     def say(self, what: str) -> None:
         """Tells, once, above the line."""

@@ -7,7 +7,7 @@ import signal
 import sys
 from collections import Counter
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 from minkref.cli.progress_lines import progress_lines
 from minkref.fuzz.isolation.isolation import Isolation
@@ -36,8 +36,24 @@ from rich.table import Table
 SMALL = 400  # vertices up to which a finding carries its operands in full
 
 
-class ProgressLine:
+class TerminalLine:
     """A line on the terminal (standard error); without a terminal a new line every half minute."""
+
+    _words: str
+    _progress: Progress
+
+    def __enter__(self) -> Self:
+        lines = progress_lines(lambda: self._words) if self._progress.disable else self._progress
+        self._shown = lines
+        self._shown.__enter__()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._shown.__exit__(None, None, None)
+
+
+class ProgressLine(TerminalLine):
+    """Cases and findings of `minkref verify`."""
 
     def __init__(self, count: int | None) -> None:
         self._words = "verify"
@@ -52,15 +68,6 @@ class ProgressLine:
             disable=not sys.stderr.isatty(),
         )
         self._task = self._progress.add_task("verify", total=count, findings="")
-
-    def __enter__(self) -> ProgressLine:
-        lines = progress_lines(lambda: self._words) if self._progress.disable else self._progress
-        self._shown = lines
-        self._shown.__enter__()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._shown.__exit__(None, None, None)
 
     def say(self, what: str) -> None:
         self._words = what
