@@ -17,6 +17,9 @@ from minkref.errors import Refusal
 from minkref.output.signals import end_with_parent, ending_in_order
 
 PROGRAM = "minkref-check-proved"
+BELIEVED = (
+    "Coq's kernel and extraction, OCaml, zarith, and the definitions that docs/proved.md lists"
+)
 BUILT_BY = "`make proofs` in the source tree builds it (docs/proved.md)"
 NO_LIMIT = ("--seconds=1e9", "--tests=1e18", "--bytes=1e18")
 OUT_OF_BUDGET = 4

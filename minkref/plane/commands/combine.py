@@ -37,10 +37,7 @@ Combine = Callable[[str, Sequence[_core.PolygonSet]], tuple[_core.PolygonSet, in
 #: The theorem `verified_combination_is_sound`, and all that it does not speak about
 #: (docs/proved.md).
 PROVED = "where the program answers about sets, it gives that set, in canonical form"
-TRUSTED = (
-    "that the program was asked to do this, with these sets",
-    "Coq's kernel and extraction, OCaml, zarith, and the definitions that docs/proved.md lists",
-)
+TRUSTED = ("that the program was asked to do this, with these sets", proved_program.BELIEVED)
 BETWEEN_POLYGONS = ("overlapping-rings", "crossing-rings", "overlapping-polygons")
 
 

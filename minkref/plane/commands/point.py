@@ -25,7 +25,7 @@ SHOWN = 20  # points that people see
 PROVED = "where the program answers about points, it says yes exactly of those in the sum"
 TRUSTED = (
     "that the program was asked about these operands, this scale and these points",
-    "Coq's kernel and extraction, OCaml, zarith, and the definitions that docs/proved.md lists",
+    proved_program.BELIEVED,
 )
 CONTACTS = {"empty": "not in it", "touching": "the sets touch", "overlapping": "the interiors meet"}
 
